@@ -1,0 +1,1 @@
+"""Hoistway: an open fleet transport controller."""
