@@ -1,0 +1,1 @@
+"""The words of the business: units, ids, layout, vehicles, jobs, commands, events, errors. Standard library only."""

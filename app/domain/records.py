@@ -1,0 +1,254 @@
+"""What is kept: each record is one row to write. The store turns them into SQL and gives a :class:`Kept` at start-up."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
+from app.domain.job import Job
+from app.domain.layout import Axis, PulseSet
+from app.domain.units import Barcode, Pulses, Timestamp
+
+
+class IntentState(StrEnum):
+    """Life of a command that was made durable before its first byte (COMMANDS section 1, PROTOCOLS 6.2)."""
+
+    OPEN = "open"
+    DONE = "done"
+    FAILED = "failed"
+    UNKNOWN = "unknown"
+    NOT_SENT = "not_sent"
+    SETTLED_DONE = "settled_done"
+    SETTLED_NOT_DONE = "settled_not_done"
+
+    @property
+    def closed(self) -> bool:
+        """Whether nothing more is to be found out about it."""
+        return self not in {IntentState.OPEN, IntentState.UNKNOWN}
+
+
+@dataclass(frozen=True, slots=True)
+class Intent:
+    """A command as durable fact. ``kind`` is the command's name (``move``, ``pickup``, ``servo_on`` ...).
+
+    ``path`` is every barcode of a MOVE or XMOVE in order; ``body`` the rest for people (JSON-able; pulses, pinned teaching
+    versions). ``amends`` names the MOVE that an XMOVE amends. ``acknowledged`` is set by the vehicle's ACK.
+    """
+
+    cmd_id: CmdId
+    vehicle: VehicleId
+    kind: str
+    state: IntentState
+    opened: Timestamp
+    actor: Actor
+    job: JobId | None = None
+    path: tuple[Barcode, ...] = ()
+    body: Mapping[str, object] = field(default_factory=dict)
+    amends: CmdId | None = None
+    closed: Timestamp | None = None
+    outcome: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class HistoryEvent:
+    """A durable event. ``seq`` rises by one without a gap; ``ceid`` is the site's event number (0: none configured)."""
+
+    seq: int
+    at: Timestamp
+    event: str
+    ceid: int
+    job: JobId | None = None
+    carrier: CarrierId | None = None
+    vehicle: VehicleId | None = None
+    source: str | None = None
+    destination: str | None = None
+    result: str = ""
+    detail: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AuditRow:
+    """One change asked for by a person or a host: who, what, on what, with which words, and whether it was accepted."""
+
+    at: Timestamp
+    actor: Actor
+    action: str
+    target: str
+    detail: str
+    accepted: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Hold:
+    """A vehicle that nothing is sent to until a named person decides (COMMANDS section 3.4)."""
+
+    reason: str
+    remedy: str
+    since: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class Lockout:
+    """People are at the vehicle: no remote command, no grant (DOMAIN section 7)."""
+
+    owner: Actor
+    reason: str
+    since: Timestamp
+    releases: tuple[Actor, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleRecord:
+    """What must be known of a vehicle after a restart.
+
+    ``barcode`` is the last place it was known to stand; ``held`` the track it may be on, tail first (COMMANDS 3.1).
+    ``off_rail``: a named person said that it is not on the track. ``carrier``: believed aboard. ``believed_loaded``: F as last
+    accounted for; None while never seen.
+    """
+
+    vehicle: VehicleId
+    barcode: Barcode | None = None
+    held: tuple[Barcode, ...] = ()
+    carrier: CarrierId | None = None
+    believed_loaded: bool | None = None
+    hold: Hold | None = None
+    lockout: Lockout | None = None
+    out_of_service: str = ""
+    off_rail: str = ""
+
+
+class Provenance(StrEnum):
+    """How we know where a carrier is (DOMAIN section 2)."""
+
+    HOST = "host"
+    PLACED = "placed"
+    PICKED = "picked"
+    PERSON = "person"
+    INFERRED = "inferred"
+    PLANT = "plant"
+
+
+@dataclass(frozen=True, slots=True)
+class StationRecord:
+    """What is believed of a station. ``present``: True, False, or None for not known. ``carrier`` may be unknown though
+    something is present. ``verified`` is True where a person or the host wrote it, False where we infer it.
+    """
+
+    station: StationId
+    present: bool | None = None
+    carrier: CarrierId | None = None
+    reserved: str = ""
+    out_of_service: str = ""
+    provenance: Provenance = Provenance.INFERRED
+    at: Timestamp = Timestamp(0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class CarrierRecord:
+    """Where a carrier is: a station, a vehicle, or nowhere we know (``place`` None)."""
+
+    carrier: CarrierId
+    place: StationId | VehicleId | None
+    provenance: Provenance
+    at: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class CarrierGone:
+    """The carrier has left the plant; its record goes."""
+
+    carrier: CarrierId
+
+
+@dataclass(frozen=True, slots=True)
+class StationDest:
+    """A version of a port's DEST, all three axes (DOMAIN section 3). Versions count from 1 per station."""
+
+    station: StationId
+    version: int
+    pulses: PulseSet
+    actor: Actor
+    source: str
+    at: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleOffset:
+    """A version of a vehicle's OFFSET, all three axes."""
+
+    vehicle: VehicleId
+    version: int
+    pulses: PulseSet
+    actor: Actor
+    source: str
+    at: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class TeachingEvent:
+    """A raw teaching event 0x2070-0x2075, kept for ever (I40). Same connection, CMD_ID and payload: same event."""
+
+    vehicle: VehicleId
+    connection: str
+    cmd_id: CmdId
+    code: int
+    axis: Axis | None
+    position: Pulses
+    barcode: Barcode
+    at: Timestamp
+
+
+class ControllerState(StrEnum):
+    """E82 controller states."""
+
+    AUTO = "auto"
+    PAUSING = "pausing"
+    PAUSED = "paused"
+
+
+@dataclass(frozen=True, slots=True)
+class ControllerRecord:
+    """State of the controller as a whole."""
+
+    state: ControllerState
+    reason: str = ""
+
+
+Record = (
+    Job
+    | Intent
+    | HistoryEvent
+    | AuditRow
+    | VehicleRecord
+    | StationRecord
+    | CarrierRecord
+    | CarrierGone
+    | StationDest
+    | VehicleOffset
+    | TeachingEvent
+    | ControllerRecord
+)
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, ControllerRecord replace the row of their key; the rest append."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """All that a controller needs to go on after a restart.
+
+    ``jobs`` are those not ended; ``intents`` those not closed; ``dests`` and ``offsets`` the newest version of each;
+    ``next_event`` and ``next_order`` the first numbers not yet used; ``epoch`` has been raised for this process life.
+    """
+
+    epoch: Epoch
+    jobs: tuple[Job, ...] = ()
+    intents: tuple[Intent, ...] = ()
+    vehicles: tuple[VehicleRecord, ...] = ()
+    stations: tuple[StationRecord, ...] = ()
+    carriers: tuple[CarrierRecord, ...] = ()
+    dests: tuple[StationDest, ...] = ()
+    offsets: tuple[VehicleOffset, ...] = ()
+    controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
+    next_event: int = 1
+    next_order: int = 1
+    fresh: bool = True
+    """True when this database has never run this plant: initial carriers and teaching come from the plant file."""
