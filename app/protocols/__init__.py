@@ -1,0 +1,1 @@
+"""One folder for each protocol; they know nothing of each other."""

@@ -1,0 +1,1 @@
+"""iTSC: the transport controller's talk with overhead hoists (PROTOCOLS section 1)."""

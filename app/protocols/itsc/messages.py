@@ -1,0 +1,549 @@
+"""iTSC's messages: codes, formats, records, the message table, and what can be wrong in a well-framed packet.
+
+Records are plain slotted dataclasses, made once per frame. A barcode is an int in dialects with ``barcode_format`` uint
+and a str in ascii; a position in pulses is signed; a speed is in percent.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import Enum, IntEnum, StrEnum
+from itertools import pairwise
+from types import MappingProxyType
+from typing import ClassVar
+
+from app.domain.errors import EncodeError
+from app.protocols.itsc.dialects import DEFAULT, Dialect
+from app.protocols.itsc.status import AXES, Mode, Oper, Status1, Status2, status1, status2
+
+__all__ = [
+    "AXES", "ELEMENT_SIZE", "INFO_SIZE", "MESSAGES", "NOTHING", "Ack", "Action", "Barcode", "Body", "Code", "Disp",
+    "Element", "EncodeError", "Enq", "Etb", "Form", "Frame", "Infr", "Jog", "Message", "Mode", "Move", "Mzone", "Nak",
+    "Nothing", "Oper", "Port", "Raw", "Req", "Resp1", "Resp2", "Sbuf", "Status1", "Status2", "Stid", "Teach", "Toward",
+    "Type", "Xmove", "messages_of", "problems", "status1", "status2",
+]  # fmt: skip
+
+Barcode = int | str
+
+INFO_SIZE = 64
+"""Bytes of transport information before the path of a MOVE (1.6)."""
+ELEMENT_SIZE = 12
+"""Bytes of one path element, in every dialect (1.6)."""
+
+
+class Type(IntEnum):
+    """A packet's first byte (1.3; NAK: I17)."""
+
+    ENQ = 0x05
+    ACK = 0x06
+    NAK = 0x15
+    ETB = 0x17
+
+
+class Toward(Enum):
+    """Where a packet goes. The same code carries the request one way and the answer the other."""
+
+    VEHICLE = "TC>VEH"
+    CONTROLLER = "VEH>TC"
+
+
+class Form(StrEnum):
+    """The formats of a packet's data (1.6, 1.7). RAW is our name for data without a known format."""
+
+    NONE = "NONE"
+    PORT = "PORT"
+    SBUF = "SBUF"
+    DISP = "DISP"
+    TEACH = "TEACH"
+    MOVE = "MOVE"
+    XMOVE = "XMOVE"
+    RESP1 = "RESP1"
+    RESP2 = "RESP2"
+    REQ = "REQ"
+    MZONE = "MZONE"
+    STID = "STID"
+    JOG = "JOG"
+    INFR = "INFR"
+    RAW = "RAW"
+
+
+SUB_FORMS = frozenset({Form.MOVE, Form.XMOVE})
+"""The formats that travel in an ETB packet's sub data."""
+
+
+class Code(IntEnum):
+    """The command codes (1.5); 2070-2073 are inferred and a dialect may give others (I12)."""
+
+    SERVO_ON = 0x2020
+    SERVO_OFF = 0x2021
+    SEARCH_HOME = 0x2022
+    GO_HOME = 0x2023
+    SYSTEM_RESET = 0x2024
+    ALARM_CLEAR = 0x2025
+    AUTO = 0x2026
+    STATUS = 0x7030
+    DISTANCE = 0x7032
+    STOP = 0x7040
+    STOP_BY_HOST = 0x5042
+    MOVE = 0x1044
+    XMOVE = 0x1045
+    PICKUP_FROM_PORT = 0x1046
+    PLACE_TO_PORT = 0x1047
+    PICKUP_FROM_SBFL = 0x1048
+    PLACE_TO_SBFL = 0x1049
+    PICKUP_FROM_SBFR = 0x104A
+    PLACE_TO_SBFR = 0x104B
+    SHFT_DEST_TEACHING = 0x2070
+    SHFT_OFFSET_TEACHING = 0x2071
+    ROTA_DEST_TEACHING = 0x2072
+    ROTA_OFFSET_TEACHING = 0x2073
+    LIFT_DEST_TEACHING = 0x2074
+    LIFT_OFFSET_TEACHING = 0x2075
+    PORT_DEST_TEACHING = 0x2076
+    PORT_OFFSET_TEACHING = 0x2077
+    DISPLAY_BY_HOST = 0x50C2
+
+
+class Action(IntEnum):
+    """What a path element asks for at its barcode: TRAV_COND bits 11-8 (1.6); 6-15 are undefined."""
+
+    RUN = 0
+    STOP = 1
+    STOP_PORT = 2
+    STOP_SBFL = 3
+    STOP_SBFR = 4
+    STOP_PORT_UNPREPARED = 5
+
+
+@dataclass(slots=True)
+class Nothing:
+    """No data: sixteen zero bytes are sent; what arrives in their place is ignored."""
+
+    form: ClassVar[Form] = Form.NONE
+
+
+NOTHING = Nothing()
+
+
+@dataclass(slots=True)
+class Port:
+    """INST_PORT: target pulses of the three axes, look-down area 0-15, speed 1-100 (1.6, I25)."""
+
+    form: ClassVar[Form] = Form.PORT
+    shft: int
+    rota: int
+    lift: int
+    lkdn: int
+    spd: int
+
+
+@dataclass(slots=True)
+class Sbuf:
+    """INST_SBUF: speed 1-100; the vehicle knows its side buffers (1.6)."""
+
+    form: ClassVar[Form] = Form.SBUF
+    spd: int
+
+
+@dataclass(slots=True)
+class Disp:
+    """INST_DISP: alarm number, OPT 0 notice or 1 notice with alarm, at most 12 ASCII characters (1.6, I45)."""
+
+    form: ClassVar[Form] = Form.DISP
+    alarm: int
+    opt: int
+    text: str
+
+
+@dataclass(slots=True)
+class Teach:
+    """INST_TEACH, from the vehicle: an axis position in pulses, and the current barcode (1.6, I14)."""
+
+    form: ClassVar[Form] = Form.TEACH
+    pos: int
+    barcode: Barcode
+
+
+@dataclass(slots=True)
+class Element:
+    """A path element: barcode to pass, ordinal, TRAV_COND's three parts (1.6).
+
+    ``action`` is one of :class:`Action` (a plain int, since a peer may send 6-15). ``dist_act`` and ``dist_next`` are mm and
+    travel in the slides dialect alone (I9); the others leave them out.
+    """
+
+    barcode: Barcode
+    seq: int
+    sensor: int
+    action: int
+    speed: int
+    dist_act: int = 0
+    dist_next: int = 0
+
+    @property
+    def trav_cond(self) -> int:
+        """TRAV_COND's 16 bits. Raises: ValueError: a part has more bits than its place."""
+        for name, value, largest in (
+            ("sensor", self.sensor, 15),
+            ("action", self.action, 15),
+            ("speed", self.speed, 255),
+        ):
+            if not 0 <= value <= largest:
+                raise ValueError(f"{name} {value} does not fit: 0..{largest}")
+        return self.sensor << 12 | self.action << 8 | self.speed
+
+
+@dataclass(slots=True)
+class Move:
+    """INST_MOVE: texts of at most 16 ASCII characters for the vehicle's display, and the path (1.6).
+
+    ``length`` and ``count`` are what a received packet said; a sender leaves them None and they are computed (I15).
+    """
+
+    form: ClassVar[Form] = Form.MOVE
+    path: list[Element]
+    foup_id: str = ""
+    source: str = ""
+    destination: str = ""
+    length: int | None = field(default=None, compare=False)
+    count: int | None = field(default=None, compare=False)
+
+
+@dataclass(slots=True)
+class Xmove:
+    """INST_XMOVE: the path from the first element to change on (1.6, I13, I16); ``length`` and ``count`` as in Move."""
+
+    form: ClassVar[Form] = Form.XMOVE
+    path: list[Element]
+    length: int | None = field(default=None, compare=False)
+    count: int | None = field(default=None, compare=False)
+
+
+@dataclass(slots=True)
+class Resp1:
+    """RESP1: RESULT 0 completed normally, 1 abnormally (1.7). ``dist`` in mm in the slides dialect, else None (I10)."""
+
+    form: ClassVar[Form] = Form.RESP1
+    result: int
+    status2: Status2
+    barcode: Barcode
+    seq: int
+    dist: int | None = None
+
+
+@dataclass(slots=True)
+class Resp2:
+    """RESP2: the vehicle's state (1.7). ``dist`` is mm from the barcode in the slides dialect, else None (I8)."""
+
+    form: ClassVar[Form] = Form.RESP2
+    status1: Status1
+    status2: Status2
+    barcode: Barcode
+    seq: int
+    dist: int | None = None
+
+
+@dataclass(slots=True)
+class Req:
+    """INST_REQ: OPT1 0 access test without PIO handshake or 1 with, OPT2 1 repeat (1.6, I32)."""
+
+    form: ClassVar[Form] = Form.REQ
+    opt1: int
+    opt2: int
+
+
+@dataclass(slots=True)
+class Mzone:
+    """INST_MZONE: a zone (1.6, I33)."""
+
+    form: ClassVar[Form] = Form.MZONE
+    zone: int
+
+
+@dataclass(slots=True)
+class Stid:
+    """INST_STID: a storage or port id of at most 16 ASCII characters (1.6, I32)."""
+
+    form: ClassVar[Form] = Form.STID
+    stid: str
+
+
+@dataclass(slots=True)
+class Jog:
+    """INST_JOG: OPT 1 absolute or 2 relative with ``value`` in pulses, 3 and 4 speed moves with ``value`` 0 (1.6, I32)."""
+
+    form: ClassVar[Form] = Form.JOG
+    opt: int
+    value: int
+
+
+@dataclass(slots=True)
+class Infr:
+    """INST_INFR: OPT 0 firmware version, 1-5 an axis' position (1.6, I32)."""
+
+    form: ClassVar[Form] = Form.INFR
+    opt: int
+
+
+@dataclass(slots=True)
+class Raw:
+    """Data without a known format: the 16 data bytes as they came, and an ETB packet's sub data."""
+
+    form: ClassVar[Form] = Form.RAW
+    data: bytes
+    sub: bytes = b""
+
+
+Body = (
+    Nothing | Port | Sbuf | Disp | Teach | Move | Xmove | Resp1 | Resp2 | Req | Mzone | Stid | Jog | Infr | Raw
+)  # fmt: skip
+
+
+@dataclass(slots=True)
+class Ack:
+    """Received without error; both ids as received (1.2, 1.3)."""
+
+    dev_id: int
+    cmd_id: int
+
+
+@dataclass(slots=True)
+class Nak:
+    """Send again now (I17); both ids as received."""
+
+    dev_id: int
+    cmd_id: int
+
+
+@dataclass(slots=True)
+class Enq:
+    """A command, an answer or an event in 33 bytes (1.3). ``code`` is the number on the wire."""
+
+    dev_id: int
+    cmd_id: int
+    code: int
+    body: Body
+
+
+@dataclass(slots=True)
+class Etb:
+    """A command with a sub packet (1.3, I5)."""
+
+    dev_id: int
+    cmd_id: int
+    code: int
+    body: Body
+
+
+Frame = Ack | Nak | Enq | Etb
+
+_M, _S, _A = Mode.MANT, Mode.SEMI, Mode.AUTO
+_ALL = frozenset({_M, _S, _A})
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A row of the message table. ``answer`` None: an ACK only. ``mode_after`` None: the mode stays.
+
+    ``code`` is the number on the wire, ``kind`` the message it means (None for a format that only a dialect gave a code).
+    ``sender`` is the source's word: HC, TC, HC/TC or VEH. ``source`` is the paragraph it comes from.
+    """
+
+    code: int
+    kind: Code | None
+    name: str
+    sender: str
+    request: Form
+    answer: Form | None
+    modes: frozenset[Mode]
+    mode_after: Mode | None
+    source: str
+
+    @property
+    def from_vehicle(self) -> bool:
+        """Whether the vehicle sends it of itself, as its event."""
+        return self.sender == "VEH"
+
+
+def _row(
+    kind: Code,
+    sender: str,
+    request: Form,
+    answer: Form | None,
+    modes: frozenset[Mode],
+    after: Mode | None,
+    source: str,
+) -> Message:
+    return Message(int(kind), kind, kind.name.replace("_", " "), sender, request, answer, modes, after, source)
+
+
+_MANT, _AUTO, _AS = frozenset({_M}), frozenset({_A}), frozenset({_A, _S})
+_N, _R1 = Form.NONE, Form.RESP1
+
+_TABLE = (
+    _row(Code.SERVO_ON, "HC", _N, _R1, _MANT, None, "1.5, A row 1"),
+    _row(Code.SERVO_OFF, "HC", _N, _R1, _MANT, None, "1.5, A row 2"),
+    _row(Code.SEARCH_HOME, "HC", _N, _R1, _MANT, None, "1.5, A row 3"),
+    _row(Code.GO_HOME, "HC", _N, _R1, _MANT, None, "1.5, A row 4"),
+    _row(Code.SYSTEM_RESET, "HC", _N, None, _MANT, None, "1.5, A row 5; I34"),
+    _row(Code.ALARM_CLEAR, "HC", _N, _R1, _MANT, None, "1.5, A row 6"),
+    _row(Code.AUTO, "HC", _N, _R1, _MANT, _A, "1.5, A row 7"),
+    _row(Code.STATUS, "HC/TC", _N, Form.RESP2, _ALL, None, "1.5, A row 8, B row 1; I37"),
+    _row(Code.DISTANCE, "HC/TC", _N, Form.RAW, _ALL, None, "1.5, A row 9; I31"),
+    _row(Code.STOP, "HC", _N, _R1, _ALL, _M, "1.5, A row 10"),
+    _row(Code.STOP_BY_HOST, "TC", _N, _R1, _AS, None, "1.5, A row 11, B row 2"),
+    _row(Code.MOVE, "TC", Form.MOVE, _R1, _AUTO, None, "1.5, A row 12, B row 3; I20"),
+    _row(Code.XMOVE, "TC", Form.XMOVE, _R1, _AUTO, None, "1.5, A row 13, B row 4; I13, I38"),
+    _row(Code.PICKUP_FROM_PORT, "TC", Form.PORT, _R1, _AUTO, None, "1.5, A row 14, B row 5"),
+    _row(Code.PLACE_TO_PORT, "TC", Form.PORT, _R1, _AUTO, None, "1.5, B row 6"),
+    _row(Code.PICKUP_FROM_SBFL, "TC", Form.SBUF, _R1, _AUTO, None, "1.5, B row 7; I36"),
+    _row(Code.PLACE_TO_SBFL, "TC", Form.SBUF, _R1, _AUTO, None, "1.5, B row 8"),
+    _row(Code.PICKUP_FROM_SBFR, "TC", Form.SBUF, _R1, _AUTO, None, "1.5, B row 9"),
+    _row(Code.PLACE_TO_SBFR, "TC", Form.SBUF, _R1, _AUTO, None, "1.5, B row 10"),
+    _row(Code.SHFT_DEST_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5; I12, I39"),
+    _row(Code.SHFT_OFFSET_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5; I12, I39"),
+    _row(Code.ROTA_DEST_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5; I12, I39"),
+    _row(Code.ROTA_OFFSET_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5; I12, I39"),
+    _row(Code.LIFT_DEST_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5, B row 11"),
+    _row(Code.LIFT_OFFSET_TEACHING, "VEH", Form.TEACH, None, _MANT, None, "1.5, B row 12"),
+    _row(Code.PORT_DEST_TEACHING, "HC", _N, _R1, _MANT, None, "1.5, B row 13"),
+    _row(Code.PORT_OFFSET_TEACHING, "HC", _N, _R1, _MANT, None, "1.5, B row 14; I11"),
+    _row(Code.DISPLAY_BY_HOST, "TC", Form.DISP, _R1, _AS, None, "1.5, B row 15"),
+)
+
+_RENUMBERED = {
+    Code.SHFT_DEST_TEACHING: "teach_shft_dest",
+    Code.SHFT_OFFSET_TEACHING: "teach_shft_offset",
+    Code.ROTA_DEST_TEACHING: "teach_rota_dest",
+    Code.ROTA_OFFSET_TEACHING: "teach_rota_offset",
+}
+_OPTIONAL = {
+    "req_code": Form.REQ,
+    "mzone_code": Form.MZONE,
+    "stid_code": Form.STID,
+    "jog_code": Form.JOG,
+    "infr_code": Form.INFR,
+}
+_BITS_OF_MODE = {1: _A, 2: _M, 4: _S}
+
+
+def messages_of(dialect: Dialect) -> Mapping[int, Message]:
+    """Return the message table of a dialect by the code on the wire.
+
+    The formats of I32 that the dialect gives a code answer with unformatted data, since none is defined; their modes are
+    read from the code's top nibble (1.4). A code given twice belongs to the row of the source's table.
+    """
+    table: dict[int, Message] = {}
+    for name, form in _OPTIONAL.items():
+        code: int | None = getattr(dialect, name)
+        if code is not None:
+            modes = frozenset(mode for bit, mode in _BITS_OF_MODE.items() if code >> 12 & bit)
+            table[code] = Message(code, None, form.value, "TC", form, Form.RAW, modes, None, "1.6; I32")
+    for row in _TABLE:
+        code = getattr(dialect, _RENUMBERED[row.kind]) if row.kind in _RENUMBERED else row.code
+        table[code] = Message(code, *(getattr(row, name) for name in Message.__slots__[1:]))
+    return MappingProxyType(table)
+
+
+MESSAGES: Mapping[int, Message] = messages_of(DEFAULT)
+"""The message table of document B, with A's rows (PROTOCOLS 1.5; list differences: I55)."""
+
+
+_RANGES: Mapping[Form, tuple[tuple[str, str, int, int], ...]] = MappingProxyType(
+    {
+        Form.PORT: (("LKDN", "lkdn", 0, 15), ("SPD", "spd", 1, 100)),
+        Form.SBUF: (("SPD", "spd", 1, 100),),
+        Form.DISP: (("OPT", "opt", 0, 1),),
+        Form.RESP1: (("RESULT", "result", 0, 1),),
+        Form.REQ: (("OPT1", "opt1", 0, 1), ("OPT2", "opt2", 0, 1)),
+        Form.JOG: (("OPT", "opt", 1, 4),),
+        Form.INFR: (("OPT", "opt", 0, 5),),
+    }
+)
+"""What the source limits beyond a field's width: name, attribute, lowest, highest (1.6, 1.7)."""
+
+_TEXTS: Mapping[Form, tuple[tuple[str, str], ...]] = MappingProxyType(
+    {
+        Form.MOVE: (("FOUP ID", "foup_id"), ("SOURCE", "source"), ("DESTINATION", "destination")),
+        Form.DISP: (("text", "text"),),
+        Form.STID: (("STID", "stid"),),
+        Form.TEACH: (("BARCODE", "barcode"),),
+        Form.RESP1: (("BARCODE", "barcode"),),
+        Form.RESP2: (("BARCODE", "barcode"),),
+    }
+)
+"""What has to be printable ASCII (I26; a barcode where it is text, I7)."""
+
+
+def problems(frame: Frame, messages: Mapping[int, Message] = MESSAGES) -> tuple[str, ...]:
+    """Return what is wrong in a well-framed packet, in words; empty if a receiver may act on it.
+
+    Reserved fields are not looked at. Pass ``codec.messages`` for a dialect with codes of its own.
+    """
+    if isinstance(frame, Ack | Nak):
+        return ()
+    message = messages.get(frame.code)
+    if message is None:
+        return (f"unknown code {frame.code:#06x}", *_in_body(frame.body))
+    return (*_in_place(frame, message), *_in_body(frame.body))
+
+
+def _in_place(frame: Enq | Etb, message: Message) -> Iterator[str]:
+    form = frame.body.form
+    if message.request in SUB_FORMS and isinstance(frame, Enq) and form is not message.answer:
+        yield f"{message.name} needs an ETB packet"
+    elif isinstance(frame, Etb) and form not in SUB_FORMS:
+        yield f"{message.name} does not travel in an ETB packet"
+    elif form is not message.request and form is not message.answer:
+        yield f"{form} is no format of {message.name}"
+
+
+def _in_body(body: Body) -> Iterator[str]:
+    for name, attribute, low, high in _RANGES.get(body.form, ()):
+        yield from _outside(name, getattr(body, attribute), low, high)
+    for name, attribute in _TEXTS.get(body.form, ()):
+        yield from _not_ascii(name, getattr(body, attribute))
+    if isinstance(body, Jog) and body.opt in (3, 4):
+        yield from _outside("VALUE", body.value, 0, 0)
+    if isinstance(body, Move | Xmove):
+        yield from _in_route(body)
+
+
+def _in_route(body: Move | Xmove) -> Iterator[str]:
+    path = body.path
+    length = ELEMENT_SIZE * len(path)
+    if isinstance(body, Move):
+        length += INFO_SIZE
+    if body.length not in (None, length):
+        yield f"LENGTH {body.length} does not fit {len(path)} elements ({length})"
+    if body.count not in (None, len(path)):
+        yield f"COUNT {body.count}, but {len(path)} elements"
+    if not path:
+        yield "the path is empty"
+        return
+    if isinstance(body, Move) and path[0].seq != 0:
+        yield f"the first SEQ is {path[0].seq}, not 0"
+    for before, after in pairwise(path):
+        if after.seq != before.seq + 1:
+            yield f"SEQ {after.seq} follows {before.seq}"
+    for element in path:
+        yield from _in_element(element)
+    if not Action.STOP <= path[-1].action <= Action.STOP_PORT_UNPREPARED:
+        yield "the last element is not a stop"
+
+
+def _in_element(element: Element) -> Iterator[str]:
+    where = f"SEQ {element.seq}: "
+    yield from _outside(where + "sensor", element.sensor, 0, 15)
+    yield from _outside(where + "action", element.action, Action.RUN, Action.STOP_PORT_UNPREPARED)
+    yield from _outside(where + "speed", element.speed, 1, 100)
+    yield from _not_ascii(where + "BARCODE", element.barcode)
+
+
+def _outside(name: str, value: int, low: int, high: int) -> Iterator[str]:
+    if not low <= value <= high:
+        yield f"{name} {value} is outside {low}..{high}"
+
+
+def _not_ascii(name: str, value: Barcode) -> Iterator[str]:
+    if isinstance(value, str) and not (value.isascii() and value.isprintable()):
+        yield f"{name} {value!r} is not printable ASCII"
