@@ -1,0 +1,275 @@
+"""Who may move where: each barcode belongs to one vehicle at a time, and every wait has a reason."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import count
+from types import MappingProxyType
+
+from app.domain.ids import VehicleId, ZoneId
+from app.domain.layout import Zone
+from app.domain.units import Barcode
+from app.planning.deadlock import Needs, deadlocks
+from app.planning.track import Track
+
+
+class BlockReason(StrEnum):
+    """Why a barcode was not granted."""
+
+    HELD = "held"
+    """Another vehicle holds it."""
+    CONFLICT = "conflict"
+    """Another vehicle holds a barcode that excludes it (``Track.conflicts``)."""
+    ZONE = "zone"
+    """As many other vehicles as it can take hold track in a zone it lies in."""
+    CLOSED = "closed"
+    """It is closed for new claims."""
+    NO_STOP = "no_stop"
+    """What was wanted ends inside a no-stop zone, and not at a goal. Want more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Blocked:
+    """A refusal: the barcode that could not be granted and what stands against it.
+
+    ``by`` is the vehicle waited for, the longest in the zone for ZONE, None for CLOSED and NO_STOP. ``zone`` goes with
+    ZONE and NO_STOP, ``note`` (why it is closed) with CLOSED.
+    """
+
+    at: Barcode
+    by: VehicleId | None
+    why: BlockReason
+    zone: ZoneId | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Grant:
+    """The prefix of what was wanted that the vehicle now holds, and what ended it: None if all was granted.
+
+    A prefix trimmed for a no-stop zone is blocked by what stands beyond it.
+    """
+
+    granted: tuple[Barcode, ...]
+    blocked: Blocked | None
+
+
+@dataclass(frozen=True, slots=True)
+class TrafficView:
+    """All of it at one moment, for the read model."""
+
+    held: dict[VehicleId, tuple[Barcode, ...]]
+    blocked: dict[VehicleId, Blocked]
+    closed: dict[Barcode, str]
+    cycles: tuple[tuple[VehicleId, ...], ...]
+
+
+class Traffic:
+    """Exclusive ownership of barcodes.
+
+    What a vehicle holds is a set: a barcode taken twice is given back by one ``release``. Sets given back go round in
+    an order that is the same in every run. A barcode that is not on the track may be held too; nothing conflicts with it.
+    """
+
+    def __init__(self, track: Track) -> None:
+        self._track = track
+        self._held: dict[VehicleId, dict[Barcode, None]] = {}
+        self._holders: dict[Barcode, tuple[VehicleId, ...]] = {}
+        self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
+        self._closed: dict[Barcode, str] = {}
+        self._blocked: dict[VehicleId, Blocked] = {}
+        self._blocked_at: defaultdict[Barcode, dict[VehicleId, None]] = defaultdict(dict)
+        self._blocked_zone: defaultdict[ZoneId, dict[VehicleId, None]] = defaultdict(dict)
+        self._turn: dict[VehicleId, int] = {}
+        self._turns = count()
+
+    @property
+    def blocked(self) -> Mapping[VehicleId, Blocked]:
+        """The last refusal of each vehicle that has not been granted all it wanted since."""
+        return MappingProxyType(self._blocked)
+
+    @property
+    def closed(self) -> Mapping[Barcode, str]:
+        """The closed barcodes, and why."""
+        return MappingProxyType(self._closed)
+
+    def held(self, vehicle: VehicleId) -> tuple[Barcode, ...]:
+        """Return what the vehicle holds, in the order taken."""
+        return tuple(self._held.get(vehicle, ()))
+
+    def holders(self, barcode: Barcode) -> frozenset[VehicleId]:
+        """Return who holds the barcode: more than one only after ``hold``."""
+        return frozenset(self._holders.get(barcode, ()))
+
+    def claim(self, vehicle: VehicleId, wanted: Sequence[Barcode], goal_included: bool) -> Grant:
+        """Grant as much of ``wanted`` as may be had, from its start, in order of driving.
+
+        A barcode may be had if no other vehicle holds it or a conflicting one, every zone at it has room, and it is not
+        closed. The grant does not end inside a no-stop zone, unless at the goal (``goal_included``: ``wanted[-1]`` is
+        it) or in a no-stop zone that what the vehicle took last lies in already.
+        """
+        free: list[Barcode] = []
+        blocked = None
+        for barcode in wanted:
+            if (blocked := self.obstacle(vehicle, barcode)) is not None:
+                break
+            free.append(barcode)
+        if blocked is not None or not goal_included:
+            end = self._stopping_place(vehicle, free)
+            if blocked is None and end < len(free):
+                zone = next(zone.id for zone in self._track.zones_at(free[-1]) if zone.no_stop)
+                blocked = Blocked(free[end], None, BlockReason.NO_STOP, zone)
+            del free[end:]
+        for barcode in free:
+            self._take(vehicle, barcode)
+        self._record(vehicle, blocked, moved=bool(free))
+        return Grant(tuple(free), blocked)
+
+    def obstacle(self, vehicle: VehicleId, barcode: Barcode) -> Blocked | None:
+        """Return what keeps the vehicle from being granted this barcode; None if nothing does."""
+        if barcode in self._closed:
+            return Blocked(barcode, None, BlockReason.CLOSED, note=self._closed[barcode])
+        if (other := next(self._others(vehicle, barcode), None)) is not None:
+            return Blocked(barcode, other, BlockReason.HELD)
+        for near in sorted(self._track.conflicts(barcode)):
+            if (other := next(self._others(vehicle, near), None)) is not None:
+                return Blocked(barcode, other, BlockReason.CONFLICT)
+        for zone in self._track.zones_at(barcode):
+            if others := self._in_the_way(vehicle, zone):
+                return Blocked(barcode, others[0], BlockReason.ZONE, zone.id)
+        return None
+
+    def release(self, vehicle: VehicleId, barcodes: Iterable[Barcode]) -> None:
+        """Give back what the vehicle holds of these; the rest is ignored. Then ask ``waiters`` who may go on."""
+        held = self._held.get(vehicle, {})
+        for barcode in barcodes:
+            if barcode not in held:
+                continue
+            del held[barcode]
+            remaining = tuple(v for v in self._holders.pop(barcode) if v != vehicle)
+            if remaining:
+                self._holders[barcode] = remaining
+            for zone in self._track.zones_at(barcode):
+                inside = self._inside[zone.id]
+                inside[vehicle] -= 1
+                if not inside[vehicle]:
+                    del inside[vehicle]
+        if not held:
+            self._held.pop(vehicle, None)
+
+    def hold(self, vehicle: VehicleId, barcodes: Iterable[Barcode]) -> AbstractSet[tuple[Barcode, VehicleId]]:
+        """Take these whatever stands against it: the vehicle is there, or may be. Tail first.
+
+        Returns the barcodes that another vehicle holds, or holds a conflicting one of, with that vehicle. A barcode
+        with two holders is granted to nobody, its holders included, until one releases it.
+        """
+        clashes: dict[tuple[Barcode, VehicleId], None] = {}
+        for barcode in barcodes:
+            for near in (barcode, *sorted(self._track.conflicts(barcode))):
+                clashes.update(((barcode, other), None) for other in self._others(vehicle, near))
+            self._take(vehicle, barcode)
+        return clashes.keys()
+
+    def clear(self, vehicle: VehicleId) -> None:
+        """Give back everything: the vehicle is off the rail."""
+        self.release(vehicle, self.held(vehicle))
+        self.forget(vehicle)
+
+    def forget(self, vehicle: VehicleId) -> None:
+        """Drop the vehicle's last refusal: it wants nothing any more."""
+        self._record(vehicle, None, moved=True)
+
+    def close(self, barcodes: Iterable[Barcode], why: str) -> None:
+        """Grant these to nobody from now on; who holds them keeps them."""
+        self._closed.update((barcode, why) for barcode in barcodes)
+
+    def open(self, barcodes: Iterable[Barcode]) -> None:
+        """End the closure. Then ask ``waiters`` who may go on."""
+        for barcode in barcodes:
+            self._closed.pop(barcode, None)
+
+    def waiters(self, barcodes: Iterable[Barcode]) -> AbstractSet[VehicleId]:
+        """Return who should claim again after these barcodes came free, the longest wait first.
+
+        They are the vehicles whose last refusal concerns one of them, a conflicting one or a zone it lies in.
+        """
+        found: dict[VehicleId, None] = {}
+        for barcode in barcodes:
+            for near in (barcode, *self._track.conflicts(barcode)):
+                found.update(self._blocked_at.get(near, {}))
+            for zone in self._track.zones_at(barcode):
+                found.update(self._blocked_zone.get(zone.id, {}))
+        return dict.fromkeys(sorted(found, key=self._turn.__getitem__)).keys()
+
+    def cycles(self) -> tuple[tuple[VehicleId, ...], ...]:
+        """Return the deadlocks: vehicles each of which waits for the next, and the last for the first.
+
+        Judged by what stands against each waiting vehicle now. A vehicle that waits for room in a zone is locked only if
+        everyone in the zone is; one that waits for an opening or for a longer claim of its own is not. Where cycles
+        share vehicles, one is given. Each starts with its smallest id.
+        """
+        needs = {v: groups for v, b in self._blocked.items() if (groups := self._needs(v, b.at))}
+        return deadlocks(needs)
+
+    def snapshot(self) -> TrafficView:
+        """Return a copy of everything."""
+        held = {vehicle: tuple(barcodes) for vehicle, barcodes in self._held.items()}
+        return TrafficView(held, dict(self._blocked), dict(self._closed), self.cycles())
+
+    def _others(self, vehicle: VehicleId, barcode: Barcode) -> Iterator[VehicleId]:
+        return (other for other in self._holders.get(barcode, ()) if other != vehicle)
+
+    def _in_the_way(self, vehicle: VehicleId, zone: Zone) -> list[VehicleId]:
+        """Return the other vehicles inside if they fill the zone; else none."""
+        others = [other for other in self._inside[zone.id] if other != vehicle]
+        return others if len(others) >= zone.capacity else []
+
+    def _stopping_place(self, vehicle: VehicleId, free: Sequence[Barcode]) -> int:
+        """Return how many of ``free`` may be granted so that the vehicle can stop at the last one."""
+        end = len(free)
+        last = next(reversed(self._held.get(vehicle, {})), None)
+        within = self._no_stop_zones(last) if last is not None else set()
+        while end and not self._no_stop_zones(free[end - 1]) <= within:
+            end -= 1
+        return end
+
+    def _no_stop_zones(self, barcode: Barcode) -> set[ZoneId]:
+        return {zone.id for zone in self._track.zones_at(barcode) if zone.no_stop}
+
+    def _take(self, vehicle: VehicleId, barcode: Barcode) -> None:
+        held = self._held.setdefault(vehicle, {})
+        if barcode in held:
+            del held[barcode]
+        else:
+            self._holders[barcode] = (*self._holders.get(barcode, ()), vehicle)
+            for zone in self._track.zones_at(barcode):
+                inside = self._inside[zone.id]
+                inside[vehicle] = inside.get(vehicle, 0) + 1
+        held[barcode] = None
+
+    def _record(self, vehicle: VehicleId, blocked: Blocked | None, *, moved: bool) -> None:
+        if (before := self._blocked.get(vehicle)) is not None:
+            self._blocked_at[before.at].pop(vehicle)
+            if before.zone is not None:
+                self._blocked_zone[before.zone].pop(vehicle)
+        if blocked is None:
+            self._blocked.pop(vehicle, None)
+            self._turn.pop(vehicle, None)
+            return
+        self._blocked[vehicle] = blocked
+        self._blocked_at[blocked.at][vehicle] = None
+        if blocked.zone is not None:
+            self._blocked_zone[blocked.zone][vehicle] = None
+        if moved or before is None:
+            self._turn[vehicle] = next(self._turns)
+
+    def _needs(self, vehicle: VehicleId, barcode: Barcode) -> Needs:
+        if barcode in self._closed:
+            return []
+        holders = (
+            o for near in (barcode, *sorted(self._track.conflicts(barcode))) for o in self._others(vehicle, near)
+        )
+        zones = (self._in_the_way(vehicle, zone) for zone in self._track.zones_at(barcode))
+        return [[other] for other in holders] + [others for others in zones if others]
