@@ -1,0 +1,59 @@
+"""How the objects of the read model look as JSON: times in ISO 8601 UTC, everything else as it is."""
+
+import dataclasses
+from collections.abc import Callable
+from datetime import UTC, datetime
+from typing import get_args
+
+import msgspec
+
+from app.domain.view import EventView, HoldView, LinkView, LockoutView, View
+
+TIMES = frozenset({"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed"})
+"""Names of the fields that are moments, in every view."""
+
+RENAMED: dict[tuple[type, str], str] = {(EventView, "at"): "ts"}
+"""DOMAIN section 2 gives an event's moment its own name."""
+
+encode = msgspec.json.Encoder().encode
+
+
+def iso(moment: float) -> str:
+    """Return a moment in UTC seconds as ISO 8601 with milliseconds, such as ``2026-07-01T08:30:00.250Z``."""
+    return datetime.fromtimestamp(moment, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+def shown(view: object) -> dict[str, object]:
+    """Return any view, or a part of one, as a mapping that encodes to JSON."""
+    return _SHOWERS[type(view)](view)
+
+
+def encoded(view: View) -> bytes:
+    """Return a view as JSON."""
+    return encode(shown(view))
+
+
+def _shower(kind: type) -> Callable[[object], dict[str, object]]:
+    fields = [f.name for f in dataclasses.fields(kind)]
+    plain = [(n, RENAMED.get((kind, n), n)) for n in fields]
+    moments = [RENAMED.get((kind, n), n) for n in fields if n in TIMES]
+    nested = [n for n in fields if n in _NESTED]
+
+    def show(view: object) -> dict[str, object]:
+        out: dict[str, object] = {label: getattr(view, name) for name, label in plain}
+        for label in moments:
+            moment = out[label]
+            if isinstance(moment, float | int):
+                out[label] = iso(moment)
+        for name in nested:
+            if out[name] is not None:
+                out[name] = shown(out[name])
+        return out
+
+    return show
+
+
+_NESTED = frozenset({"link", "hold", "lockout"})
+_SHOWERS: dict[type, Callable[[object], dict[str, object]]] = {
+    kind: _shower(kind) for kind in (*get_args(View), LinkView, HoldView, LockoutView)
+}
