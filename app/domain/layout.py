@@ -176,7 +176,8 @@ class Plant:
 
     ``edges`` are one-way. ``carriers`` is where carriers are when the plant is first started (provenance ``plant``).
     ``clearance`` is the least distance in mm between the centres of two vehicles on track that is not consecutive:
-    barcodes nearer than that exclude each other.
+    barcodes nearer than that exclude each other. ``dialects`` are the plant's own ones, by name: fields laid over a preset
+    (``preset``, else the default).
     """
 
     name: str
@@ -191,6 +192,7 @@ class Plant:
     process_codes: dict[int, str] = field(default_factory=dict)
     alarm_codes: dict[int, str] = field(default_factory=dict)
     event_numbers: dict[str, int] = field(default_factory=dict)
+    dialects: dict[str, dict[str, object]] = field(default_factory=dict)
 
     def station(self, station: StationId) -> Station | None:
         """Return the station of that name, or None."""

@@ -1,0 +1,94 @@
+"""Whether the track connects what it should: dead ends, lone pieces, stations that cannot be reached or left."""
+
+import networkx as nx
+
+from app.domain.layout import Plant, Station
+from app.plant.document import Document
+from app.plant.references import Places
+
+
+def graph_of(plant: Plant) -> "nx.DiGraph[str]":
+    """Return the track as a directed graph with ``length`` at its edges."""
+    graph: nx.DiGraph[str] = nx.DiGraph()
+    graph.add_nodes_from(point.barcode for point in plant.points)
+    graph.add_edges_from((edge.start, edge.end, {"length": edge.length}) for edge in plant.edges)
+    return graph
+
+
+def check_connections(document: Document, plant: Plant, places: Places, graph: "nx.DiGraph[str]") -> None:
+    """Note every dead end, every piece of track that cannot be left or reached, and the stations and starts that suffer."""
+    _check_ends(document, places, graph)
+    pieces = sorted(nx.weakly_connected_components(graph), key=lambda piece: (-len(piece), min(piece)))
+    served = [piece for piece in pieces if any(station.barcode in piece for station in plant.stations)]
+    if len(served) > 1:
+        barcode = min(served[1])
+        message = (
+            f"the track falls into {len(served)} pieces with stations; {barcode} is not connected to {min(served[0])}"
+        )
+        document.warn(places.barcodes[barcode], message, "no transfer is possible from one to the other", key=True)
+    for piece in pieces:
+        _check_piece(document, plant, places, graph.subgraph(piece))
+
+
+def _check_ends(document: Document, places: Places, graph: "nx.DiGraph[str]") -> None:
+    for barcode in graph:
+        into, out = graph.in_degree(barcode), graph.out_degree(barcode)
+        where = places.barcodes[barcode]
+        if not into and not out:
+            document.warn(
+                where, f"no track touches barcode {barcode}", "name it under track, or leave it out", key=True
+            )
+        elif not out:
+            message = f"dead end: track leads to {barcode}, but none leads on"
+            document.error(where, message, "add track from it, or end the track before it", key=True)
+        elif not into:
+            message = f"no track leads to {barcode}: a vehicle can leave it, but never return"
+            document.warn(where, message, "add track to it", key=True)
+
+
+def _check_piece(document: Document, plant: Plant, places: Places, piece: "nx.DiGraph[str]") -> None:
+    stations = [station for station in plant.stations if station.barcode in piece]
+    starts = [vehicle for vehicle in plant.vehicles if vehicle.start in piece]
+    if not stations:
+        for vehicle in starts if plant.stations else ():
+            message = f"{vehicle.id} starts at {vehicle.start}, on a piece of track without stations"
+            document.warn(("vehicles", vehicle.id, "start"), message, "start it on track that has stations")
+        return
+    if len(stations) == 1:
+        message = f"{stations[0].id} is the only station on its piece of track: no transfer can begin or end there"
+        document.warn(("stations", stations[0].id, "at"), message, "connect it to other stations")
+    main = _main_loop(piece, stations)
+    onward, back = nx.descendants(piece, main) | {main}, nx.ancestors(piece, main) | {main}
+    reference = next(station for station in stations if station.barcode in onward and station.barcode in back)
+    for station in stations:
+        _check_station(document, station, reference, onward, back)
+    for vehicle in starts:
+        if vehicle.start not in back:
+            message = f"{vehicle.id} starts at {vehicle.start}, from where no way leads to station {reference.id}"
+            document.error(("vehicles", vehicle.id, "start"), message, "start it elsewhere, or add the missing track")
+    _check_traps(document, places, piece, onward & back)
+
+
+def _main_loop(piece: "nx.DiGraph[str]", stations: list[Station]) -> str:
+    """Return a barcode of the strongly connected part that has the most stations."""
+    parts = nx.strongly_connected_components(piece)
+    best = max(parts, key=lambda part: (sum(station.barcode in part for station in stations), len(part)))
+    return min(best)
+
+
+def _check_station(document: Document, station: Station, reference: Station, onward: set[str], back: set[str]) -> None:
+    path = ("stations", station.id, "at")
+    remedy = "check the direction of the track around it"
+    if station.barcode not in onward:
+        document.error(path, f"{station.id} at {station.barcode} cannot be reached from {reference.id}", remedy)
+    if station.barcode not in back:
+        document.error(path, f"{station.id} at {station.barcode} has no way to {reference.id}", remedy)
+
+
+def _check_traps(document: Document, places: Places, piece: "nx.DiGraph[str]", main: set[str]) -> None:
+    for part in nx.strongly_connected_components(piece):
+        leaves = any(after not in part for barcode in part for after in piece[barcode])
+        if len(part) > 1 and not leaves and not part & main:
+            first = min(part)
+            message = f"track leads into the loop of {first} and {len(part) - 1} more barcodes, but none leads out"
+            document.error(places.barcodes[first], message, "add track out of it", key=True)

@@ -1,0 +1,164 @@
+"""The plant file as typed structs: what may stand where, and the JSON schema for editors."""
+
+from typing import Annotated, Any
+
+import msgspec
+from msgspec import UNSET, Meta, UnsetType
+
+from app.domain.layout import StationKind
+
+SCHEMA_COMMENT = "# yaml-language-server: $schema=plant.schema.json"
+"""First line of a plant file, by which editors find the schema."""
+
+
+def _number(what: str, unit: str, low: int, high: int) -> Meta:
+    return Meta(ge=low, le=high, description=what, extra={"unit": unit})
+
+
+MAX_LENGTH = 10_000_000
+"""Longest stretch of track in mm, 10 km. Our choice."""
+
+Coordinate = Annotated[int, _number("Position on the plan, mm; x to the right, y downwards", "mm", -(10**9), 10**9)]
+Length = Annotated[int, _number("Length along the track, mm", "mm", 1, MAX_LENGTH)]
+Distance = Annotated[int, _number("Distance, mm", "mm", 0, MAX_LENGTH)]
+Speed = Annotated[int, _number("Speed, percent of the vehicle's own maximum (PROTOCOLS 1.6)", "percent", 1, 100)]
+Velocity = Annotated[int, _number("Speed, mm/s", "mm/s", 1, 100_000)]
+Acceleration = Annotated[int, _number("Acceleration, mm/s²", "mm/s²", 1, 100_000)]
+Area = Annotated[int, _number("Obstacle-sensor or look-down area, defined by the vehicle's maker (I49)", "", 0, 15)]
+Axis = Annotated[int, _number("Axis position, pulses, signed 32 bit", "pulses", -(1 << 31), (1 << 31) - 1)]
+Count = Annotated[int, _number("Number of vehicles", "vehicles", 1, 10_000)]
+Elements = Annotated[int, _number("Most path elements in one MOVE (I47)", "path elements", 2, 65_535)]
+Identity = Annotated[int, _number("DEV_ID on the wire, unsigned 32 bit (I22)", "", 0, (1 << 32) - 1)]
+Code = Annotated[int, _number("Code as it stands on the wire or in an event", "", 0, (1 << 32) - 1)]
+
+Mark = Annotated[
+    int | str, Meta(description="A barcode of the rail: a number or text; 1001..1020 where a list is asked for")
+]
+Address = Annotated[str, Meta(description="HOST:PORT; with `listen: true` the HOST that the vehicle comes from")]
+Name = Annotated[str, Meta(description="A name of this file")]
+Text = Annotated[str, Meta(description="Text for people")]
+
+
+class Strict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A mapping with known keys only."""
+
+
+class Straight(Strict, frozen=True):
+    """A range of barcodes evenly spaced on a straight line, the first at `from`, the last at `to`."""
+
+    start: tuple[Coordinate, Coordinate] = msgspec.field(name="from")
+    end: tuple[Coordinate, Coordinate] = msgspec.field(name="to")
+
+
+class Run(Strict, frozen=True):
+    """One-way track through these barcodes, in driving direction; each neighbouring pair is one edge.
+
+    `length` is the length of each edge in mm (default: the distance of the positions), `speed` the limit in percent,
+    `sensor` the obstacle-sensor area 0-15, `curve` limits the vehicle to its curve speed.
+    """
+
+    through: Annotated[list[Mark], Meta(min_length=1)]
+    speed: Speed = 100
+    sensor: Area = 0
+    curve: bool = False
+    length: Length | UnsetType = UNSET
+
+
+class Pulses(Strict, frozen=True):
+    """Positions of the three taught axes, in pulses."""
+
+    shft: Axis
+    rota: Axis
+    lift: Axis
+
+
+class Limits(Strict, frozen=True):
+    """Lowest and highest pulses per axis that may be sent to the vehicle, inclusive."""
+
+    shft: tuple[Axis, Axis]
+    rota: tuple[Axis, Axis]
+    lift: tuple[Axis, Axis]
+
+
+class Station(Strict, frozen=True):
+    """A place for one carrier, reached by standing at barcode `at`.
+
+    `look_down` (LKDN 0-15) and `speed` (SPD 1-100) go into INST_PORT and INST_SBUF. `dest` are the target pulses before
+    teaching (ports only). `display` is the name on the vehicle, at most 16 characters (default: the station's own name).
+    `fallbacks` are stations for a carrier that cannot be put here, in order.
+    """
+
+    kind: StationKind
+    at: Mark
+    look_down: Area = 0
+    speed: Speed = 100
+    dest: Pulses | UnsetType = UNSET
+    display: Text = ""
+    fallbacks: list[Name] = []
+
+
+class Zone(Strict, frozen=True):
+    """Barcodes that at most `capacity` vehicles may hold at once.
+
+    `no_stop`: a vehicle enters only if it can leave again, or if its goal is inside (merges, crossings).
+    """
+
+    barcodes: Annotated[list[Mark], Meta(min_length=1)]
+    capacity: Count = 1
+    no_stop: bool = False
+    name: Text = ""
+
+
+class VehicleDefaults(Strict, frozen=True):
+    """What holds for every vehicle that does not say otherwise.
+
+    `length` is the stretch of rail that the vehicle covers behind the barcode it reports, safety margin included. `reach`
+    is how far it may move by itself in MANT, both ways. `dialect` is a preset or a name of `dialects`.
+    """
+
+    dialect: Name | UnsetType = UNSET
+    listen: bool | UnsetType = UNSET
+    length: Length | UnsetType = UNSET
+    max_count: Elements | UnsetType = UNSET
+    max_speed: Velocity | UnsetType = UNSET
+    curve_speed: Velocity | UnsetType = UNSET
+    acceleration: Acceleration | UnsetType = UNSET
+    braking: Acceleration | UnsetType = UNSET
+    reach: Distance | UnsetType = UNSET
+    limits: Limits | UnsetType = UNSET
+    in_service: bool | UnsetType = UNSET
+
+
+class Vehicle(VehicleDefaults, frozen=True, kw_only=True):
+    """A vehicle. `start` is the barcode where the simulated one is put; `offset` its taught difference, in pulses."""
+
+    dev_id: Identity
+    address: Address = ""
+    offset: Pulses | UnsetType = UNSET
+    start: Mark | UnsetType = UNSET
+
+
+class PlantFile(Strict, frozen=True):
+    """A plant: track, stations, zones and vehicles. Lengths in mm, speeds of edges in percent of the vehicle's maximum."""
+
+    barcodes: dict[str, tuple[Coordinate, Coordinate] | Straight]
+    track: list[Run]
+    name: Text = ""
+    parking: list[Mark] = []
+    clearance: Distance = 0
+    stations: dict[str, Station] = {}
+    zones: dict[str, Zone] = {}
+    listen: Address = ""
+    dialects: dict[str, dict[str, Any]] = {}
+    vehicle_defaults: VehicleDefaults = VehicleDefaults()
+    vehicles: dict[str, Vehicle] = {}
+    carriers: dict[str, Name] = {}
+    process_codes: dict[str, Text] = {}
+    alarm_codes: dict[str, Text] = {}
+    event_numbers: dict[str, Code] = {}
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON schema of a plant file."""
+    made = msgspec.json.schema(PlantFile)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Hoistway plant file", **made}
