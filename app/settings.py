@@ -1,0 +1,139 @@
+"""Settings: environment over file over defaults. Frozen; an unknown name is refused with the nearest known one."""
+
+import difflib
+import ipaddress
+import os
+import tomllib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import yaml
+from pydantic import Field, SecretStr, ValidationError, model_validator
+from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict
+
+from app.domain.errors import HoistwayError
+
+PREFIX = "HOISTWAY_"
+NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG")
+"""Environment variables of the prefix that are not settings: the tests' own, and the one that names the file."""
+
+
+class SettingsError(HoistwayError):
+    """The settings cannot be used; the message says which and why."""
+
+    code = "settings"
+
+
+class Settings(BaseSettings):
+    """What differs from one installation to the next. Use :func:`load` to make it."""
+
+    model_config = SettingsConfigDict(frozen=True, env_prefix=PREFIX, extra="forbid", env_ignore_empty=True)
+
+    host: str = "127.0.0.1"
+    """Address that the server listens on. Another than loopback needs ``access_key``."""
+    port: Annotated[int, Field(ge=0, le=65535)] = 8080
+    database: str = "sqlite:///hoistway.db"
+    """SQLAlchemy URL."""
+    plant: Path | None = None
+    """The plant file."""
+    access_key: Annotated[SecretStr | None, Field(min_length=16)] = None
+    """When set, every request must bring it: ``Authorization: Bearer KEY``."""
+    allowed_hosts: tuple[str, ...] = ()
+    """Host names, besides loopback's, under which a server without a key may be called (a proxy's name)."""
+    allowed_origins: tuple[str, ...] = ()
+    """Origins, besides the server's own, whose pages may call it (``https://mes.example``)."""
+    body_limit: Annotated[int, Field(ge=1024)] = 1 << 20
+    """Largest request body, bytes."""
+    watchers: Annotated[int, Field(ge=1)] = 1000
+    """Most live streams at the same time."""
+    log_level: Literal["debug", "info", "warning", "error"] = "info"
+    log_format: Literal["console", "json"] = "console"
+
+    @model_validator(mode="after")
+    def _only_loopback_is_open(self) -> "Settings":
+        if self.access_key is None and not is_loopback(self.host):
+            raise ValueError(
+                f"host {self.host!r} can be reached from outside: set access_key (16 characters or more), or listen on 127.0.0.1"
+            )
+        return self
+
+    @classmethod
+    def settings_customise_sources(
+        cls,
+        settings_cls: type[BaseSettings],
+        init_settings: PydanticBaseSettingsSource,
+        env_settings: PydanticBaseSettingsSource,
+        dotenv_settings: PydanticBaseSettingsSource,
+        file_secret_settings: PydanticBaseSettingsSource,
+    ) -> tuple[PydanticBaseSettingsSource, ...]:
+        """Leave reading to :func:`load`, which knows where each value came from."""
+        return (init_settings,)
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach that address."""
+    if host.lower() == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host.strip("[]")).is_loopback
+    except ValueError:
+        return False
+
+
+def load(file: Path | None = None, environ: Mapping[str, str] | None = None, **given: object) -> Settings:
+    """Return the settings; ``given`` (what the command line says; None is not said) goes before all else.
+
+    The file is TOML or YAML; without ``file``, the one that HOISTWAY_CONFIG names, if any. Raises: SettingsError.
+    """
+    environ = os.environ if environ is None else environ
+    if file is None and environ.get("HOISTWAY_CONFIG"):
+        file = Path(environ["HOISTWAY_CONFIG"])
+    written = _read(file) if file else {}
+    values = {**written, **_environment(environ), **{k: v for k, v in given.items() if v is not None}}
+    try:
+        return Settings(**values)
+    except ValidationError as error:
+        raise SettingsError(_sentence(error)) from error
+
+
+def _environment(environ: Mapping[str, str]) -> dict[str, object]:
+    found = {
+        name.removeprefix(PREFIX).lower(): text
+        for name, text in environ.items()
+        if name.startswith(PREFIX) and not name.startswith(NOT_SETTINGS) and text
+    }
+    _refuse_unknown(found, lambda name: f"environment variable {PREFIX}{name.upper()}")
+    lists = {"allowed_hosts", "allowed_origins"}
+    return {
+        name: tuple(part.strip() for part in text.split(",")) if name in lists else text for name, text in found.items()
+    }
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        text = file.read_text(encoding="utf-8")
+        values = tomllib.loads(text) if file.suffix == ".toml" else yaml.safe_load(text)
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, yaml.YAMLError) as error:
+        raise SettingsError(f"settings file {file}: {error}") from error
+    if values is None:
+        return {}
+    if not isinstance(values, dict):
+        raise SettingsError(f"settings file {file}: expected names and values at the top")
+    _refuse_unknown((str(name) for name in values), lambda name: f"settings file {file}: {name!r}")
+    return values
+
+
+def _refuse_unknown(names: Iterable[str], where: Any) -> None:
+    for name in names:
+        if name not in Settings.model_fields:
+            near = difflib.get_close_matches(name, Settings.model_fields, n=1)
+            hint = f"; did you mean {near[0]}?" if near else f"; known are {', '.join(Settings.model_fields)}"
+            raise SettingsError(f"{where(name)} is not a setting{hint}")
+
+
+def _sentence(error: ValidationError) -> str:
+    first = error.errors(include_url=False, include_input=False)[0]
+    name = ".".join(str(part) for part in first["loc"])
+    message = first["msg"].removeprefix("Value error, ")
+    return f"setting {name}: {message}" if name else message
