@@ -177,7 +177,7 @@ class Codec:
 
     def _data_and_sub(self, body: Body) -> tuple[bytes, bytes]:
         if isinstance(body, Raw):
-            return body.data, body.sub
+            return body.data or self._two_words.pack(len(body.sub), 0), body.sub
         if not isinstance(body, Move | Xmove):
             raise EncodeError(f"{body.form} does not travel in an ETB packet")
         try:

@@ -286,7 +286,10 @@ class Infr:
 
 @dataclass(slots=True)
 class Raw:
-    """Data without a known format: the 16 data bytes as they came, and an ETB packet's sub data."""
+    """Data without a known format: the 16 data bytes as they came, and an ETB packet's sub data.
+
+    Of an ETB, ``data`` may be left empty: then LENGTH is computed and COUNT is 0.
+    """
 
     form: ClassVar[Form] = Form.RAW
     data: bytes
