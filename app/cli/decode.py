@@ -1,0 +1,108 @@
+"""``hoistway decode PROTOCOL HEX``: what a packet says."""
+
+from __future__ import annotations
+
+import json as jsonlib
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from app.wire.names import unknown
+
+if TYPE_CHECKING:
+    from app.protocols.itsc.explain import Explanation, Reading
+
+
+def decode(
+    protocol: Annotated[str, typer.Argument(help="itsc")],
+    hex: Annotated[str, typer.Argument(help="the bytes; blanks, commas and 0x do not matter")],  # noqa: A002
+    dialect: Annotated[str, typer.Option(help="a named dialect of the protocol")] = "default",
+    json: Annotated[bool, typer.Option("--json", help="for a program")] = False,
+    lang: Annotated[str, typer.Option(help="en or ko")] = "en",
+) -> None:
+    """Explain the packets in some bytes: every field and bit by name, and why rubbish is rubbish."""
+    from app.domain.errors import HoistwayError
+    from app.wire.hextext import parse_hex
+
+    show = _PROTOCOLS.get(protocol)
+    if show is None:
+        _refuse(unknown("protocol", protocol, _PROTOCOLS))
+    if lang not in ("en", "ko"):
+        _refuse(unknown("language", lang, ("en", "ko")))
+    try:
+        data = parse_hex(hex)
+        if not data:
+            _refuse("no bytes were given")
+        print(show(data, dialect, lang, json))
+    except (HoistwayError, ValueError) as wrong:
+        _refuse(str(wrong))
+
+
+def _refuse(reason: str) -> NoReturn:
+    typer.echo(reason, err=True)
+    raise typer.Exit(2)
+
+
+def _itsc(data: bytes, dialect: str, lang: str, json: bool) -> str:
+    from app.protocols.itsc.codec import Codec
+    from app.protocols.itsc.dialects import PREFIX, dialect_named
+    from app.protocols.itsc.explain import explain
+
+    chosen = dialect_named(dialect)
+    explanation = explain(data, chosen, "ko" if lang == "ko" else "en")
+    if not json:
+        return "\n".join(_lines(explanation, "ko" if lang == "ko" else "en"))
+    name = dialect.removeprefix(PREFIX)
+    return jsonlib.dumps(_plain(explanation, Codec(chosen), name), ensure_ascii=False, indent=2)
+
+
+_PROTOCOLS: dict[str, Callable[[bytes, str, str, bool], str]] = {"itsc": _itsc}
+"""What shows the bytes of each protocol."""
+
+
+def _lines(explanation: Explanation, lang: str) -> Iterator[str]:
+    from app.protocols.itsc.explain import garbled_row
+    from app.protocols.itsc.wording import DIRECTIONS, said
+    from app.wire.hextext import show_hex
+
+    for piece in explanation.pieces:
+        yield f"@{piece.offset}  {show_hex(piece.data)}"
+        if piece.garbled is not None:
+            row = garbled_row(piece.garbled, "ko" if lang == "ko" else "en")
+            yield f"  {row.value}: {row.meaning}"
+        for reading in piece.readings:
+            yield f"  [{said(DIRECTIONS[reading.direction], 'ko' if lang == 'ko' else 'en')}]"
+            yield from _table(reading)
+        yield ""
+    for hint in explanation.hints:
+        yield f"* {hint}"
+
+
+def _table(reading: Reading) -> Iterator[str]:
+    names = max(len(row.name) + 2 * row.depth for row in reading.rows)
+    values = max((len(row.value) for row in reading.rows if len(row.value) <= 20), default=0)
+    for row in reading.rows:
+        name = "  " * row.depth + row.name
+        yield f"    {name:<{names}}  {row.value:<{values}}  {row.meaning}".rstrip()
+
+
+def _plain(explanation: Explanation, codec: Any, dialect: str) -> dict[str, Any]:
+    from app.protocols.itsc.plain import to_plain
+
+    pieces = []
+    for piece in explanation.pieces:
+        entry: dict[str, Any] = {"offset": piece.offset, "hex": piece.data.hex()}
+        if piece.garbled is not None:
+            entry["garbled"] = {"reason": piece.garbled.reason.value, "detail": piece.garbled.detail}
+        else:
+            entry["readings"] = [
+                {
+                    "direction": reading.direction,
+                    "frame": to_plain(reading.frame, codec),
+                    "rows": [{"name": r.name, "value": r.value, "meaning": r.meaning} for r in reading.rows],
+                }
+                for reading in piece.readings
+            ]
+        pieces.append(entry)
+    return {"protocol": "itsc", "dialect": dialect, "pieces": pieces, "hints": list(explanation.hints)}

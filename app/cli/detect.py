@@ -1,0 +1,77 @@
+"""``hoistway detect PROTOCOL FILE``: which CRC a device uses, from captured packets (PROTOCOLS 6.4)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+from app.wire.names import unknown
+
+if TYPE_CHECKING:
+    from app.protocols.itsc.detect import Variant
+
+_PROTOCOLS = ("itsc",)
+
+
+def detect(
+    protocol: Annotated[str, typer.Argument(help="itsc")],
+    file: Annotated[Path, typer.Argument(help="a capture in hexadecimal: one packet on each line, or a stream")],
+) -> None:
+    """Try every CRC, coverage and byte order on a capture and print those that fit. ACKs serve best."""
+    from app.protocols.itsc.detect import VARIANTS, fits_of_stream, surviving
+
+    if protocol not in _PROTOCOLS:
+        _refuse(unknown("protocol", protocol, _PROTOCOLS))
+    packets = _read(file)
+    survivors = surviving(packets)
+    if survivors:
+        print(f"{len(packets)} packets, {len(VARIANTS)} variants tried, {len(survivors)} left:")
+        for variant in survivors:
+            print(f"  {_name(variant)}")
+        if len(survivors) > 1:
+            print("more than one is left: capture more packets (three are proof)")
+        return
+    stream = b"".join(packets)
+    fits = fits_of_stream(stream)
+    if not fits:
+        print(f"none of the {len(VARIANTS)} variants fits: not iTSC, or a CRC that is not in the list")
+        raise typer.Exit(1)
+    print(f"the lines are not one whole packet each that fits; read as a stream of {len(stream)} bytes:")
+    for fit in fits:
+        print(f"  {_name(fit.variant)}: {fit.frames} packets, {fit.covered} bytes fit, {fit.dropped} do not")
+
+
+def _read(file: Path) -> list[bytes]:
+    from app.wire.hextext import parse_hex
+
+    try:
+        lines = file.read_text(encoding="utf-8").splitlines()
+    except OSError as wrong:
+        _refuse(f"{file} cannot be read: {wrong.strerror}")
+    except UnicodeDecodeError:
+        _refuse(f"{file} is no text: a capture is hexadecimal text")
+    packets = []
+    for number, line in enumerate(lines, 1):
+        try:
+            packet = parse_hex(line.partition("#")[0])
+        except ValueError as wrong:
+            _refuse(f"{file}, line {number}: {wrong}")
+        if packet:
+            packets.append(packet)
+    if not packets:
+        _refuse(f"{file} holds no bytes")
+    return packets
+
+
+def _name(variant: Variant) -> str:
+    covers = "covers TYPE" if variant.covers_type else "starts after TYPE"
+    order = "high byte first" if variant.order == "big" else "low byte first"
+    preset = f"  (dialect {variant.preset})" if variant.preset else ""
+    return f"crc {variant.crc}, {covers}, {order}{preset}"
+
+
+def _refuse(reason: str) -> NoReturn:
+    typer.echo(reason, err=True)
+    raise typer.Exit(2)
