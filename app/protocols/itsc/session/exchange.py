@@ -1,0 +1,205 @@
+"""The sending half of a session: polls, commands with their ACK and resends, and the life of the link (PROTOCOLS 6.1)."""
+
+from collections import deque
+from typing import Literal
+
+from app.domain.commands import Move, Send, Xmove
+from app.domain.errors import EncodeError
+from app.domain.events import Acknowledged, Event, Garbled, LinkDown, NotSent, Unanswered, Unknown
+from app.domain.ids import CmdIds
+from app.domain.layout import VehicleSpec
+from app.domain.units import Seconds
+from app.domain.vehicle import VehicleStatus
+from app.protocols.itsc.dialects import Dialect
+from app.protocols.itsc.framing import Decoder
+from app.protocols.itsc.messages import NOTHING, Code, Enq, Toward
+from app.protocols.itsc.session.link import FRAMES_KEPT, Link, LinkQuality, Polls, Seen
+from app.protocols.itsc.session.orders import Order, Orders
+from app.protocols.itsc.session.quick import codec_of, quick_crc
+from app.protocols.itsc.session.refusals import Refused, refusal
+from app.protocols.itsc.session.requests import code_of, frame_of
+from app.protocols.itsc.session.timing import Timing
+
+
+class Exchange:
+    """What goes out to one vehicle, and what is still expected back. See Session, which adds what comes in."""
+
+    __slots__ = (
+        "_codec", "_connections", "_crc_init", "_deadline", "_decoder", "_duplicates", "_events", "_flush_at", "_frames_in",
+        "_frames_out", "_garbled", "_heard", "_ids", "_last_move", "_link", "_orders", "_out", "_polls", "_quick", "_resends",
+        "_seen", "dialect", "last_frames", "status", "status_at", "timing", "vehicle",
+    )  # fmt: skip
+
+    def __init__(self, vehicle: VehicleSpec, dialect: Dialect, cmd_ids: CmdIds, timing: Timing) -> None:
+        self.vehicle, self.dialect, self.timing = vehicle, dialect, timing
+        self.status: VehicleStatus | None = None
+        self.status_at: Seconds | None = None
+        self.last_frames: deque[tuple[Seconds, Literal["in", "out"], bytes]] = deque(maxlen=FRAMES_KEPT)
+        self._ids = cmd_ids
+        self._codec = codec_of(dialect)
+        self._decoder = Decoder(self._codec, Toward.CONTROLLER)
+        self._crc_init = quick_crc(dialect)
+        self._events: list[Event] = []
+        self._out = b""
+        self._link = Link.DOWN
+        self._quick = False
+        self._heard = Seconds(0.0)
+        self._flush_at: Seconds | None = None
+        self._deadline: Seconds | None = None
+        self._orders, self._polls, self._seen = Orders(), Polls(), Seen()
+        self._last_move = 0
+        self._connections = self._frames_in = self._frames_out = self._garbled = self._resends = self._duplicates = 0
+
+    @property
+    def up(self) -> bool:
+        """Whether the vehicle is connected and has answered STATUS since."""
+        return self._link is Link.UP
+
+    @property
+    def deadline(self) -> Seconds | None:
+        """When ``tick`` is due; may be too early by what has been received since, never too late."""
+        return self._deadline
+
+    @property
+    def wants_close(self) -> bool:
+        """Whether the line is silent and should be closed."""
+        return self._link is Link.CLOSING
+
+    @property
+    def link(self) -> LinkQuality:
+        """Figures of the line."""
+        return LinkQuality(
+            connections=self._connections,
+            frames_in=self._frames_in,
+            frames_out=self._frames_out,
+            garbled=self._garbled,
+            resends=self._resends,
+            duplicates=self._duplicates,
+            polls=self._polls.sent,
+            lost_polls=self._polls.lost,
+            round_trip_last=self._polls.round_trip_last,
+            round_trip_mean=self._polls.round_trip_mean,
+        )
+
+    def events(self) -> list[Event]:
+        """Return and forget what has happened, in order."""
+        events, self._events = self._events, []
+        return events
+
+    def outgoing(self) -> bytes:
+        """Return and forget the bytes to send."""
+        out, self._out = self._out, b""
+        return out
+
+    def send(self, send: Send, now: Seconds) -> None:
+        """Send a command whose intent is durable, or say why not (NotSent: nothing has been sent)."""
+        code = code_of(send.command)
+        refused = self._refusal(send, code, now)
+        packet = b""
+        if refused is None:
+            try:
+                packet = self._codec.encode(frame_of(send, self.vehicle.dev_id, self.dialect))
+            except EncodeError as wrong:
+                refused = Refused(wrong.message, wrong.remedy)
+        if refused is not None:
+            self._events.append(NotSent(self.vehicle.id, send.cmd_id, send.command, refused.reason, refused.remedy))
+            return
+        self._open(send, code, packet, now)
+        self._plan()
+
+    def _refusal(self, send: Send, code: Code, now: Seconds) -> Refused | None:
+        known = None
+        if self.status is not None and self.status_at is not None:
+            known = (self.status.condition.mode, Seconds(now - self.status_at))
+        in_the_way = self._orders.in_the_way(code)
+        return refusal(self.vehicle, send.command, code, self._link, known, self.timing.stale, in_the_way)
+
+    def _open(self, send: Send, code: Code, packet: bytes, now: Seconds) -> None:
+        timing, command = self.timing, send.command
+        asks = code is Code.STATUS
+        self._orders.open[send.cmd_id] = Order(
+            send.cmd_id,
+            command,
+            code,
+            packet,
+            sent_at=now,
+            due=Seconds(now + (timing.status if asks else timing.ack)),
+            resends=0 if asks else timing.resends,
+            window=timing.answer(command),
+        )
+        if isinstance(command, Move):
+            self._last_move = send.cmd_id
+        elif isinstance(command, Xmove) and (move := self._orders.move()) is not None:
+            move.window = timing.drive(command.planned)
+            if move.acked:
+                move.due = max(move.due, Seconds(now + move.window))
+        self._emit(packet, now)
+
+    def _emit(self, packet: bytes, now: Seconds) -> None:
+        self._out += packet
+        self._frames_out += 1
+        self.last_frames.append((now, "out", packet))
+
+    def _poll(self, now: Seconds) -> None:
+        cmd_id = self._ids.next()
+        self._polls.asked(cmd_id, now, self.timing.status)
+        self._emit(self._codec.encode(Enq(self.vehicle.dev_id, cmd_id, int(Code.STATUS), NOTHING)), now)
+
+    def _tick_orders(self, now: Seconds) -> None:
+        for order in self._orders.overdue(now):
+            if order.acked or order.code is Code.STATUS:
+                self._give_up(order, Unknown.NO_ANSWER)
+            else:
+                self._send_again(order, now)
+
+    def _send_again(self, order: Order, now: Seconds) -> None:
+        if not order.resends:
+            self._give_up(order, Unknown.NO_ACK)
+            return
+        order.resends -= 1
+        order.due = Seconds(now + self.timing.ack)
+        self._resends += 1
+        self._emit(order.packet, now)
+
+    def _give_up(self, order: Order, why: Unknown) -> None:
+        self._orders.give_up(order)
+        self._events.append(Unanswered(self.vehicle.id, order.cmd_id, order.command, why))
+
+    def _acknowledge(self, order: Order, now: Seconds) -> None:
+        if not order.acked:
+            order.acked = True
+            order.due = Seconds(now + order.window)
+            self._events.append(Acknowledged(self.vehicle.id, order.cmd_id))
+
+    def _progress(self, *, rising: bool, now: Seconds) -> None:
+        """Give the MOVE under way its time again: its SEQ rises, or it pauses (PROTOCOLS 6.1, I54)."""
+        move = self._orders.move()
+        if rising and move is not None and move.acked:
+            move.due = max(move.due, Seconds(now + move.window))
+
+    def _complain(self, reason: str, detail: str) -> None:
+        self._garbled += 1
+        self._events.append(Garbled(self.vehicle.id, reason, detail))
+
+    def _lose(self, reason: str) -> None:
+        for order in self._orders.forget():
+            self._events.append(Unanswered(self.vehicle.id, order.cmd_id, order.command, Unknown.LINK_LOST))
+        if self._link is Link.UP:
+            self._events.append(LinkDown(self.vehicle.id, reason))
+        self._decoder.flush()
+        self._seen.clear()
+        self._polls.open.clear()
+        self._out = b""
+        self._flush_at = None
+        self._last_move = 0
+
+    def _plan(self) -> None:
+        if not self._link.alive:
+            self._deadline, self._quick = None, False
+            return
+        self._quick = self._link is Link.UP and self._flush_at is None and self._crc_init is not None
+        due = min(self._polls.due, Seconds(self._heard + self.timing.silence))
+        for other in (self._flush_at, self._orders.due):
+            if other is not None and other < due:
+                due = other
+        self._deadline = due
