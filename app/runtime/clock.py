@@ -1,0 +1,34 @@
+"""The only reader of clocks: everything below takes ``now`` as an argument."""
+
+import time
+
+from app.domain.units import Seconds, Timestamp
+
+
+class Clock:
+    """Monotonic time for deadlines, UTC for records and people.
+
+    UTC is read once and carried on by the monotonic clock, so that a step of the wall clock never reorders records. A step is
+    followed within ``RESYNC`` seconds.
+    """
+
+    RESYNC = 60.0
+    """Our choice."""
+
+    __slots__ = ("_offset", "_synced")
+
+    def __init__(self) -> None:
+        self._offset = 0.0
+        self._synced = float("-inf")
+
+    def now(self) -> Seconds:
+        """Return monotonic seconds since an arbitrary start."""
+        return Seconds(time.monotonic())
+
+    def utc(self) -> Timestamp:
+        """Return seconds since 1970-01-01T00:00:00Z."""
+        now = time.monotonic()
+        if now - self._synced >= self.RESYNC:
+            self._offset = time.time() - now
+            self._synced = now
+        return Timestamp(now + self._offset)

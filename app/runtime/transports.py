@@ -1,0 +1,145 @@
+"""Transports over TCP: dialling a peer, and serving a simulated device."""
+
+import asyncio
+from collections.abc import Callable
+
+from structlog.typing import FilteringBoundLogger
+
+from app.runtime.lines import Line
+from app.runtime.telemetry import logger
+
+CONNECT_TIMEOUT = 3.0
+"""Seconds for a peer to accept. Our choice."""
+FIRST_PAUSE, LONGEST_PAUSE = 0.5, 5.0
+"""Seconds between two attempts to connect; doubled after each that brought no byte. Our choice."""
+
+
+class Dialler:
+    """Keeps one line connected to one address for as long as it runs."""
+
+    def __init__(self, line: Line, host: str, port: int, name: str) -> None:
+        self._line = line
+        self._address = (host, port)
+        self._log: FilteringBoundLogger = logger(line=name, address=f"{host}:{port}")
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self) -> None:
+        """Begin to dial."""
+        self._task = asyncio.get_running_loop().create_task(self._keep_connected())
+
+    async def stop(self) -> None:
+        """Stop dialling and cut the connection."""
+        if self._task is not None:
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
+            self._task = None
+        self._line.stop()
+
+    async def _keep_connected(self) -> None:
+        pause = FIRST_PAUSE
+        told = ""
+        while True:
+            trouble = await self._connect()
+            if trouble:
+                if trouble != told:
+                    self._log.warning("cannot connect", reason=trouble)
+                told = trouble
+            else:
+                told = ""
+                self._log.info("connected")
+                await self._line.disconnected()
+                self._log.info("disconnected")
+                if self._line.heard:
+                    pause = FIRST_PAUSE
+            await asyncio.sleep(pause)
+            pause = min(2 * pause, LONGEST_PAUSE)
+
+    async def _connect(self) -> str:
+        """Return why there is no connection, or nothing if there is one."""
+        loop = asyncio.get_running_loop()
+        try:
+            await asyncio.wait_for(loop.create_connection(lambda: self._line, *self._address), CONNECT_TIMEOUT)
+        except TimeoutError:
+            return f"no answer in {CONNECT_TIMEOUT:g} s"
+        except OSError as error:
+            return str(error)
+        return ""
+
+
+class DeviceServer:
+    """A simulated device behind a TCP port: one controller at a time, and its physical time goes on without one.
+
+    While ``refuses(now)`` holds, nobody listens at the port, as after a SYSTEM RESET (PROTOCOLS 5.1).
+    """
+
+    def __init__(self, line: Line, host: str, port: int, refuses: Callable[[], bool] = lambda: False) -> None:
+        self._line = line
+        self._host, self._port = host, port
+        self._refuses = refuses
+        self._server: asyncio.Server | None = None
+        self._watch: asyncio.Task[None] | None = None
+
+    @property
+    def port(self) -> int:
+        """Return the port that is served, which the system chose if it was given as 0."""
+        return self._port
+
+    async def start(self) -> None:
+        """Listen. Raises OSError: the address cannot be used."""
+        await self._listen()
+        self._line.flush()
+        self._watch = asyncio.get_running_loop().create_task(self._follow())
+
+    async def stop(self) -> None:
+        """Stop listening and cut the connection."""
+        if self._watch is not None:
+            self._watch.cancel()
+            await asyncio.gather(self._watch, return_exceptions=True)
+            self._watch = None
+        self._deafen()
+        self._line.stop()
+
+    async def _follow(self) -> None:
+        """Close and open the port as the device wants."""
+        while True:
+            if self._refuses():
+                self._deafen()
+            elif self._server is None:
+                await self._listen()
+            await asyncio.sleep(_LOOK_AGAIN)
+
+    async def _listen(self) -> None:
+        loop = asyncio.get_running_loop()
+        self._server = await loop.create_server(self._protocol, self._host, self._port, reuse_address=True)
+        self._port = self._server.sockets[0].getsockname()[1]
+
+    def _deafen(self) -> None:
+        if self._server is not None:
+            self._server.close()
+            self._server = None
+
+    def _protocol(self) -> asyncio.Protocol:
+        return _Arrival(self._take)
+
+    def _take(self, transport: asyncio.Transport) -> None:
+        if self._line.up or self._refuses():
+            transport.abort()
+        else:
+            transport.set_protocol(self._line)
+            self._line.connection_made(transport)
+
+
+_LOOK_AGAIN = 0.05
+"""Seconds between two looks whether a simulated device refuses connections. Our choice."""
+
+
+class _Arrival(asyncio.Protocol):
+    """A new connection; who gets it is decided once it is there, so that two at the same moment cannot both get it."""
+
+    def __init__(self, take: Callable[[asyncio.Transport], None]) -> None:
+        self._take = take
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Give the connection away."""
+        assert isinstance(transport, asyncio.Transport)
+        self._take(transport)
