@@ -42,6 +42,12 @@ class StoreError(HoistwayError):
     code = "store"
 
 
+class StoreRefused(StoreError):
+    """The database is there but cannot take what it was given: the same again cannot succeed."""
+
+    code = "store-refused"
+
+
 class PlantHeld(StoreError):
     """Another controller holds this plant; the message says who."""
 

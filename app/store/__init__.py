@@ -1,0 +1,1 @@
+"""The durable store: the only SQL. Synchronous SQLAlchemy Core on SQLite or PostgreSQL."""

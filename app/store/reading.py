@@ -1,0 +1,119 @@
+"""The reading side: what is committed, on connections of its own. Never waits for the writer and never makes it wait."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import sqlalchemy as sa
+
+from app.domain.errors import StoreError
+from app.domain.ids import CmdId, JobId, StationId, VehicleId
+from app.domain.job import Job, JobState
+from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, TeachingEvent, VehicleOffset
+from app.domain.units import Timestamp
+from app.store import rows
+from app.store.engine import MEMORY, parsed, reading, told
+from app.store.tables import audit, events, intents, jobs, station_dests, teaching_events, vehicle_offsets
+
+T = TypeVar("T")
+KEY_SECONDS = 7 * 86_400
+"""How long an idempotency key names its job (COMMANDS section 5)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Numbered:
+    """An audit row with its number, which rises with time: the key of paging."""
+
+    seq: int
+    row: AuditRow
+
+
+class Reader:
+    """Questions to the database of a plant, from any thread. Every method raises StoreError if it cannot be read.
+
+    ``after`` is the key of the last row that the caller has; ``limit`` bounds the answer. The tables must exist: open the
+    ledger first. A database in memory has no second connection and is refused.
+    """
+
+    def __init__(self, url: str) -> None:
+        made = parsed(url)
+        if made.database == MEMORY:
+            raise StoreError("a database in memory can be read by its ledger alone", remedy="Keep the plant in a file.")
+        self._engine = reading(made)
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._engine.dispose()
+
+    def job(self, job: JobId) -> Job | None:
+        """Return a job, ended or not."""
+        return self._first(sa.select(jobs).where(jobs.c.id == job), rows.job)
+
+    def job_by_key(self, key: str, now: Timestamp) -> Job | None:
+        """Return the job accepted under this idempotency key within the last 7 days; the newest, if there are several."""
+        young = sa.and_(jobs.c.idempotency_key == key, jobs.c.created > now - KEY_SECONDS)
+        return self._first(sa.select(jobs).where(young).order_by(jobs.c.number.desc()).limit(1), rows.job)
+
+    def jobs(
+        self,
+        state: JobState | None = None,
+        carrier: str | None = None,
+        vehicle: str | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> list[Job]:
+        """Return jobs, newest first; ``after`` is the ``order`` of the last one seen."""
+        query = _where(sa.select(jobs), {jobs.c.state: state, jobs.c.carrier: carrier, jobs.c.vehicle: vehicle})
+        if after is not None:
+            query = query.where(jobs.c.number < after)
+        return self._list(query.order_by(jobs.c.number.desc()).limit(limit), rows.job)
+
+    def events(
+        self, after: int = 0, limit: int = 1000, job: str | None = None, vehicle: str | None = None
+    ) -> list[HistoryEvent]:
+        """Return durable events in order; ``after`` is the ``seq`` of the last one seen."""
+        query = _where(sa.select(events), {events.c.job: job, events.c.vehicle: vehicle})
+        return self._list(query.where(events.c.seq > after).order_by(events.c.seq).limit(limit), rows.event)
+
+    def intent(self, cmd_id: CmdId) -> Intent | None:
+        """Return a command."""
+        return self._first(sa.select(intents).where(intents.c.cmd_id == rows.signed(cmd_id)), rows.intent)
+
+    def intents(self, vehicle: VehicleId, limit: int = 100) -> list[Intent]:
+        """Return a vehicle's commands, newest first."""
+        query = sa.select(intents).where(intents.c.vehicle == vehicle)
+        return self._list(query.order_by(intents.c.cmd_id.desc()).limit(limit), rows.intent)
+
+    def audit(self, after: int = 0, limit: int = 1000) -> list[Numbered]:
+        """Return what was asked for, oldest first; ``after`` is the ``seq`` of the last one seen."""
+        query = sa.select(audit).where(audit.c.seq > after).order_by(audit.c.seq).limit(limit)
+        return self._list(query, lambda row: Numbered(row.seq, rows.audit(row)))
+
+    def dests(self, station: StationId) -> list[StationDest]:
+        """Return every version of a station's DEST, newest first."""
+        query = sa.select(station_dests).where(station_dests.c.station == station)
+        return self._list(query.order_by(station_dests.c.version.desc()), rows.dest)
+
+    def offsets(self, vehicle: VehicleId) -> list[VehicleOffset]:
+        """Return every version of a vehicle's OFFSET, newest first."""
+        query = sa.select(vehicle_offsets).where(vehicle_offsets.c.vehicle == vehicle)
+        return self._list(query.order_by(vehicle_offsets.c.version.desc()), rows.offset)
+
+    def teaching(self, vehicle: VehicleId, limit: int = 100) -> list[TeachingEvent]:
+        """Return a vehicle's raw teaching events, newest first."""
+        query = sa.select(teaching_events).where(teaching_events.c.vehicle == vehicle)
+        return self._list(query.order_by(teaching_events.c.seq.desc()).limit(limit), rows.teaching)
+
+    def _list(self, query: sa.Select[Any], made: Callable[[rows.Found], T]) -> list[T]:
+        with told("the database cannot be read"), self._engine.connect() as connection:
+            return [made(row) for row in connection.execute(query)]
+
+    def _first(self, query: sa.Select[Any], made: Callable[[rows.Found], T]) -> T | None:
+        return next(iter(self._list(query, made)), None)
+
+
+def _where(query: sa.Select[Any], wanted: dict[sa.Column[Any], str | None]) -> sa.Select[Any]:
+    for column, value in wanted.items():
+        if value is not None:
+            query = query.where(column == value)
+    return query

@@ -1,0 +1,229 @@
+"""The schema. ``migrations`` says the same in steps; a test holds the two together.
+
+Times are UTC seconds as 64-bit floats, so that a record comes back equal to what was written. CMD_IDs are stored as signed
+64-bit numbers, because a vehicle sets the top bit in its own (PROTOCOLS I23).
+"""
+
+from typing import Any
+
+import sqlalchemy as sa
+
+from app.domain.job import TERMINAL
+from app.domain.records import IntentState
+
+metadata = sa.MetaData(
+    naming_convention={
+        "pk": "pk_%(table_name)s",
+        "uq": "uq_%(table_name)s_%(column_0_N_name)s",
+        "ck": "ck_%(table_name)s_%(constraint_name)s",
+        "ix": "ix_%(table_name)s_%(column_0_N_name)s",
+    }
+)
+
+BIG = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
+"""64 bits everywhere; SQLite's INTEGER has them, and only its name makes a key the row's own number."""
+TEXT = sa.Text()
+UTC = sa.Double[float]()
+JSON = sa.JSON(none_as_null=True)
+
+
+def _key(name: str, type_: sa.types.TypeEngine[Any] = TEXT) -> sa.Column[Any]:
+    return sa.Column(name, type_, primary_key=True, autoincrement=False)
+
+
+def _text(name: str) -> sa.Column[str]:
+    return sa.Column(name, TEXT, nullable=False)
+
+
+def _maybe(name: str) -> sa.Column[str]:
+    return sa.Column(name, TEXT)
+
+
+def _at(name: str) -> sa.Column[float]:
+    return sa.Column(name, UTC, nullable=False)
+
+
+def _big(name: str) -> sa.Column[int]:
+    return sa.Column(name, BIG, nullable=False)
+
+
+def _index_where_set(*columns: sa.Column[Any]) -> None:
+    """Index the rows whose first column is not NULL: the others cost nothing to write."""
+    name = "_".join(["ix", columns[0].table.name, *(column.name for column in columns)])
+    where = columns[0].is_not(None)
+    sa.Index(name, *columns, sqlite_where=where, postgresql_where=where)
+
+
+plant = sa.Table(
+    "plant",
+    metadata,
+    _key("one", BIG),
+    _text("name"),
+    _big("epoch"),
+    _big("commits"),
+    _at("created"),
+    sa.CheckConstraint("one = 1", name="only"),
+)
+"""One row: the plant whose database this is. ``commits`` counts transactions, so that a commit in doubt can be looked up."""
+
+lease = sa.Table(
+    "lease",
+    metadata,
+    _key("one", BIG),
+    _text("plant"),
+    _text("holder"),
+    _text("token"),
+    _at("since"),
+    _at("deadline"),
+    sa.CheckConstraint("one = 1", name="only"),
+)
+"""Who may write (PostgreSQL; COMMANDS 3.7). Times by the database's clock. Later schemas keep this table as it is, because it
+is read before they are known."""
+
+jobs = sa.Table(
+    "jobs",
+    metadata,
+    _key("number", BIG),
+    _text("id"),
+    _maybe("carrier"),
+    _text("source"),
+    _text("destination"),
+    _big("priority"),
+    _at("created"),
+    _text("actor"),
+    _text("fingerprint"),
+    _maybe("idempotency_key"),
+    _text("state"),
+    _text("leg"),
+    _maybe("vehicle"),
+    _maybe("wish"),
+    sa.Column("fallbacks", JSON, nullable=False),
+    _text("reason"),
+    _text("result"),
+    sa.Column("assigned", UTC),
+    sa.Column("picked", UTC),
+    sa.Column("ended", UTC),
+    sa.UniqueConstraint("id"),
+)
+going_on = jobs.c.state.not_in([sa.literal_column(f"'{state}'") for state in sorted(TERMINAL)])
+"""Jobs that a restart must take up again. Written with its words, not with parameters, so that the index below serves it."""
+sa.Index("ix_jobs_going_on", jobs.c.number, sqlite_where=going_on, postgresql_where=going_on)
+_index_where_set(jobs.c.idempotency_key)
+_index_where_set(jobs.c.carrier, jobs.c.number)
+_index_where_set(jobs.c.vehicle, jobs.c.number)
+
+intents = sa.Table(
+    "intents",
+    metadata,
+    _key("cmd_id", BIG),
+    _text("vehicle"),
+    _text("kind"),
+    _text("state"),
+    _at("opened"),
+    _text("actor"),
+    _maybe("job"),
+    sa.Column("path", JSON, nullable=False),
+    sa.Column("body", JSON, nullable=False),
+    sa.Column("amends", BIG),
+    sa.Column("closed", UTC),
+    _text("outcome"),
+)
+sa.Index("ix_intents_vehicle_cmd_id", intents.c.vehicle, intents.c.cmd_id)
+unsettled = intents.c.state.in_([sa.literal_column(f"'{state}'") for state in sorted(IntentState) if not state.closed])
+"""Intents that a restart must settle."""
+sa.Index("ix_intents_unsettled", intents.c.cmd_id, sqlite_where=unsettled, postgresql_where=unsettled)
+
+events = sa.Table(
+    "events",
+    metadata,
+    _key("seq", BIG),
+    _at("at"),
+    _text("event"),
+    _big("ceid"),
+    _maybe("job"),
+    _maybe("carrier"),
+    _maybe("vehicle"),
+    _maybe("source"),
+    _maybe("destination"),
+    _text("result"),
+    _text("detail"),
+)
+_index_where_set(events.c.job, events.c.seq)
+_index_where_set(events.c.vehicle, events.c.seq)
+
+audit = sa.Table(
+    "audit",
+    metadata,
+    sa.Column("seq", BIG, primary_key=True),
+    _at("at"),
+    _text("actor"),
+    _text("action"),
+    _text("target"),
+    _text("detail"),
+    sa.Column("accepted", sa.Boolean(), nullable=False),
+)
+
+vehicles = sa.Table(
+    "vehicles",
+    metadata,
+    _key("vehicle"),
+    _maybe("barcode"),
+    sa.Column("held", JSON, nullable=False),
+    _maybe("carrier"),
+    sa.Column("believed_loaded", sa.Boolean()),
+    sa.Column("hold", JSON),
+    sa.Column("lockout", JSON),
+    _text("out_of_service"),
+    _text("off_rail"),
+)
+
+stations = sa.Table(
+    "stations",
+    metadata,
+    _key("station"),
+    sa.Column("present", sa.Boolean()),
+    _maybe("carrier"),
+    _text("reserved"),
+    _text("out_of_service"),
+    _text("provenance"),
+    _at("at"),
+)
+
+carriers = sa.Table("carriers", metadata, _key("carrier"), _maybe("place"), _text("provenance"), _at("at"))
+
+
+def _taught(name: str, owner: str) -> sa.Table:
+    pulses = (_big("shft"), _big("rota"), _big("lift"))
+    return sa.Table(
+        name, metadata, _key(owner), _key("version", BIG), *pulses, _text("actor"), _text("source"), _at("at")
+    )
+
+
+station_dests = _taught("station_dests", "station")
+vehicle_offsets = _taught("vehicle_offsets", "vehicle")
+
+teaching_events = sa.Table(
+    "teaching_events",
+    metadata,
+    sa.Column("seq", BIG, primary_key=True),
+    _text("vehicle"),
+    _text("connection"),
+    _big("cmd_id"),
+    _big("code"),
+    _maybe("axis"),
+    _big("position"),
+    _text("barcode"),
+    _at("at"),
+    sa.UniqueConstraint(
+        "vehicle", "connection", "cmd_id", "code", "position", "barcode", name="uq_teaching_events_same"
+    ),
+)
+
+controller = sa.Table(
+    "controller",
+    metadata,
+    _key("one", BIG),
+    _text("state"),
+    _text("reason"),
+    sa.CheckConstraint("one = 1", name="only"),
+)
