@@ -1,0 +1,122 @@
+"""The application: guard, routers, problems, probes, page and docs put together."""
+
+import importlib.util
+from pathlib import Path
+
+from fastapi import APIRouter, FastAPI, Request
+from fastapi.openapi.docs import get_swagger_ui_html
+from starlette.middleware import Middleware
+from starlette.responses import FileResponse, HTMLResponse, Response
+from starlette.staticfiles import StaticFiles
+
+from app.api import events, jobs, live, plant, problems, stations, vehicles
+from app.api.calls import Ctl, answer_of
+from app.api.declared import Raw, declare, gives
+from app.api.guard import Guard, Tickets
+from app.api.port import Controller
+from app.domain.view import Topic
+from app.settings import Settings
+
+VERSION = "0.1.0"
+PAGE = Path(__file__).parent.parent / "web"
+PAGE_HEADERS = {
+    "Content-Security-Policy": "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
+    "connect-src 'self'; object-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'self'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+}
+
+probes = APIRouter(tags=["probes"])
+
+
+@probes.get("/healthz", **gives("Health", description="The server runs."))
+async def healthz() -> Response:
+    """Say that the server runs."""
+    return answer_of({"status": "ok"})
+
+
+@probes.get("/readyz", **gives("Readiness", 200, "Whether it can take jobs; 503 if not.", Readiness=503))
+async def readyz(controller: Ctl) -> Response:
+    """Say whether the controller can take jobs, and why not."""
+    reasons = [controller.trouble] if controller.trouble else []
+    if not controller.model.all(Topic.CONTROLLER):
+        reasons.append("The controller is starting.")
+    return answer_of({"ready": not reasons, "reasons": reasons}, 503 if reasons else 200)
+
+
+def application(controller: Controller, settings: Settings) -> FastAPI:
+    """Return the ASGI application around a running controller."""
+    app = described(settings)
+    app.state.controller = controller
+    return app
+
+
+def described(settings: Settings) -> FastAPI:
+    """Return the application without a controller: enough for its description."""
+    tickets = Tickets()
+    app = FastAPI(
+        title="Hoistway",
+        version=VERSION,
+        openapi_url="/api/openapi.json",
+        docs_url=None,
+        redoc_url=None,
+        redirect_slashes=False,
+        generate_unique_id_function=lambda route: route.name,
+        default_response_class=Raw,
+        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
+    )
+    app.state.settings = settings
+    app.state.tickets = tickets
+    api = APIRouter(prefix="/api/v1")
+    for router in (
+        jobs.router,
+        events.router,
+        vehicles.router,
+        stations.router,
+        stations.carriers,
+        plant.controller_routes,
+        plant.layout,
+        plant.audit,
+        plant.problems,
+        live.router,
+    ):
+        api.include_router(router)
+    app.include_router(api)
+    app.include_router(probes)
+    problems.install(app)
+    declare(app)
+    _serve_docs(app)
+    _serve_page(app)
+    return app
+
+
+def _serve_docs(app: FastAPI) -> None:
+    """Swagger UI without internet: its files come with a Python package."""
+    spec = importlib.util.find_spec("fastapi_offline")
+    if spec is None or spec.origin is None:
+        return
+    app.mount("/api/docs/files", StaticFiles(directory=Path(spec.origin).parent / "static"), name="docs")
+
+    async def docs(_request: Request) -> HTMLResponse:
+        return get_swagger_ui_html(
+            openapi_url="/api/openapi.json",
+            title="Hoistway API",
+            swagger_js_url="/api/docs/files/swagger-ui-bundle.js",
+            swagger_css_url="/api/docs/files/swagger-ui.css",
+            swagger_favicon_url="/api/docs/files/favicon.png",
+        )
+
+    app.add_route("/api/docs", docs, include_in_schema=False)
+
+
+def _serve_page(app: FastAPI) -> None:
+    if not (PAGE / "index.html").is_file():
+        return
+
+    async def page(_request: Request) -> FileResponse:
+        return FileResponse(PAGE / "index.html", headers=PAGE_HEADERS)
+
+    app.add_route("/", page, include_in_schema=False)
+    if (PAGE / "assets").is_dir():
+        app.mount("/assets", StaticFiles(directory=PAGE / "assets"), name="page")

@@ -1,0 +1,215 @@
+"""The OpenAPI document: answers are encoded views, so their schemas come from the views' own types."""
+
+from typing import Any, get_args
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+from pydantic import TypeAdapter
+from starlette.responses import Response
+
+from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
+from app.domain.view import View
+from app.runtime.showing import RENAMED, TIMES
+
+Json = dict[str, Any]
+REF = "#/components/schemas/"
+
+DESCRIPTION = """Transfers, vehicles, stations and carriers of one plant, and all that happens to them.
+
+* Times are ISO 8601 in UTC. Ids have 1 to 64 characters without blanks, slashes and `?#%`.
+* Whoever changes something names themselves in the header `X-Actor`; it is kept in the audit.
+* An answer to a change means: durable. A problem (RFC 9457) says why not, and what would help.
+* `POST /jobs` is safe to repeat under the same `job_id` or `Idempotency-Key`.
+* The live stream is described in `asyncapi.yaml`.
+"""
+
+
+class Raw(Response):
+    """An answer whose schema the route declares by :func:`gives`."""
+
+
+def ref(name: str) -> Json:
+    """Return a reference to a schema."""
+    return {"$ref": REF + name}
+
+
+def gives(name: str | None, status: int = 200, description: str = "The answer.", **others: int) -> Json:
+    """Return a route's arguments that declare what it gives: a schema, a list of it (``Name[]``), or nothing (None).
+
+    ``others``: schema name -> further status with that schema.
+    """
+    responses: dict[int | str, Json] = {status: _response(name, description)}
+    for other, code in others.items():
+        responses[code] = _response(other, description)
+    return {"status_code": status, "response_class": Raw, "response_model": None, "responses": responses}
+
+
+def _response(name: str | None, description: str) -> Json:
+    if name is None:
+        return {"description": description}
+    schema = ref(name)
+    if name.endswith("[]"):
+        schema = _object({"items": {"type": "array", "items": ref(name[:-2])}, "next": _NEXT}, required=["items"])
+    return {"description": description, "content": {"application/json": {"schema": schema}}}
+
+
+_NEXT = {"anyOf": [{"type": "integer"}, {"type": "null"}], "description": "Send it as `after` for more; null: the end."}
+_TEXT = {"type": "string"}
+_TIME = {"type": "string", "format": "date-time"}
+_WHOLE = {"type": "integer"}
+_FLAG = {"type": "boolean"}
+
+
+def _object(properties: Json, required: list[str] | None = None) -> Json:
+    return {"type": "object", "properties": properties, "required": required or list(properties)}
+
+
+def _list(item: Json) -> Json:
+    return {"type": "array", "items": item}
+
+
+def _nullable(schema: Json) -> Json:
+    return {"anyOf": [schema, {"type": "null"}]}
+
+
+OTHERS: Json = {
+    "Problem": {
+        "type": "object",
+        "description": "RFC 9457. `code` is stable; `remedy` says what would help and may be empty.",
+        "properties": {
+            "type": {"type": "string", "format": "uri-reference", "examples": [f"{TYPE_PREFIX}not-now"]},
+            "title": _TEXT,
+            "status": _WHOLE,
+            "detail": _TEXT,
+            "code": {"type": "string", "enum": list(CODES)},
+            "remedy": _TEXT,
+            "field": {"type": "string", "description": "The offending part of the request."},
+            "errors": _list(_object({"field": _TEXT, "message": _TEXT})),
+        },
+        "required": ["type", "title", "status", "detail"],
+    },
+    "ProblemKind": _object({"code": _TEXT, "status": _WHOLE, "title": _TEXT}),
+    "JobWithHistory": {"allOf": [ref("Job"), _object({"history": _list(ref("Event"))})]},
+    "Pulses": _object({"shft": _WHOLE, "rota": _WHOLE, "lift": _WHOLE}),
+    "PulsesVersion": {
+        "allOf": [ref("Pulses"), _object({"version": _WHOLE, "actor": _TEXT, "source": _TEXT, "at": _TIME})]
+    },
+    "Frame": _object(
+        {
+            "at": _TIME,
+            "direction": {"type": "string", "enum": ["in", "out"]},
+            "hex": _TEXT,
+            "frames": {"type": "array", "items": {"type": "object"}, "description": "What the bytes say."},
+        }
+    ),
+    "Audit": _object(
+        {
+            "seq": _WHOLE,
+            "at": _TIME,
+            "actor": _TEXT,
+            "action": _TEXT,
+            "target": _TEXT,
+            "detail": _TEXT,
+            "accepted": _FLAG,
+        }
+    ),
+    "Taken": {
+        "description": "Under way. `cmd_id` null: the command follows when the vehicle has its track.",
+        **_object({"vehicle": _TEXT, "cmd_id": _nullable(_TEXT)}),
+    },
+    "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
+    "Health": _object({"status": _TEXT}),
+    "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),
+    "Layout": _object(
+        {
+            "name": _TEXT,
+            "points": _list(_object({"barcode": _TEXT, "x": _WHOLE, "y": _WHOLE, "park": _FLAG})),
+            "edges": _list(
+                _object(
+                    {
+                        "start": _TEXT,
+                        "end": _TEXT,
+                        "length": _WHOLE,
+                        "speed": _WHOLE,
+                        "sensor": _WHOLE,
+                        "curve": _FLAG,
+                    }
+                )
+            ),
+            "stations": _list(_object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT})),
+            "zones": _list(
+                _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
+            ),
+            "vehicles": _list(_object({"id": _TEXT, "length": _WHOLE, "max_speed": _WHOLE, "curve_speed": _WHOLE})),
+        }
+    ),
+}
+"""Answers that are no views. Lengths and places in mm, speeds of edges in percent, of vehicles in mm/s."""
+
+
+def view_schemas() -> Json:
+    """Return the schemas of all views as they are encoded: every field there, times as text."""
+    adapters = [(kind.__name__, "serialization", TypeAdapter(kind)) for kind in get_args(View)]
+    _, whole = TypeAdapter.json_schemas(adapters, ref_template=REF + "{model}")  # type: ignore[arg-type]
+    schemas = {name.removesuffix("View"): _as_encoded(name, schema) for name, schema in whole["$defs"].items()}
+    return {name: _renamed(schema) for name, schema in schemas.items()}
+
+
+def _as_encoded(name: str, schema: Json) -> Json:
+    labels = {(kind.__name__, old): new for (kind, old), new in RENAMED.items()}
+    properties = {}
+    for old, inner in schema["properties"].items():
+        properties[labels.get((name, old), old)] = _timely(inner) if old in TIMES else inner
+    return {**schema, "title": name.removesuffix("View"), "properties": properties, "required": list(properties)}
+
+
+def _timely(schema: Json) -> Json:
+    nullable = any(part.get("type") == "null" for part in schema.get("anyOf", []))
+    return _nullable(_TIME) if nullable else dict(_TIME)
+
+
+def _renamed(node: Any) -> Any:
+    """Drop the word View, and defaults, which an answer does not have."""
+    if isinstance(node, dict):
+        return {
+            key: value.removesuffix("View") if key == "$ref" else _renamed(value)
+            for key, value in node.items()
+            if key != "default" or isinstance(value, dict)
+        }
+    return [_renamed(part) for part in node] if isinstance(node, list) else node
+
+
+def declare(app: FastAPI) -> None:
+    """Give the application its OpenAPI document."""
+
+    def openapi() -> Json:
+        if app.openapi_schema is None:
+            app.openapi_schema = _document(app)
+        return app.openapi_schema
+
+    app.openapi = openapi  # type: ignore[method-assign]
+
+
+def _document(app: FastAPI) -> Json:
+    document = get_openapi(
+        title=app.title, version=app.version, description=DESCRIPTION, routes=app.routes, tags=app.openapi_tags
+    )
+    components = document.setdefault("components", {})
+    schemas = components.setdefault("schemas", {})
+    for name in ("HTTPValidationError", "ValidationError"):
+        schemas.pop(name, None)
+    schemas.update(view_schemas() | OTHERS)
+    components["schemas"] = dict(sorted(schemas.items()))
+    components["securitySchemes"] = {
+        "key": {"type": "http", "scheme": "bearer", "description": "Wanted where the server has an access key."}
+    }
+    components["responses"] = {
+        "Problem": {"description": "Why not.", "content": {MEDIA_TYPE: {"schema": ref("Problem")}}}
+    }
+    document["security"] = [{}, {"key": []}]
+    for path in document["paths"].values():
+        for operation in path.values():
+            responses = operation["responses"]
+            responses.pop("422", None)
+            responses["default"] = {"$ref": "#/components/responses/Problem"}
+    return document

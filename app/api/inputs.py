@@ -1,0 +1,181 @@
+"""Bodies and parameters that we accept: strict (``false`` is no 0, ``"5"`` no 5), bounded, without control characters."""
+
+from typing import Annotated, Literal
+
+from fastapi import Path, Query
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+from app.domain.commands import Plain
+from app.domain.ids import StationId
+from app.domain.layout import PulseSet, StopAction
+from app.domain.requests import Verdict
+from app.domain.units import Pulses
+
+ID_PATTERN = r"^[^\x00-\x20\x7f-\xa0/\\?#%]+$"
+"""Ids travel in URLs: no blanks, control characters, or characters that cut a URL."""
+TEXT_PATTERN = r"^[^\x00-\x1f\x7f-\x9f]*$"
+ASCII_PATTERN = r"^[\x20-\x7e]*$"
+
+Id = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64, pattern=ID_PATTERN)]
+Text = Annotated[str, StringConstraints(strict=True, max_length=200, pattern=TEXT_PATTERN)]
+Reason = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=200, pattern=TEXT_PATTERN)]
+Priority = Annotated[int, Field(ge=0, le=99)]
+Pulse = Annotated[int, Field(ge=-(1 << 31), le=(1 << 31) - 1)]
+
+PathId = Annotated[str, Path(min_length=1, max_length=64, pattern=ID_PATTERN)]
+QueryId = Annotated[str | None, Query(min_length=1, max_length=64, pattern=ID_PATTERN)]
+After = Annotated[int, Query(ge=0, le=(1 << 53) - 1, description="Only what is numbered above this.")]
+Limit = Annotated[int, Query(ge=1, le=1000, description="At most this many.")]
+
+
+class Strict(BaseModel):
+    """No coercion, no unknown fields."""
+
+    model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
+
+
+class JobIn(Strict):
+    """A transfer. ``source`` is a station, or a vehicle that has the carrier aboard."""
+
+    job_id: Id | None = None
+    source: Id
+    destination: Id
+    carrier: Id | None = None
+    priority: Priority = 50
+    vehicle: Id | None = None
+    fallbacks: Annotated[list[Id], Field(max_length=16)] = []
+
+
+class JobChange(Strict):
+    """What to change; a field that is left out stays."""
+
+    priority: Priority | None = None
+    destination: Id | None = None
+    vehicle: Id | None = None
+
+
+class Target(Strict):
+    """Positions of the three taught axes, pulses."""
+
+    shft: Pulse
+    rota: Pulse
+    lift: Pulse
+
+    def pulses(self) -> PulseSet:
+        """Return them in the words of the business."""
+        return PulseSet(Pulses(self.shft), Pulses(self.rota), Pulses(self.lift))
+
+
+class PlainCommand(Strict):
+    """A command without data. ``stop`` drops the vehicle to MANT; ``stop_by_host`` keeps it in its mode."""
+
+    command: Literal[
+        "status",
+        "stop",
+        "stop_by_host",
+        "servo_on",
+        "servo_off",
+        "search_home",
+        "go_home",
+        "system_reset",
+        "alarm_clear",
+        "auto",
+    ]
+
+    def plain(self) -> Plain:
+        """Return it in the words of the business."""
+        return Plain(self.command)
+
+
+class DisplayCommand(Strict):
+    """Show a text on the vehicle; with ``alarm`` (0x8000 to 0xFFFF) as an alarm."""
+
+    command: Literal["display"]
+    text: Annotated[str, StringConstraints(strict=True, min_length=1, max_length=12, pattern=ASCII_PATTERN)]
+    alarm: Annotated[int, Field(ge=0x8000, le=0xFFFF)] | None = None
+
+
+class MoveCommand(Strict):
+    """Drive to a barcode, under grants like any job."""
+
+    command: Literal["move"]
+    barcode: Id
+    action: Literal["stop", "port", "sbfl", "sbfr", "port_bare"] = "stop"
+
+    def stop_action(self) -> StopAction:
+        """Return the stop in the words of the business."""
+        return StopAction[self.action.upper()]
+
+
+class TransferCommand(Strict):
+    """One pick-up or put-down by a vehicle that stands at the station. ``target`` replaces the taught pulses."""
+
+    command: Literal["pickup", "place"]
+    station: Id
+    target: Target | None = None
+
+
+CommandIn = Annotated[PlainCommand | DisplayCommand | MoveCommand | TransferCommand, Field(discriminator="command")]
+
+
+class RecoverIn(Strict):
+    """``confirmed``: a person at the vehicle has seen that homing is safe."""
+
+    confirmed: bool = False
+
+
+class ReasonIn(Strict):
+    """Why."""
+
+    reason: Reason
+
+
+class ReleaseIn(Strict):
+    """What a named person has found. ``barcode`` with ``stands_at`` only."""
+
+    verdict: Literal["go_on", "off_rail", "stands_at"]
+    reason: Reason
+    barcode: Id | None = None
+
+    def decided(self) -> Verdict:
+        """Return the verdict in the words of the business."""
+        return Verdict(self.verdict)
+
+
+class ServiceIn(Strict):
+    """Whether the vehicle takes jobs; out of service needs a ``reason``."""
+
+    in_service: bool
+    reason: Text = ""
+
+
+class StationPut(Strict):
+    """Everything that a host or a person may write of a station. ``carrier`` empty: none, or not known."""
+
+    present: bool
+    carrier: Id | Literal[""]
+    reserved: Text
+    out_of_service: Text
+    by_person: bool = False
+
+
+class StationPatch(Strict):
+    """As above; a field that is left out stays."""
+
+    present: bool | None = None
+    carrier: Id | Literal[""] | None = None
+    reserved: Text | None = None
+    out_of_service: Text | None = None
+    by_person: bool = False
+
+
+class CarrierPut(Strict):
+    """Where the carrier is: a station or a vehicle."""
+
+    place: Id
+    by_person: bool = False
+
+
+def station_ids(names: list[str]) -> tuple[StationId, ...]:
+    """Return names of stations as such."""
+    return tuple(StationId(name) for name in names)

@@ -1,0 +1,164 @@
+"""Transfer jobs: ordered, watched, changed, ended."""
+
+import hashlib
+from typing import Annotated
+
+from fastapi import APIRouter, Header, Query
+from starlette.responses import Response
+
+from app.api.calls import Ctl, Who, answer, answer_of, answer_view, ask, items, missing, read
+from app.api.declared import gives
+from app.api.inputs import JobChange, JobIn, Limit, PathId, QueryId, station_ids
+from app.api.port import Controller
+from app.api.problems import Problem
+from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
+from app.domain.job import Job, JobState
+from app.domain.requests import AbortJob, CancelJob, ChangeJob, CreateJob
+from app.domain.view import JobView, Topic
+from app.fleet.views import view_of_event, view_of_job
+from app.runtime.showing import encode, shown
+
+router = APIRouter(prefix="/jobs", tags=["jobs"])
+HISTORY = 1000
+"""Most events given with one job."""
+
+IdempotencyKey = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=128,
+        pattern=r"^[\x21-\x7e]+$",
+        description="Where the body has no job_id: the same key gives the same job, for 7 days.",
+    ),
+]
+
+
+@router.post("", **gives("Job", 201, "The job; 201 new, 200 the one that was there.", Job=200))
+async def create_job(body: JobIn, controller: Ctl, actor: Who, key: IdempotencyKey = None) -> Response:
+    """Order a transfer."""
+    return await create(body, controller, actor, key)
+
+
+async def create(body: JobIn, controller: Controller, actor: Actor, key: str | None) -> Response:
+    """Create the job or find it. Raises Problem: refused, or another body under the same id or key."""
+    mark = fingerprint(body)
+    known = await _known(controller, body.job_id, key)
+    if known is not None:
+        if known.fingerprint != mark:
+            name = f"Job id {body.job_id}" if body.job_id else f"Idempotency-Key {key}"
+            remedy = "Send the same body as at first, or choose another id."
+            raise Problem("conflict", f"{name} stands for another order already: job {known.id}.", remedy)
+        return _found(controller, known)
+    request = CreateJob(
+        actor=actor,
+        job=JobId(body.job_id) if body.job_id else None,
+        source=body.source,
+        destination=StationId(body.destination),
+        carrier=CarrierId(body.carrier) if body.carrier else None,
+        priority=body.priority,
+        fingerprint=mark,
+        idempotency_key=key,
+        vehicle=VehicleId(body.vehicle) if body.vehicle else None,
+        fallbacks=station_ids(body.fallbacks),
+    )
+    accepted = await ask(controller, request)
+    return await _present(controller, accepted.key, 201 if accepted.created else 200)
+
+
+def fingerprint(body: JobIn) -> str:
+    """Return a digest of what was ordered; how it was written does not matter."""
+    return hashlib.blake2b(body.model_dump_json().encode(), digest_size=16).hexdigest()
+
+
+async def _known(controller: Controller, job: str | None, key: str | None) -> Job | None:
+    if job is not None:
+        return await read(controller.reader.job, JobId(job))
+    if key is not None:
+        return await read(controller.reader.job_by_key, key)
+    return None
+
+
+def _found(controller: Controller, known: Job) -> Response:
+    raw = controller.model.raw(Topic.JOBS, known.id)
+    return answer(raw or encode(shown(view_of_job(known))), 200, {"Location": f"/api/v1/jobs/{known.id}"})
+
+
+async def _present(controller: Controller, job: str, status: int = 200) -> Response:
+    """Return the job as it is now, live or ended."""
+    headers = {"Location": f"/api/v1/jobs/{job}"} if status == 201 else None
+    raw = controller.model.raw(Topic.JOBS, job)
+    if raw is not None:
+        return answer(raw, status, headers)
+    return answer_view(await _view(controller, job), status, headers)
+
+
+async def _view(controller: Controller, job: str) -> JobView:
+    live = controller.model.get(Topic.JOBS, job)
+    if isinstance(live, JobView):
+        return live
+    kept = await read(controller.reader.job, JobId(job))
+    if kept is None:
+        missing("job", job)
+    return view_of_job(kept)
+
+
+State = Annotated[JobState | None, Query(description="Only jobs in this state.")]
+Before = Annotated[
+    int | None, Query(ge=0, le=(1 << 53) - 1, description="Only jobs accepted before the one of this order.")
+]
+
+
+@router.get("", **gives("Job[]", description="Jobs, newest first."))
+async def list_jobs(
+    controller: Ctl,
+    state: State = None,
+    carrier: QueryId = None,
+    vehicle: QueryId = None,
+    after: Before = None,
+    limit: Limit = 100,
+) -> Response:
+    """List jobs, ended ones too."""
+    jobs = await read(
+        controller.reader.jobs,
+        state=state.value if state else None,
+        carrier=carrier,
+        vehicle=vehicle,
+        after=after,
+        limit=limit,
+    )
+    last = jobs[-1].order if len(jobs) == limit else None
+    return items((shown(view_of_job(job)) for job in jobs), last)
+
+
+@router.get("/{job}", **gives("JobWithHistory", description="The job and all its events."))
+async def get_job(job: PathId, controller: Ctl) -> Response:
+    """Show a job with its history."""
+    view = await _view(controller, job)
+    events = await read(controller.reader.events, 0, HISTORY, job=job)
+    return answer_of({**shown(view), "history": [shown(view_of_event(event)) for event in events]})
+
+
+@router.post("/{job}/cancel", **gives("Job", description="The job as it is now."))
+async def cancel_job(job: PathId, controller: Ctl, actor: Who) -> Response:
+    """Cancel a job whose carrier is not aboard yet."""
+    await ask(controller, CancelJob(actor, JobId(job)))
+    return await _present(controller, job)
+
+
+@router.post("/{job}/abort", **gives("Job", description="The job as it is now."))
+async def abort_job(job: PathId, controller: Ctl, actor: Who) -> Response:
+    """End a job whose carrier is aboard; the carrier stays aboard."""
+    await ask(controller, AbortJob(actor, JobId(job)))
+    return await _present(controller, job)
+
+
+@router.patch("/{job}", **gives("Job", description="The job as it is now."))
+async def change_job(job: PathId, body: JobChange, controller: Ctl, actor: Who) -> Response:
+    """Change priority, destination or vehicle."""
+    if not body.model_fields_set:
+        raise Problem("invalid", "Nothing to change was named.", "Send priority, destination or vehicle.")
+    destination = StationId(body.destination) if body.destination else None
+    vehicle = VehicleId(body.vehicle) if body.vehicle else None
+    await ask(controller, ChangeJob(actor, JobId(job), body.priority, destination, vehicle))
+    return await _present(controller, job)

@@ -1,0 +1,130 @@
+"""The controller as a whole, the layout for drawing, the audit, and the kinds of problems."""
+
+import zlib
+
+from fastapi import APIRouter
+from starlette.requests import Request
+from starlette.responses import Response
+
+from app.api.calls import Ctl, Who, answer_of, answer_view, ask, items, missing, read, tagged
+from app.api.declared import gives
+from app.api.inputs import After, Limit, PathId, ReasonIn
+from app.api.port import Controller
+from app.api.problems import CODES
+from app.domain import requests
+from app.domain.layout import Plant
+from app.domain.view import Topic
+from app.runtime.showing import encode, iso
+
+controller_routes = APIRouter(prefix="/controller", tags=["controller"])
+layout = APIRouter(prefix="/layout", tags=["layout"])
+audit = APIRouter(prefix="/audit", tags=["audit"])
+problems = APIRouter(prefix="/problems", tags=["problems"])
+
+
+def _now(controller: Controller) -> Response:
+    views = controller.model.all(Topic.CONTROLLER)
+    return answer_view(views[0]) if views else missing("controller", controller.plant.name)
+
+
+@controller_routes.get("", **gives("Controller"))
+async def get_controller(controller: Ctl) -> Response:
+    """Show the controller's state, and what it still waits for after a start."""
+    return _now(controller)
+
+
+@controller_routes.post("/pause", **gives("Controller"))
+async def pause(body: ReasonIn, controller: Ctl, actor: Who) -> Response:
+    """Begin no new movement; what moves comes to rest."""
+    await ask(controller, requests.PauseController(actor, body.reason))
+    return _now(controller)
+
+
+@controller_routes.post("/resume", **gives("Controller"))
+async def resume(controller: Ctl, actor: Who) -> Response:
+    """Go on."""
+    await ask(controller, requests.ResumeController(actor))
+    return _now(controller)
+
+
+@layout.get("", **gives("Layout", description="Track, stations and zones for drawing."))
+async def get_layout(request: Request, controller: Ctl) -> Response:
+    """Show the layout; it changes with the plant file only."""
+    state = request.app.state
+    if getattr(state, "layout", None) is None:
+        body = encode(_drawn(controller.plant))
+        state.layout = (f'"{zlib.crc32(body):08x}"', body)
+    etag, body = state.layout
+    return tagged(request, etag, body)
+
+
+def _drawn(plant: Plant) -> dict[str, object]:
+    return {
+        "name": plant.name,
+        "points": [{"barcode": p.barcode, "x": p.x, "y": p.y, "park": p.park} for p in plant.points],
+        "edges": [
+            {
+                "start": e.start,
+                "end": e.end,
+                "length": e.length,
+                "speed": e.speed,
+                "sensor": e.sensor,
+                "curve": e.curve,
+            }
+            for e in plant.edges
+        ],
+        "stations": [
+            {"id": s.id, "kind": s.kind.value, "barcode": s.barcode, "display": s.display} for s in plant.stations
+        ],
+        "zones": [
+            {
+                "id": z.id,
+                "name": z.name,
+                "barcodes": sorted(z.barcodes),
+                "capacity": z.capacity,
+                "no_stop": z.no_stop,
+            }
+            for z in plant.zones
+        ],
+        "vehicles": [
+            {"id": v.id, "length": v.length, "max_speed": v.max_speed, "curve_speed": v.curve_speed}
+            for v in plant.vehicles
+        ],
+    }
+
+
+@audit.get("", **gives("Audit[]", description="Who asked for what, oldest first."))
+async def list_audit(controller: Ctl, after: After = 0, limit: Limit = 100) -> Response:
+    """List what people and hosts asked for, refused or not."""
+    rows = await read(controller.reader.audit, after, limit)
+    last = rows[-1][0] if len(rows) == limit else None
+    return items(
+        (
+            {
+                "seq": seq,
+                "at": iso(row.at),
+                "actor": row.actor,
+                "action": row.action,
+                "target": row.target,
+                "detail": row.detail,
+                "accepted": row.accepted,
+            }
+            for seq, row in rows
+        ),
+        last,
+    )
+
+
+@problems.get("", **gives("ProblemKind[]", description="All kinds of problems."))
+async def list_problems() -> Response:
+    """List the stable codes of problems."""
+    return items({"code": code, "status": status, "title": title} for code, (status, title) in CODES.items())
+
+
+@problems.get("/{code}", **gives("ProblemKind"))
+async def get_problem(code: PathId) -> Response:
+    """Show one kind of problem: what a problem's ``type`` leads to."""
+    if code not in CODES:
+        missing("problem", code)
+    status, title = CODES[code]
+    return answer_of({"code": code, "status": status, "title": title})

@@ -1,0 +1,103 @@
+"""What the API needs of the controller and of the store's reading side."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from app.domain.ids import CmdId, JobId, StationId, VehicleId
+from app.domain.job import Job
+from app.domain.layout import Plant
+from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, VehicleOffset
+from app.domain.requests import Reply, Request
+from app.domain.units import Timestamp
+from app.runtime.hub import Hub, ReadModel
+
+
+class Reader(Protocol):
+    """Committed history; blocking, called from the thread pool. Raises StoreError."""
+
+    def job(self, job: JobId) -> Job | None:
+        """Return one job, ended or not."""
+        ...
+
+    def job_by_key(self, key: str) -> Job | None:
+        """Return the job first accepted under that idempotency key within its life of 7 days."""
+        ...
+
+    def jobs(
+        self,
+        *,
+        state: str | None = None,
+        carrier: str | None = None,
+        vehicle: str | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[Job]:
+        """Return jobs, newest first, with orders below ``after``."""
+        ...
+
+    def events(
+        self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
+    ) -> Sequence[HistoryEvent]:
+        """Return events numbered above ``after``, oldest first."""
+        ...
+
+    def intent(self, cmd_id: CmdId) -> Intent | None:
+        """Return one command."""
+        ...
+
+    def intents(self, vehicle: VehicleId, limit: int = 100) -> Sequence[Intent]:
+        """Return a vehicle's commands, newest first."""
+        ...
+
+    def audit(self, after: int = 0, limit: int = 100) -> Sequence[tuple[int, AuditRow]]:
+        """Return numbered audit rows above ``after``, oldest first."""
+        ...
+
+    def dests(self, station: StationId) -> Sequence[StationDest]:
+        """Return all versions of a station's DEST, oldest first."""
+        ...
+
+    def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
+        """Return all versions of a vehicle's OFFSET, oldest first."""
+        ...
+
+
+class Controller(Protocol):
+    """The running controller."""
+
+    @property
+    def model(self) -> ReadModel:
+        """What has been published so far."""
+        ...
+
+    @property
+    def hub(self) -> Hub:
+        """The fan-out of what is published."""
+        ...
+
+    @property
+    def reader(self) -> Reader:
+        """Committed history."""
+        ...
+
+    @property
+    def plant(self) -> Plant:
+        """The plant under control."""
+        ...
+
+    @property
+    def trouble(self) -> str:
+        """Why nothing can be made durable just now; empty if all is well."""
+        ...
+
+    async def ask(self, request: Request) -> Reply:
+        """Put a request to the controller; returns when the answer is durable."""
+        ...
+
+    def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a vehicle's line, oldest first, as (when, ``in`` or ``out``, bytes)."""
+        ...
+
+    def utc(self) -> Timestamp:
+        """Return the present moment."""
+        ...

@@ -1,0 +1,175 @@
+"""Problems by RFC 9457: one table from codes to statuses, and the ways into it."""
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from http import HTTPStatus
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
+
+from app.domain.errors import HoistwayError, Refusal
+from app.runtime.showing import encode
+
+MEDIA_TYPE = "application/problem+json"
+TYPE_PREFIX = "/api/v1/problems/"
+
+CODES: dict[str, tuple[int, str]] = {
+    "malformed": (400, "The request cannot be read"),
+    "unauthorised": (401, "The access key is missing or wrong"),
+    "foreign-origin": (403, "A page from elsewhere may not do this"),
+    "not-found": (404, "There is no such object"),
+    "no-such-path": (404, "There is no such path"),
+    "method": (405, "The path does not have this method"),
+    "conflict": (409, "It contradicts what is there"),
+    "not-now": (409, "Not possible in the present state"),
+    "changed": (412, "Somebody else changed it meanwhile"),
+    "too-large": (413, "The body is too large"),
+    "media-type": (415, "The body is not JSON"),
+    "misdirected": (421, "This server does not answer to that host name"),
+    "invalid": (422, "The request says something that cannot be"),
+    "no-route": (422, "The track does not connect these places"),
+    "cannot-encode": (422, "The vehicle's protocol cannot say this"),
+    "too-many": (429, "Too many at the same time"),
+    "internal": (500, "A defect of this server"),
+    "store": (503, "The database cannot be used just now"),
+    "plant-held": (503, "Another controller holds this plant"),
+    "unavailable": (503, "The controller does not answer just now"),
+}
+"""Stable code -> status and title. The codes of refusals and of our own errors are among them."""
+
+
+@dataclasses.dataclass(eq=False)
+class Problem(Exception):
+    """Ends a request with a problem. ``code`` is one of :data:`CODES`."""
+
+    code: str
+    detail: str
+    remedy: str = ""
+    field: str = ""
+    errors: Sequence[Mapping[str, str]] = ()
+    headers: Mapping[str, str] = dataclasses.field(default_factory=dict)
+
+    @property
+    def status(self) -> int:
+        """The HTTP status."""
+        return CODES[self.code][0]
+
+    def body(self) -> dict[str, object]:
+        """Return the members of the problem."""
+        status, title = CODES[self.code]
+        members: dict[str, object] = {
+            "type": TYPE_PREFIX + self.code,
+            "title": title,
+            "status": status,
+            "detail": self.detail,
+            "code": self.code,
+            "remedy": self.remedy,
+        }
+        if self.field:
+            members["field"] = self.field
+        if self.errors:
+            members["errors"] = list(self.errors)
+        return members
+
+    def response(self) -> Response:
+        """Return it as a response."""
+        return Response(encode(self.body()), self.status, dict(self.headers), MEDIA_TYPE)
+
+
+def refused(refusal: Refusal) -> Problem:
+    """Return a refusal of the controller as a problem."""
+    code = refusal.code if refusal.code in CODES else "invalid"
+    return Problem(code, refusal.reason, refusal.remedy, refusal.field)
+
+
+def install(app: FastAPI) -> None:
+    """Make every error of the application a problem."""
+    app.add_exception_handler(Problem, _own)
+    app.add_exception_handler(RequestValidationError, _validation)
+    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(HoistwayError, _ours)
+    app.add_exception_handler(Exception, _defect)
+
+
+async def _own(_request: Request, error: Exception) -> Response:
+    assert isinstance(error, Problem)
+    return error.response()
+
+
+async def _ours(_request: Request, error: Exception) -> Response:
+    assert isinstance(error, HoistwayError)
+    code = error.code if error.code in CODES else "internal"
+    return Problem(code, error.message, error.remedy).response()
+
+
+async def _defect(_request: Request, _error: Exception) -> Response:
+    remedy = "Report it with the server's log of this moment; nothing is known of the request's effect."
+    return Problem("internal", "The request met a defect of this server.", remedy).response()
+
+
+_BY_STATUS = {400: "malformed", 401: "unauthorised", 404: "no-such-path", 405: "method", 413: "too-large"}
+
+
+async def _http(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    code = _BY_STATUS.get(error.status_code)
+    headers = dict(error.headers or {})
+    if code is None:
+        title = HTTPStatus(error.status_code).phrase
+        body = encode({"type": "about:blank", "title": title, "status": error.status_code, "detail": str(error.detail)})
+        return Response(body, error.status_code, headers, MEDIA_TYPE)
+    detail, remedy = str(error.detail), ""
+    if code == "no-such-path":
+        detail, remedy = f"There is no {request.url.path}.", "The paths are listed at /api/docs."
+    elif code == "method":
+        detail = f"{request.url.path} does not have {request.method}."
+        remedy = f"It has {headers['allow']}." if "allow" in headers else ""
+    return Problem(code, detail, remedy, headers=headers).response()
+
+
+async def _validation(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    return problem_of(error.errors(), request.headers.get("content-type", "")).response()
+
+
+def problem_of(errors: Sequence[Mapping[str, object]], content_type: str) -> Problem:
+    """Return what pydantic found wrong as a problem that names each field."""
+    body_ignored = any(e["loc"] == ("body",) for e in errors) and not is_json(content_type)
+    if body_ignored and content_type:
+        remedy = "Send the header Content-Type: application/json."
+        return Problem("media-type", f"The body came as {content_type[:80]!r}.", remedy)
+    if any(e["type"] == "json_invalid" for e in errors):
+        return Problem("malformed", f"The body is not JSON: {_why_not_json(errors)}.")
+    found = [{"field": _place(e), "message": _message(e)} for e in errors]
+    first = found[0]
+    detail = f"{first['field']}: {first['message']}" if first["field"] else first["message"]
+    return Problem("invalid", detail, field=first["field"], errors=found)
+
+
+def is_json(content_type: str) -> bool:
+    """Whether a Content-Type says JSON."""
+    kind = content_type.partition(";")[0].strip().lower()
+    return kind == "application/json" or (kind.startswith("application/") and kind.endswith("+json"))
+
+
+def _place(error: Mapping[str, object]) -> str:
+    loc = error["loc"]
+    assert isinstance(loc, tuple)
+    return ".".join(str(part) for part in loc[1:]) if len(loc) > 1 else ""
+
+
+def _message(error: Mapping[str, object]) -> str:
+    message = str(error["msg"]).removeprefix("Value error, ")
+    return {
+        "extra_forbidden": "there is no such field",
+        "missing": "is required",
+        "string_pattern_mismatch": "holds a character that is not allowed here (control characters never are)",
+    }.get(str(error["type"]), message)
+
+
+def _why_not_json(errors: Sequence[Mapping[str, object]]) -> str:
+    first = next(e for e in errors if e["type"] == "json_invalid")
+    context = first.get("ctx")
+    return str(context.get("error", first["msg"])) if isinstance(context, Mapping) else str(first["msg"])

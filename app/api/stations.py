@@ -1,0 +1,143 @@
+"""Stations and carriers: what is believed of them, and what hosts and people write."""
+
+from collections.abc import Sequence
+
+from fastapi import APIRouter
+from starlette.requests import Request
+from starlette.responses import Response
+
+from app.api.calls import (
+    Ctl,
+    Who,
+    answer_of,
+    answer_view,
+    ask,
+    listing,
+    live_object,
+    missing,
+    read,
+    version_expected,
+)
+from app.api.declared import gives
+from app.api.inputs import CarrierPut, PathId, StationPatch, StationPut, Target
+from app.api.port import Controller
+from app.api.problems import Problem
+from app.domain import requests
+from app.domain.ids import CarrierId, StationId
+from app.domain.records import StationDest, VehicleOffset
+from app.domain.view import Topic
+from app.runtime.showing import iso
+
+router = APIRouter(prefix="/stations", tags=["stations"])
+carriers = APIRouter(prefix="/carriers", tags=["carriers"])
+
+
+@router.get("", **gives("Station[]", description="All stations; up to 100 ms old."))
+async def list_stations(request: Request, controller: Ctl) -> Response:
+    """List stations and what is believed of them."""
+    return listing(request, controller.model.page(Topic.STATIONS))
+
+
+@router.get("/{station}", **gives("Station"))
+async def get_station(station: PathId, request: Request, controller: Ctl) -> Response:
+    """Show one station."""
+    return live_object(request, controller, Topic.STATIONS, station)
+
+
+async def _written(controller: Controller, station: str, request: requests.Request) -> Response:
+    await ask(controller, request)
+    view = controller.model.get(Topic.STATIONS, station)
+    return answer_view(view) if view is not None else missing("station", station)
+
+
+@router.put("/{station}", **gives("Station"))
+async def put_station(station: PathId, body: StationPut, controller: Ctl, actor: Who) -> Response:
+    """Write the whole state of a station."""
+    asked = requests.WriteStation(
+        actor,
+        StationId(station),
+        body.present,
+        body.carrier,
+        body.reserved,
+        body.out_of_service,
+        by_person=body.by_person,
+    )
+    return await _written(controller, station, asked)
+
+
+@router.patch("/{station}", **gives("Station"))
+async def patch_station(station: PathId, body: StationPatch, controller: Ctl, actor: Who) -> Response:
+    """Write parts of a station's state."""
+    if not body.model_fields_set - {"by_person"}:
+        raise Problem("invalid", "Nothing to write was named.", "Send present, carrier, reserved or out_of_service.")
+    asked = requests.WriteStation(
+        actor,
+        StationId(station),
+        body.present,
+        body.carrier,
+        body.reserved,
+        body.out_of_service,
+        by_person=body.by_person,
+    )
+    return await _written(controller, station, asked)
+
+
+@router.get("/{station}/dest", **gives("PulsesVersion[]", description="All versions, oldest first; ETag: the newest."))
+async def list_dests(station: PathId, controller: Ctl) -> Response:
+    """Show a station's DEST and its history."""
+    if controller.plant.station(StationId(station)) is None:
+        missing("station", station)
+    return versions(await read(controller.reader.dests, StationId(station)))
+
+
+def versions(rows: Sequence[StationDest | VehicleOffset]) -> Response:
+    """Return versions of pulses, with the newest one's number as ETag."""
+    shown = [
+        {
+            "version": row.version,
+            "shft": row.pulses.shft,
+            "rota": row.pulses.rota,
+            "lift": row.pulses.lift,
+            "actor": row.actor,
+            "source": row.source,
+            "at": iso(row.at),
+        }
+        for row in sorted(rows, key=lambda row: row.version)
+    ]
+    newest = shown[-1]["version"] if shown else 0
+    return answer_of({"items": shown, "next": None}, headers={"ETag": f'"{newest}"'})
+
+
+@router.put("/{station}/dest", **gives("Station"))
+async def write_dest(station: PathId, body: Target, request: Request, controller: Ctl, actor: Who) -> Response:
+    """Write a new version of a port's DEST; with If-Match only if nobody else did meanwhile."""
+    expected = version_expected(request)
+    return await _written(controller, station, requests.WriteDest(actor, StationId(station), body.pulses(), expected))
+
+
+@carriers.get("", **gives("Carrier[]", description="All carriers; up to 100 ms old."))
+async def list_carriers(request: Request, controller: Ctl) -> Response:
+    """List carriers and where they are believed to be."""
+    return listing(request, controller.model.page(Topic.CARRIERS))
+
+
+@carriers.get("/{carrier}", **gives("Carrier"))
+async def get_carrier(carrier: PathId, request: Request, controller: Ctl) -> Response:
+    """Locate a carrier."""
+    return live_object(request, controller, Topic.CARRIERS, carrier)
+
+
+@carriers.put("/{carrier}", **gives("Carrier", 200, "The carrier; 201 if it is new.", Carrier=201))
+async def put_carrier(carrier: PathId, body: CarrierPut, controller: Ctl, actor: Who) -> Response:
+    """Install a carrier, or say where it is."""
+    asked = requests.WriteCarrier(actor, CarrierId(carrier), body.place, by_person=body.by_person)
+    accepted = await ask(controller, asked)
+    view = controller.model.get(Topic.CARRIERS, carrier)
+    return answer_view(view, 201 if accepted.created else 200) if view is not None else missing("carrier", carrier)
+
+
+@carriers.delete("/{carrier}", **gives(None, 204, "It is gone."))
+async def remove_carrier(carrier: PathId, controller: Ctl, actor: Who) -> Response:
+    """Remove a carrier from the plant."""
+    await ask(controller, requests.WriteCarrier(actor, CarrierId(carrier), None))
+    return Response(status_code=204)

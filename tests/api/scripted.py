@@ -1,0 +1,311 @@
+"""A small controller with a real read model and hub: answers requests from memory, at once. Its plant has two hoists."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from app.domain import requests as r
+from app.domain.errors import Refusal
+from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, StationId, VehicleId, ZoneId
+from app.domain.job import Job, JobState
+from app.domain.layout import Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
+from app.domain.records import (
+    AuditRow,
+    CarrierRecord,
+    ControllerRecord,
+    ControllerState,
+    HistoryEvent,
+    Intent,
+    IntentState,
+    Provenance,
+    StationDest,
+    StationRecord,
+    VehicleOffset,
+)
+from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
+from app.domain.view import BitView, CarrierView, ControllerView, LinkView, StationView, Topic, Update, VehicleView
+from app.fleet.views import view_of_event, view_of_intent, view_of_job
+from app.runtime.hub import Hub, ReadModel
+
+NOW = Timestamp(1_767_225_600.0)
+B = Barcode
+PLANT = Plant(
+    name="tiny",
+    points=tuple(Point(B(str(n)), Millimetres(n * 10), Millimetres(0)) for n in (1001, 1002, 1003)),
+    edges=(
+        Edge(B("1001"), B("1002"), Millimetres(1000)),
+        Edge(B("1002"), B("1003"), Millimetres(1000)),
+        Edge(B("1003"), B("1001"), Millimetres(2000), curve=True),
+    ),
+    stations=(
+        Station(StationId("P1"), StationKind.PORT, B("1001")),
+        Station(StationId("P2"), StationKind.PORT, B("1002")),
+        Station(StationId("L3"), StationKind.SBFL, B("1003")),
+    ),
+    vehicles=tuple(VehicleSpec(VehicleId(f"V00{n}"), DevId(n)) for n in (1, 2)),
+    zones=(Zone(ZoneId("Z1"), frozenset({B("1003"), B("1002")})),),
+)
+
+
+class MemoryReader:
+    """Committed history."""
+
+    def __init__(self) -> None:
+        self.kept: dict[str, Job] = {}
+        self.past: list[HistoryEvent] = []
+        self.commands: dict[int, Intent] = {}
+        self.asked: list[AuditRow] = []
+        self.pulses: list[StationDest] = []
+        self.corrections: list[VehicleOffset] = []
+
+    def job(self, job: JobId) -> Job | None:
+        return self.kept.get(job)
+
+    def job_by_key(self, key: str) -> Job | None:
+        return next((job for job in self.kept.values() if job.idempotency_key == key), None)
+
+    def jobs(
+        self,
+        *,
+        state: str | None = None,
+        carrier: str | None = None,
+        vehicle: str | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[Job]:
+        found = [
+            job
+            for job in reversed(self.kept.values())
+            if (state is None or job.state == state)
+            and (carrier is None or job.carrier == carrier)
+            and (vehicle is None or job.vehicle == vehicle)
+            and (after is None or job.order < after)
+        ]
+        return found[:limit]
+
+    def events(
+        self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
+    ) -> Sequence[HistoryEvent]:
+        found = [e for e in self.past if e.seq > after and job in (None, e.job) and vehicle in (None, e.vehicle)]
+        return found[:limit]
+
+    def intent(self, cmd_id: CmdId) -> Intent | None:
+        return self.commands.get(cmd_id)
+
+    def intents(self, vehicle: VehicleId, limit: int = 100) -> Sequence[Intent]:
+        return [i for i in reversed(self.commands.values()) if i.vehicle == vehicle][:limit]
+
+    def audit(self, after: int = 0, limit: int = 100) -> Sequence[tuple[int, AuditRow]]:
+        return list(enumerate(self.asked, 1))[after : after + limit]
+
+    def dests(self, station: StationId) -> Sequence[StationDest]:
+        return [row for row in self.pulses if row.station == station]
+
+    def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
+        return [row for row in self.corrections if row.vehicle == vehicle]
+
+
+class Scripted:
+    """Plays the controller. ``refusal`` set: the next request gets it. ``seen`` has every request."""
+
+    def __init__(self, later: Callable[[float, Callable[[], None]], object] | None = None) -> None:
+        self.plant = PLANT
+        self.model = ReadModel(lambda: float(self.model.version))
+        self.hub = Hub(self.model, later)
+        self.reader = MemoryReader()
+        self.trouble = ""
+        self.refusal: Refusal | Exception | None = None
+        self.seen: list[r.Request] = []
+        self.traffic: list[tuple[Timestamp, str, bytes]] = []
+        self._cmd = 1 << 32
+        self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
+        self.hub.publish([self._vehicle(v) for v in PLANT.vehicles])
+        self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
+
+    def utc(self) -> Timestamp:
+        return NOW
+
+    def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        return self.traffic
+
+    async def ask(self, request: r.Request) -> r.Reply:
+        self.seen.append(request)
+        refusal, self.refusal = self.refusal, None
+        if isinstance(refusal, Exception):
+            raise refusal
+        reply = refusal or self._reply(request)
+        accepted = isinstance(reply, r.Accepted)
+        self.reader.asked.append(AuditRow(NOW, request.actor, type(request).__name__, "", "", accepted))
+        return reply
+
+    def happen(self, event: str, job: str | None = None, vehicle: str | None = None) -> HistoryEvent:
+        """Let an event happen: kept, then published."""
+        row = HistoryEvent(
+            len(self.reader.past) + 1,
+            NOW,
+            event,
+            7,
+            JobId(job) if job else None,
+            None,
+            VehicleId(vehicle) if vehicle else None,
+        )
+        self.reader.past.append(row)
+        self.hub.publish([Update(Topic.EVENTS, str(row.seq), view_of_event(row))])
+        return row
+
+    def end(self, job: str, state: JobState = JobState.COMPLETED) -> None:
+        """Let a job end: it leaves the model."""
+        self.reader.kept[job] = replace(self.reader.kept[job], state=state, ended=NOW)
+        self.hub.publish([Update(Topic.JOBS, job, None)])
+
+    def _reply(self, request: r.Request) -> r.Reply:
+        match request:
+            case r.CreateJob():
+                return self._create(request)
+            case r.CancelJob() | r.AbortJob() | r.ChangeJob():
+                return self._change(request)
+            case r.WriteStation() | r.WriteDest():
+                return self._write(request)
+            case r.WriteCarrier():
+                return self._carrier(request)
+            case r.PauseController() | r.ResumeController():
+                state = ControllerState.PAUSING if isinstance(request, r.PauseController) else ControllerState.AUTO
+                self.hub.publish([self._controller(ControllerRecord(state, getattr(request, "reason", "")))])
+                return r.Accepted(Topic.CONTROLLER, "controller")
+            case _:
+                return self._vehicles(request)
+
+    def _create(self, request: r.CreateJob) -> r.Reply:
+        order = len(self.reader.kept) + 1
+        known = {station.id for station in PLANT.stations}
+        if request.destination not in known:
+            return Refusal("invalid", f"There is no station {request.destination}.", "GET /stations", "destination")
+        job = Job(
+            request.job or JobId(f"J{order}"),
+            order,
+            request.carrier,
+            StationId(request.source),
+            request.destination,
+            request.priority,
+            NOW,
+            request.actor,
+            request.fingerprint,
+            request.idempotency_key,
+            wish=request.vehicle,
+            fallbacks=request.fallbacks,
+        )
+        self._keep(job)
+        self.happen("TransferInitiated", job.id)
+        return r.Accepted(Topic.JOBS, job.id, created=True)
+
+    def _change(self, request: r.CancelJob | r.AbortJob | r.ChangeJob) -> r.Reply:
+        job = self.reader.kept.get(request.job)
+        if job is None:
+            return Refusal("not-found", f"There is no job {request.job}.")
+        if job.state.terminal:
+            return Refusal("not-now", f"Job {job.id} is {job.state}.", "Order a new one.")
+        if isinstance(request, r.CancelJob):
+            self.end(job.id, JobState.CANCELLED)
+        elif isinstance(request, r.AbortJob):
+            self._keep(replace(job, state=JobState.ABORTING))
+        else:
+            self._keep(replace(job, priority=request.priority or job.priority))
+        return r.Accepted(Topic.JOBS, job.id)
+
+    def _keep(self, job: Job) -> None:
+        self.reader.kept[job.id] = job
+        self.hub.publish([Update(Topic.JOBS, job.id, view_of_job(job))])
+
+    def _write(self, request: r.WriteStation | r.WriteDest) -> r.Reply:
+        if PLANT.station(request.station) is None:
+            return Refusal("not-found", f"There is no station {request.station}.")
+        record = StationRecord(request.station, at=NOW)
+        if isinstance(request, r.WriteDest):
+            version = len(self.reader.dests(request.station))
+            if request.expected not in (None, version):
+                return Refusal("changed", f"It is version {version} now.", "Read it again.")
+            row = StationDest(request.station, version + 1, request.pulses, request.actor, "host", NOW)
+            self.reader.pulses.append(row)
+        else:
+            carrier = CarrierId(request.carrier) if request.carrier else None
+            record = replace(record, present=request.present, carrier=carrier, provenance=Provenance.HOST)
+        self.hub.publish([self._station(record)])
+        return r.Accepted(Topic.STATIONS, request.station)
+
+    def _carrier(self, request: r.WriteCarrier) -> r.Reply:
+        created = self.model.get(Topic.CARRIERS, request.carrier) is None
+        if request.place is None:
+            if created:
+                return Refusal("not-found", f"There is no carrier {request.carrier}.")
+            self.hub.publish([Update(Topic.CARRIERS, request.carrier, None)])
+            return r.Accepted(Topic.CARRIERS, request.carrier)
+        row = CarrierRecord(request.carrier, StationId(request.place), Provenance.HOST, NOW)
+        view = CarrierView(row.carrier, row.place, row.provenance.value, verified=True, at=row.at)
+        self.hub.publish([Update(Topic.CARRIERS, row.carrier, view)])
+        return r.Accepted(Topic.CARRIERS, row.carrier, created=created)
+
+    def _vehicles(self, request: r.Request) -> r.Reply:
+        vehicle = VehicleId(getattr(request, "vehicle", ""))
+        spec = PLANT.vehicle(vehicle)
+        if spec is None:
+            return Refusal("not-found", f"There is no vehicle {vehicle}.")
+        if isinstance(request, r.WriteOffset):
+            version = len(self.reader.corrections) + 1
+            self.reader.corrections.append(VehicleOffset(vehicle, version, request.pulses, request.actor, "host", NOW))
+        if isinstance(request, r.MoveVehicle):
+            return r.Accepted(Topic.VEHICLES, vehicle)
+        self._cmd += 1
+        intent = Intent(CmdId(self._cmd), vehicle, type(request).__name__, IntentState.OPEN, NOW, request.actor)
+        self.reader.commands[self._cmd] = intent
+        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
+        return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def forget_commands(self) -> None:
+        """Let all commands leave the model."""
+        self.hub.publish([Update(Topic.COMMANDS, f"{cmd:016x}", None) for cmd in self.reader.commands])
+
+    @staticmethod
+    def _controller(record: ControllerRecord) -> Update:
+        view = ControllerView(PLANT.name, record.state.value, record.reason, 1, NOW)
+        return Update(Topic.CONTROLLER, "controller", view)
+
+    @staticmethod
+    def _vehicle(spec: VehicleSpec) -> Update:
+        link = LinkView(up=True, since=NOW, round_trip_ms=1.5)
+        bits = (BitView("MODE", 3, "AUTO"), BitView("F", 0, "no FOUP"))
+        view = VehicleView(
+            spec.id,
+            spec.dev_id,
+            "default",
+            "127.0.0.1:1",
+            "not_assigned",
+            "idle",
+            "in_service",
+            link,
+            bits=bits,
+            seen=NOW,
+        )
+        return Update(Topic.VEHICLES, spec.id, view)
+
+    @staticmethod
+    def _station(record: StationRecord) -> Update:
+        spec = PLANT.station(record.station)
+        assert spec is not None
+        view = StationView(
+            spec.id,
+            spec.kind.value,
+            spec.barcode,
+            record.present,
+            record.carrier,
+            record.reserved,
+            record.out_of_service,
+            record.provenance.value,
+            verified=record.provenance is Provenance.HOST,
+            at=record.at,
+            target=None,
+            target_version=None,
+        )
+        return Update(Topic.STATIONS, spec.id, view)
+
+
+ACTOR = Actor("kim")
+PULSES = PulseSet(Pulses(1), Pulses(2), Pulses(3))

@@ -1,0 +1,135 @@
+"""Jobs over REST."""
+
+import httpx
+import pytest
+
+from app.domain import requests as r
+from app.domain.errors import PlantHeld, Refusal
+from tests.api.scripted import Scripted
+
+pytestmark = pytest.mark.anyio
+ORDER = {"job_id": "LOT-1", "source": "P1", "destination": "P2", "carrier": "F1"}
+
+
+async def test_a_new_job_is_answered_201_with_its_place(client: httpx.AsyncClient, controller: Scripted) -> None:
+    answer = await client.post("/jobs", json=ORDER, headers={"X-Actor": "mes"})
+    assert answer.status_code == 201
+    assert answer.headers["location"] == "/api/v1/jobs/LOT-1"
+    job = answer.json()
+    assert (job["id"], job["state"], job["priority"], job["actor"]) == ("LOT-1", "queued", 50, "mes")
+    assert job["created"] == "2026-01-01T00:00:00.000Z"
+    request = controller.seen[0]
+    assert isinstance(request, r.CreateJob)
+    assert request.carrier == "F1"
+
+
+async def test_the_same_body_again_gives_the_same_job_also_after_its_end(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    await client.post("/jobs", json=ORDER)
+    again = await client.post("/jobs", json=ORDER | {"priority": 50})
+    assert (again.status_code, again.json()["state"]) == (200, "queued")
+    controller.end("LOT-1")
+    late = await client.post("/jobs", json=ORDER)
+    assert (late.status_code, late.json()["state"]) == (200, "completed")
+    assert len(controller.seen) == 1
+
+
+async def test_another_body_under_the_same_id_is_refused(client: httpx.AsyncClient) -> None:
+    await client.post("/jobs", json=ORDER)
+    answer = await client.post("/jobs", json=ORDER | {"destination": "L3"})
+    assert answer.status_code == 409
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.json()["code"] == "conflict"
+    assert answer.json()["remedy"]
+
+
+async def test_an_idempotency_key_serves_where_the_body_has_no_id(client: httpx.AsyncClient) -> None:
+    order = {"source": "P1", "destination": "P2"}
+    first = await client.post("/jobs", json=order, headers={"Idempotency-Key": "k1"})
+    again = await client.post("/jobs", json=order, headers={"Idempotency-Key": "k1"})
+    other = await client.post("/jobs", json=order | {"priority": 3}, headers={"Idempotency-Key": "k1"})
+    fresh = await client.post("/jobs", json=order)
+    assert [a.status_code for a in (first, again, other, fresh)] == [201, 200, 409, 201]
+    assert first.json()["id"] == again.json()["id"] != fresh.json()["id"]
+
+
+async def test_a_refusal_says_why_where_and_what_would_help(client: httpx.AsyncClient) -> None:
+    answer = await client.post("/jobs", json=ORDER | {"destination": "P9"})
+    assert answer.status_code == 422
+    assert answer.json() == {
+        "type": "/api/v1/problems/invalid",
+        "title": "The request says something that cannot be",
+        "status": 422,
+        "detail": "There is no station P9.",
+        "code": "invalid",
+        "remedy": "GET /stations",
+        "field": "destination",
+    }
+
+
+@pytest.mark.parametrize(
+    ("code", "status"), [("not-found", 404), ("conflict", 409), ("not-now", 409), ("no-route", 422), ("??", 422)]
+)
+async def test_each_refusal_has_its_status(
+    client: httpx.AsyncClient, controller: Scripted, code: str, status: int
+) -> None:
+    controller.refusal = Refusal(code, "Because.")
+    assert (await client.post("/jobs", json=ORDER)).status_code == status
+
+
+async def test_a_lost_plant_is_a_503_with_its_message(client: httpx.AsyncClient, controller: Scripted) -> None:
+    controller.refusal = PlantHeld("Another controller holds it.", remedy="Stop one.")
+    answer = await client.post("/jobs", json=ORDER)
+    assert answer.status_code == 503
+    assert (answer.json()["code"], answer.json()["remedy"]) == ("plant-held", "Stop one.")
+
+
+async def test_a_defect_is_a_500_without_its_insides(client: httpx.AsyncClient, controller: Scripted) -> None:
+    controller.refusal = RuntimeError("secret")
+    answer = await client.post("/jobs", json=ORDER)
+    assert answer.status_code == 500
+    assert "secret" not in answer.text
+    assert answer.json()["code"] == "internal"
+
+
+async def test_jobs_are_listed_newest_first_in_pages(client: httpx.AsyncClient) -> None:
+    for number in range(5):
+        await client.post("/jobs", json=ORDER | {"job_id": f"L{number}", "carrier": f"F{number % 2}"})
+    first = (await client.get("/jobs", params={"limit": 2})).json()
+    assert [job["id"] for job in first["items"]] == ["L4", "L3"]
+    rest = (await client.get("/jobs", params={"limit": 9, "after": first["next"]})).json()
+    assert [job["id"] for job in rest["items"]] == ["L2", "L1", "L0"]
+    assert rest["next"] is None
+    some = (await client.get("/jobs", params={"carrier": "F1", "state": "queued"})).json()
+    assert [job["id"] for job in some["items"]] == ["L3", "L1"]
+
+
+async def test_one_job_is_shown_with_its_history_live_or_ended(client: httpx.AsyncClient, controller: Scripted) -> None:
+    await client.post("/jobs", json=ORDER)
+    controller.happen("VehicleAssigned", "other")
+    live = (await client.get("/jobs/LOT-1")).json()
+    assert [(e["seq"], e["event"]) for e in live["history"]] == [(1, "TransferInitiated")]
+    assert live["history"][0]["ts"] == "2026-01-01T00:00:00.000Z"
+    controller.end("LOT-1")
+    assert (await client.get("/jobs/LOT-1")).json()["state"] == "completed"
+    missing = await client.get("/jobs/LOT-2")
+    assert (missing.status_code, missing.json()["code"]) == (404, "not-found")
+
+
+async def test_a_job_is_changed_aborted_and_cancelled(client: httpx.AsyncClient, controller: Scripted) -> None:
+    await client.post("/jobs", json=ORDER)
+    assert (await client.patch("/jobs/LOT-1", json={"priority": 90})).json()["priority"] == 90
+    assert (await client.patch("/jobs/LOT-1", json={})).status_code == 422
+    assert (await client.post("/jobs/LOT-1/abort")).json()["state"] == "aborting"
+    assert (await client.post("/jobs/LOT-1/cancel")).json()["state"] == "cancelled"
+    late = await client.post("/jobs/LOT-1/cancel")
+    assert (late.status_code, late.json()["code"]) == (409, "not-now")
+    assert isinstance(controller.seen[1], r.ChangeJob)
+
+
+async def test_the_caller_without_a_name_is_known_by_address(client: httpx.AsyncClient, controller: Scripted) -> None:
+    await client.post("/jobs", json=ORDER)
+    named = await client.post("/jobs", json=ORDER | {"job_id": "B"}, headers={b"X-Actor": "김철수".encode()})
+    assert named.json()["actor"] == "김철수"
+    assert [request.actor for request in controller.seen] == ["anonymous@127.0.0.1", "김철수"]
