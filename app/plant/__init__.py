@@ -7,9 +7,9 @@ from app.plant.convert import FAILED, convert
 from app.plant.dialects import dialect_of
 from app.plant.document import Document, Unreadable
 from app.plant.findings import Finding, Severity, UnusablePlant
-from app.plant.format import PlantFile, schema
+from app.plant.format import PlantFile, schema, schema_text
 
-__all__ = ["Finding", "Severity", "UnusablePlant", "dialect_of", "read", "schema"]
+__all__ = ["Finding", "Severity", "UnusablePlant", "dialect_of", "read", "schema", "schema_text"]
 
 
 def read(text: str, name: str) -> tuple[Plant, list[Finding]]:

@@ -26,14 +26,16 @@ def check(document: Document, plant: Plant, places: Places) -> None:
         _check_lengths(document, plant, places, dialect, names)
     _check_identities(document, plant)
     _check_teaching(document, plant)
-    _check_parking(document, plant)
     _check_zones(document, plant)
-    # A wrong barcode or edge would be reported again as a dozen unreachable stations.
-    if not any(finding.path.startswith(("barcodes", "track")) for finding in document.findings if finding.is_error):
+    if document.is_sound("parking"):
+        _check_parking(document, plant)
+    # What is missing or wrong there would be reported again as a dozen unreachable stations.
+    if document.is_sound("", "barcodes", "track", "stations"):
         graph = graph_of(plant)
         check_connections(document, plant, places, graph)
         _check_starts(document, plant, graph)
-        _check_clearance(document, plant, graph)
+        if plant.clearance:
+            _check_clearance(document, plant, graph)
 
 
 def _dialects(plant: Plant) -> dict[Dialect, list[VehicleSpec]]:
@@ -85,12 +87,22 @@ def _check_identities(document: Document, plant: Plant) -> None:
 
 
 def _check_teaching(document: Document, plant: Plant) -> None:
-    for station in plant.stations:
-        for axis in Axis if station.dest is not None and station.kind is StationKind.PORT else ():
-            _check_target(document, plant, station, axis)
+    for axis in Axis if plant.vehicles else ():
+        lowest, highest = _accepted_by_all(plant, axis)
+        for station in plant.stations:
+            is_taught = station.kind is StationKind.PORT and station.dest is not None
+            if is_taught and not lowest <= (station.dest or NO_OFFSET).of(axis) <= highest:
+                _note_target(document, plant, station, axis)
 
 
-def _check_target(document: Document, plant: Plant, station: Station, axis: Axis) -> None:
+def _accepted_by_all(plant: Plant, axis: Axis) -> tuple[int, int]:
+    """Return the lowest and highest DEST that keeps every vehicle within its limits."""
+    lowest = max(vehicle.limits.of(axis)[0] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.vehicles)
+    highest = min(vehicle.limits.of(axis)[1] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.vehicles)
+    return lowest, highest
+
+
+def _note_target(document: Document, plant: Plant, station: Station, axis: Axis) -> None:
     dest = station.dest or NO_OFFSET
     beyond = []
     for vehicle in plant.vehicles:
@@ -98,12 +110,10 @@ def _check_target(document: Document, plant: Plant, station: Station, axis: Axis
         low, high = vehicle.limits.of(axis)
         if not low <= target <= high:
             beyond.append(f"{vehicle.id} ({target}, limits {low} to {high})")
-    if beyond:
-        more = f" and {len(beyond) - 1} more" if len(beyond) > 1 else ""
-        message = f"{station.id}'s {axis} target is beyond the limits of {beyond[0]}{more}"
-        document.warn(
-            ("stations", station.id, "dest", axis.value), message, "correct dest, or the vehicle's limits or offset"
-        )
+    more = f" and {len(beyond) - 1} more" if len(beyond) > 1 else ""
+    message = f"{station.id}'s {axis} target is beyond the limits of {beyond[0]}{more}"
+    path = ("stations", station.id, "dest", axis.value)
+    document.warn(path, message, "correct dest, or the vehicle's limits or offset")
 
 
 def _check_parking(document: Document, plant: Plant) -> None:

@@ -2,6 +2,7 @@
 
 import types
 from enum import StrEnum
+from functools import cache
 from typing import Annotated, Any, Final, Union, get_args, get_origin
 
 import msgspec
@@ -39,7 +40,7 @@ def convert(document: Document, node: Node, wanted: Any, path: Path = ()) -> Any
 
 
 def _struct(document: Document, node: Mapping, wanted: Any, path: Path) -> Any:
-    fields = {field.encode_name: field for field in msgspec.structs.fields(wanted)}
+    fields = _fields(wanted)
     failed = False
     values = {}
     for key, item in node.items.items():
@@ -63,6 +64,11 @@ def _struct(document: Document, node: Mapping, wanted: Any, path: Path) -> Any:
         if field.required and field.name not in kept:
             kept[field.name] = get_origin(_stripped(field.type)[0])()
     return wanted(**kept)
+
+
+@cache
+def _fields(wanted: Any) -> dict[str, Any]:
+    return {field.encode_name: field for field in msgspec.structs.fields(wanted)}
 
 
 def _unknown_key(document: Document, key: str, known: Any, path: Path) -> None:

@@ -121,6 +121,11 @@ class Document:
         """Whether an error is noted."""
         return any(finding.is_error for finding in self.findings)
 
+    def is_sound(self, *sections: str) -> bool:
+        """Whether these top-level sections have no error."""
+        roots = [finding.path.partition(".")[0].partition("[")[0] for finding in self.findings if finding.is_error]
+        return not any(root in sections for root in roots)
+
     def section(self, name: str) -> dict[str, Node]:
         """Return a top-level mapping's items, none if it is not there or no mapping."""
         node = self.root.items.get(name) if isinstance(self.root, Mapping) else None

@@ -1,11 +1,15 @@
 """The plant file as typed structs: what may stand where, and the JSON schema for editors."""
 
+import json
+from dataclasses import fields
+from inspect import cleandoc
 from typing import Annotated, Any
 
 import msgspec
 from msgspec import UNSET, Meta, UnsetType
 
 from app.domain.layout import StationKind
+from app.protocols.itsc.dialects import DIALECTS, Dialect
 
 SCHEMA_COMMENT = "# yaml-language-server: $schema=plant.schema.json"
 """First line of a plant file, by which editors find the schema."""
@@ -161,4 +165,20 @@ class PlantFile(Strict, frozen=True):
 def schema() -> dict[str, Any]:
     """Return the JSON schema of a plant file."""
     made = msgspec.json.schema(PlantFile)
+    for definition in made["$defs"].values():
+        # Python before 3.13 keeps the indentation of docstrings, later ones do not.
+        definition["description"] = cleandoc(definition["description"])
+    made["$defs"]["PlantFile"]["properties"]["dialects"]["additionalProperties"] = _dialect_schema()
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Hoistway plant file", **made}
+
+
+def _dialect_schema() -> dict[str, Any]:
+    known: dict[str, Any] = {field.name: {} for field in fields(Dialect)}
+    known |= {name: {"enum": list(choices)} for name, choices in Dialect.CHOICES.items()}
+    preset = {"description": "The dialect that the others are laid over", "enum": list(DIALECTS), "default": "default"}
+    return {"type": "object", "properties": {"preset": preset, **known}, "additionalProperties": False}
+
+
+def schema_text() -> str:
+    """Return the JSON schema as ``plants/plant.schema.json`` holds it."""
+    return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,85 @@
+"""``hoistway check PLANT``: what is wrong with a plant file, and where."""
+
+from __future__ import annotations
+
+import json as jsons
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant
+    from app.plant import Finding
+
+_COLOURS = {"error": "red", "warning": "yellow"}
+_MM_PER_KM = 1_000_000
+
+
+def check(
+    plant: Annotated[Path, typer.Argument(help="a plant file, YAML")],
+    json: Annotated[bool, typer.Option("--json", help="print findings and counts as JSON")] = False,
+) -> None:
+    """Say what is wrong with a plant file: line, column, message and remedy; exit 1 if it cannot be used."""
+    from app.plant import UnusablePlant, read
+
+    try:
+        text = plant.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as wrong:
+        print(f"{plant} cannot be read: {wrong}")
+        raise typer.Exit(2) from None
+    found: Plant | None = None
+    try:
+        found, findings = read(text, str(plant))
+    except UnusablePlant as unusable:
+        findings = unusable.findings
+    if json:
+        listed = [{**asdict(finding), "severity": finding.severity.value} for finding in findings]
+        print(
+            jsons.dumps({"file": str(plant), "plant": found and counts(found), "findings": listed}, ensure_ascii=False)
+        )
+    else:
+        _show(plant, found, findings)
+    if found is None:
+        raise typer.Exit(1)
+
+
+def counts(plant: Plant) -> dict[str, Any]:
+    """Return how much of everything a plant has; ``kilometres`` is the length of its track."""
+    return {
+        "name": plant.name,
+        "barcodes": len(plant.points),
+        "edges": len(plant.edges),
+        "kilometres": round(sum(edge.length for edge in plant.edges) / _MM_PER_KM, 3),
+        "stations": len(plant.stations),
+        "zones": len(plant.zones),
+        "vehicles": len(plant.vehicles),
+        "carriers": len(plant.carriers),
+    }
+
+
+def _show(file: Path, plant: Plant | None, findings: list[Finding]) -> None:
+    from rich.console import Console
+    from rich.text import Text
+
+    console = Console(highlight=False, soft_wrap=True)
+    for finding in findings:
+        severity = (finding.severity.value, _COLOURS[finding.severity])
+        place = (f"{file}:{finding.line}:{finding.column}: ", "bold")
+        console.print(Text.assemble(place, severity, f": {finding.message}"))
+        if finding.remedy:
+            console.print(Text(f"    {finding.remedy}", style="dim"))
+    errors = sum(finding.is_error for finding in findings)
+    console.print(Text(f"{file}: {_counted(errors, 'error')}, {_counted(len(findings) - errors, 'warning')}"))
+    if plant is not None:
+        summary = counts(plant)
+        name, kilometres = summary.pop("name"), summary.pop("kilometres")
+        console.print(
+            Text(f"{name}: " + ", ".join(_counted(value, what[:-1]) for what, value in summary.items())), end=""
+        )
+        console.print(Text(f"; {kilometres} km of track"))
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
