@@ -1,0 +1,198 @@
+"""The controller without its shell: bytes, requests and time in; transactions, bytes, updates and replies out.
+
+Rule kept here: what a decision needs to survive is committed *before* its command reaches a session, its reply a caller,
+its update a screen. A session's own packets (ACK, STATUS) need no commit and leave at once.
+"""
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from app.control.lines import VehicleLine
+from app.domain.ids import CmdIds, VehicleId
+from app.domain.layout import Plant
+from app.domain.ports import Endpoint
+from app.domain.records import Kept, Record
+from app.domain.requests import Reply, Request
+from app.domain.units import Seconds, Timestamp
+from app.domain.view import LinkView, Topic, Update, View
+from app.fleet import Effects, Fleet
+from app.plant import dialect_of
+from app.protocols.itsc.session import Session, Timing
+
+
+@dataclass(frozen=True, slots=True)
+class Transaction:
+    """Records to be made durable together. Numbers rise by one; commit in that order. There may be none to write."""
+
+    number: int
+    records: tuple[Record, ...]
+
+
+class Control:
+    """The whole controller of one plant, in one thread.
+
+    After every input the owner takes ``transactions``, writes what ``dirty`` endpoints have to send, delivers ``updates``
+    and ``replies``, and arranges for ``tick`` at ``deadline`` and each endpoint's own. ``utc`` is UTC at ``now``.
+    """
+
+    def __init__(
+        self,
+        plant: Plant,
+        kept: Kept,
+        now: Seconds,
+        utc: Timestamp,
+        timing: Timing = Timing(),  # noqa: B008  (frozen)
+    ) -> None:
+        self._cmd_ids = CmdIds(kept.epoch)
+        self._barcodes = frozenset(point.barcode for point in plant.points)
+        self._lines: dict[VehicleId, VehicleLine] = {}
+        for spec in plant.vehicles:
+            dialect = dialect_of(plant, spec.dialect)
+            session = Session(spec, dialect, self._cmd_ids, timing, self._barcodes)
+            self._lines[spec.id] = VehicleLine(session, self._heard)
+        self.fleet = Fleet(plant, kept, self._cmd_ids, now, utc, self._link)
+        self._dirty: dict[VehicleId, None] = {}
+        self._tickets = 0
+        self._number = 0
+        self._new: list[Transaction] = []
+        self._uncommitted: deque[tuple[int, Effects]] = deque()
+        self._updates: list[Update] = []
+        self._replies: list[tuple[int, Reply]] = []
+        self._model: dict[Topic, dict[str, View]] = {topic: {} for topic in Topic}
+        self._decide()
+
+    # -- lines --------------------------------------------------------------------------------------------------------
+
+    @property
+    def vehicles(self) -> tuple[VehicleId, ...]:
+        """The vehicles of the plant."""
+        return tuple(self._lines)
+
+    def endpoint(self, vehicle: VehicleId) -> Endpoint:
+        """Return our end of a vehicle's line."""
+        return self._lines[vehicle]
+
+    def dirty(self) -> list[VehicleId]:
+        """Return and forget the vehicles whose endpoint may have bytes to send or want to close."""
+        names, self._dirty = list(self._dirty), {}
+        return names
+
+    def frames(self, vehicle: VehicleId) -> list[tuple[Timestamp, str, bytes]]:
+        """Return the last packets on a vehicle's line, oldest first: when (UTC), ``in`` or ``out``, bytes."""
+        session = self._lines[vehicle].session
+        return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
+
+    def hint(self, vehicle: VehicleId) -> str:
+        """Return what looks wrong with the vehicle's dialect, empty if nothing does."""
+        return self._lines[vehicle].session.hint
+
+    def _link(self, vehicle: VehicleId) -> LinkView:
+        session = self._lines[vehicle].session
+        quality, now = session.link, self.fleet.books.vehicles[vehicle]
+        return LinkView(
+            up=now.linked,
+            since=self.fleet.books.utc_at(now.link_since),
+            reason=session.hint or now.link_reason,
+            frames_in=quality.frames_in,
+            frames_out=quality.frames_out,
+            garbled=quality.garbled,
+            resends=quality.resends,
+            duplicates=quality.duplicates,
+            round_trip_ms=quality.round_trip_last,
+        )
+
+    def _heard(self, line: VehicleLine, now: Seconds) -> None:
+        """A line has taken an input: hand what its session tells to the fleet."""
+        self._dirty[line.session.vehicle.id] = None
+        events = line.session.events()
+        if events:
+            for event in events:
+                self.fleet.handle(event, now)
+            self._decide()
+
+    # -- people, hosts and time ---------------------------------------------------------------------------------------
+
+    def ask(self, request: Request, now: Seconds) -> int:
+        """Take a request; its reply comes under the returned ticket, once it is durable."""
+        self._tickets += 1
+        self.fleet.ask(request, self._tickets, now)
+        self._decide()
+        return self._tickets
+
+    @property
+    def deadline(self) -> Seconds:
+        """When ``tick`` wants to be called next."""
+        return self.fleet.deadline
+
+    def tick(self, now: Seconds) -> None:
+        """The fleet's deadline has passed."""
+        self.fleet.tick(now)
+        self._decide()
+
+    # -- keep before you tell -----------------------------------------------------------------------------------------
+
+    def _decide(self) -> None:
+        """Make a transaction of what the fleet has decided."""
+        effects = self.fleet.take()
+        if effects.empty:
+            return
+        self._number += 1
+        self._uncommitted.append((self._number, effects))
+        self._new.append(Transaction(self._number, tuple(effects.records)))
+
+    def transactions(self) -> list[Transaction]:
+        """Return what is to be made durable since the last call, in order."""
+        new, self._new = self._new, []
+        return new
+
+    def committed(self, number: int, now: Seconds) -> None:
+        """All transactions up to this one are durable: carry their effects out."""
+        while self._uncommitted and self._uncommitted[0][0] <= number:
+            _, effects = self._uncommitted.popleft()
+            self._carry_out(effects, now)
+        for name in list(self._dirty):
+            self._tell(self._lines[name], now)
+        self._decide()
+
+    def _carry_out(self, effects: Effects, now: Seconds) -> None:
+        for name, receipt in effects.stored:
+            self._lines[name].session.stored(receipt, now)
+            self._dirty[name] = None
+        for send in effects.sends:
+            self._lines[send.vehicle].session.send(send, now)
+            self._dirty[send.vehicle] = None
+        for name in effects.polls:
+            self._lines[name].session.ask(now)
+            self._dirty[name] = None
+        self._publish(effects.updates)
+        self._replies += effects.replies
+
+    def _tell(self, line: VehicleLine, now: Seconds) -> None:
+        """Hand what a session said while sending (NotSent) to the fleet."""
+        for event in line.session.events():
+            self.fleet.handle(event, now)
+
+    def _publish(self, updates: Iterable[Update]) -> None:
+        for update in updates:
+            self._updates.append(update)
+            if update.topic is Topic.EVENTS:
+                continue
+            if update.value is None:
+                self._model[update.topic].pop(update.key, None)
+            else:
+                self._model[update.topic][update.key] = update.value
+
+    def updates(self) -> list[Update]:
+        """Return and forget the changes of the read model that are durable now."""
+        updates, self._updates = self._updates, []
+        return updates
+
+    def replies(self) -> list[tuple[int, Reply]]:
+        """Return and forget the replies that are durable now, by ticket."""
+        replies, self._replies = self._replies, []
+        return replies
+
+    def snapshot(self) -> list[Update]:
+        """Return the whole read model as published so far."""
+        return [Update(topic, key, value) for topic, objects in self._model.items() for key, value in objects.items()]

@@ -1,0 +1,324 @@
+"""The fleet's state, and what has been decided since it was last taken: every change goes through here."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from app.domain.commands import Command, Send
+from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
+from app.domain.job import Job, JobEvent
+from app.domain.layout import Plant, Station
+from app.domain.records import (
+    AuditRow,
+    CarrierGone,
+    CarrierRecord,
+    ControllerRecord,
+    HistoryEvent,
+    Intent,
+    IntentState,
+    Kept,
+    Provenance,
+    Record,
+    StationDest,
+    StationRecord,
+    VehicleOffset,
+    VehicleRecord,
+)
+from app.domain.requests import Reply
+from app.domain.units import Barcode, Seconds, Timestamp
+from app.domain.view import Topic, Update, View
+from app.fleet.vehicle import VehicleNow
+from app.fleet.views import (
+    view_of_carrier,
+    view_of_controller,
+    view_of_event,
+    view_of_intent,
+    view_of_job,
+    view_of_station,
+)
+from app.planning.routing import Router
+from app.planning.track import Track
+from app.planning.traffic import Traffic
+
+SYSTEM = Actor("hoistway")
+"""The controller itself, as the actor of what it decides alone."""
+REMEMBERED = 20_000
+"""How many ended jobs are remembered for the idempotency of a host that repeats itself at once (our choice; older: database)."""
+
+
+@dataclass(slots=True)
+class Effects:
+    """What was decided: to be kept first, then told (ARCHITECTURE section 1)."""
+
+    records: list[Record] = field(default_factory=list)
+    sends: list[Send] = field(default_factory=list)
+    polls: list[VehicleId] = field(default_factory=list)
+    stored: list[tuple[VehicleId, int]] = field(default_factory=list)
+    updates: list[Update] = field(default_factory=list)
+    replies: list[tuple[int, Reply]] = field(default_factory=list)
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing was decided."""
+        return not (self.records or self.sends or self.polls or self.stored or self.updates or self.replies)
+
+
+class Books:
+    """State of one plant in memory, written to only through methods that also say what must be kept and shown."""
+
+    def __init__(self, plant: Plant, kept: Kept, cmd_ids: CmdIds, now: Seconds, utc: Timestamp) -> None:
+        self.plant = plant
+        self.track = Track(plant)
+        self.router = Router(self.track)
+        self.traffic = Traffic(self.track)
+        self.cmd_ids = cmd_ids
+        self.now = now
+        self.started = utc
+        self._utc_offset = utc - now
+        self.effects = Effects()
+        self.dirty: dict[VehicleId, None] = {}
+        self.woken: dict[VehicleId, None] = {}
+        self.specs: dict[StationId, Station] = {s.id: s for s in plant.stations}
+        self.vehicles = self._vehicles(kept)
+        self.jobs: dict[JobId, Job] = {job.id: job for job in kept.jobs}
+        self.ended: dict[JobId, Job] = {}
+        self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
+        self.stations = {s.id: StationRecord(s.id) for s in plant.stations} | {
+            record.station: record for record in kept.stations if record.station in self.specs
+        }
+        self.carriers: dict[CarrierId, CarrierRecord] = {record.carrier: record for record in kept.carriers}
+        self.dests: dict[StationId, StationDest] = {d.station: d for d in kept.dests}
+        self.offsets: dict[VehicleId, VehicleOffset] = {o.vehicle: o for o in kept.offsets}
+        self.controller = kept.controller
+        self.roll_call: dict[VehicleId, None] = {}
+        self._next_event = kept.next_event
+        self._next_order = kept.next_order
+        self.epoch = kept.epoch
+        if kept.fresh:
+            self._take_over_plant_file()
+
+    def _vehicles(self, kept: Kept) -> dict[VehicleId, VehicleNow]:
+        records = {record.vehicle: record for record in kept.vehicles}
+        vehicles = {
+            spec.id: VehicleNow(
+                spec, records.get(spec.id, VehicleRecord(spec.id)), link_since=self.now, stage_since=self.now
+            )
+            for spec in self.plant.vehicles
+        }
+        for intent in kept.intents:
+            if intent.vehicle in vehicles:
+                vehicles[intent.vehicle].opened[intent.cmd_id] = intent
+        for job in kept.jobs:
+            if job.vehicle in vehicles:
+                vehicles[job.vehicle].job = job.id
+        return vehicles
+
+    def _take_over_plant_file(self) -> None:
+        for carrier, place in self.plant.carriers:
+            self.put_carrier(carrier, place, Provenance.PLANT)
+        for station in self.plant.stations:
+            if station.dest:
+                self.keep_dest(StationDest(station.id, 1, station.dest, SYSTEM, "plant file", self.utc))
+        for spec in self.plant.vehicles:
+            if spec.offset:
+                self.keep_offset(VehicleOffset(spec.id, 1, spec.offset, SYSTEM, "plant file", self.utc))
+
+    @property
+    def utc(self) -> Timestamp:
+        """UTC at the present input."""
+        return Timestamp(self.now + self._utc_offset)
+
+    def utc_at(self, moment: Seconds) -> Timestamp:
+        """UTC at a moment of the running clock."""
+        return Timestamp(moment + self._utc_offset)
+
+    # -- records ------------------------------------------------------------------------------------------------------
+
+    def save_job(self, job: Job) -> Job:
+        """Keep and show a job. An ended one leaves the live ones."""
+        if job.state.terminal:
+            self.jobs.pop(job.id, None)
+            self.ended[job.id] = job
+            if len(self.ended) > REMEMBERED:
+                old = self.ended.pop(next(iter(self.ended)))
+                if old.idempotency_key:
+                    self.by_key.pop(old.idempotency_key, None)
+        else:
+            self.jobs[job.id] = job
+        if job.idempotency_key:
+            self.by_key[job.idempotency_key] = job.id
+        self.effects.records.append(job)
+        self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
+        return job
+
+    def new_order(self) -> int:
+        """Return the next number of acceptance."""
+        self._next_order += 1
+        return self._next_order - 1
+
+    def event(
+        self,
+        name: JobEvent,
+        *,
+        job: Job | None = None,
+        vehicle: VehicleId | None = None,
+        carrier: CarrierId | None = None,
+        source: str | None = None,
+        destination: str | None = None,
+        result: str = "",
+        detail: str = "",
+    ) -> None:
+        """Record a durable event; what a job knows need not be repeated."""
+        event = HistoryEvent(
+            seq=self._next_event,
+            at=self.utc,
+            event=name.value,
+            ceid=self.plant.event_numbers.get(name.value, 0),
+            job=job.id if job else None,
+            carrier=carrier or (job.carrier if job else None),
+            vehicle=vehicle or (job.vehicle if job else None),
+            source=source or (job.source if job else None),
+            destination=destination or (job.destination if job else None),
+            result=result,
+            detail=detail,
+        )
+        self._next_event += 1
+        self.effects.records.append(event)
+        self.show(Topic.EVENTS, str(event.seq), view_of_event(event))
+
+    def audit(self, actor: Actor, action: str, target: str, detail: str, *, accepted: bool) -> None:
+        """Record that somebody asked for something."""
+        self.effects.records.append(AuditRow(self.utc, actor, action, target, detail, accepted))
+
+    def save_vehicle(self, vehicle: VehicleNow, **changes: object) -> None:
+        """Change and keep the durable part of a vehicle."""
+        record = replace(vehicle.record, **changes)  # type: ignore[arg-type]
+        if record != vehicle.record:
+            vehicle.record = record
+            self.effects.records.append(record)
+        self.touch(vehicle)
+
+    def open_intent(
+        self,
+        vehicle: VehicleNow,
+        kind: str,
+        command: Command,
+        actor: Actor,
+        *,
+        job: JobId | None = None,
+        path: tuple[Barcode, ...] = (),
+        body: Mapping[str, object] | None = None,
+        amends: CmdId | None = None,
+    ) -> Intent:
+        """Make a command durable and send it: the bytes leave after the commit (COMMANDS: intent before first byte)."""
+        intent = Intent(
+            cmd_id=self.cmd_ids.next(),
+            vehicle=vehicle.id,
+            kind=kind,
+            state=IntentState.OPEN,
+            opened=self.utc,
+            actor=actor,
+            job=job,
+            path=path,
+            body=body or {},
+            amends=amends,
+        )
+        self.keep_intent(vehicle, intent)
+        self.effects.sends.append(Send(vehicle.id, intent.cmd_id, command))
+        return intent
+
+    def keep_intent(self, vehicle: VehicleNow, intent: Intent) -> Intent:
+        """Keep and show an intent as it is now."""
+        if intent.state.closed:
+            vehicle.opened.pop(intent.cmd_id, None)
+        else:
+            vehicle.opened[intent.cmd_id] = intent
+        self.effects.records.append(intent)
+        self.show(Topic.COMMANDS, f"{intent.cmd_id:016x}", None if intent.state.closed else view_of_intent(intent))
+        self.touch(vehicle)
+        return intent
+
+    def close_intent(self, vehicle: VehicleNow, cmd_id: CmdId, state: IntentState, outcome: str) -> Intent | None:
+        """Write down what became of a command; None if it was closed before."""
+        intent = vehicle.opened.get(cmd_id)
+        if intent is None:
+            return None
+        closed = self.utc if state.closed else None
+        return self.keep_intent(vehicle, replace(intent, state=state, closed=closed, outcome=outcome))
+
+    def save_station(self, record: StationRecord) -> None:
+        """Keep and show what is believed of a station."""
+        self.stations[record.station] = record
+        self.effects.records.append(record)
+        self.show_station(record.station)
+
+    def put_carrier(self, carrier: CarrierId, place: StationId | VehicleId | None, provenance: Provenance) -> None:
+        """Move a carrier's record, and what is believed of the stations it left and came to."""
+        before = self.carriers.get(carrier)
+        if before and before.place in self.stations and before.place != place:
+            left = self.stations[StationId(before.place)]
+            if left.carrier == carrier:
+                self.save_station(replace(left, present=False, carrier=None, provenance=provenance, at=self.utc))
+        record = CarrierRecord(carrier, place, provenance, self.utc)
+        self.carriers[carrier] = record
+        self.effects.records.append(record)
+        self.show_carrier(carrier)
+        if place in self.stations:
+            station = self.stations[StationId(place)]
+            self.save_station(replace(station, present=True, carrier=carrier, provenance=provenance, at=self.utc))
+
+    def drop_carrier(self, carrier: CarrierId) -> None:
+        """Forget a carrier."""
+        self.carriers.pop(carrier, None)
+        self.effects.records.append(CarrierGone(carrier))
+        self.show(Topic.CARRIERS, carrier, None)
+
+    def keep_dest(self, dest: StationDest) -> None:
+        """Keep a version of a station's DEST."""
+        self.dests[dest.station] = dest
+        self.effects.records.append(dest)
+        self.show_station(dest.station)
+
+    def keep_offset(self, offset: VehicleOffset) -> None:
+        """Keep a version of a vehicle's OFFSET."""
+        self.offsets[offset.vehicle] = offset
+        self.effects.records.append(offset)
+
+    def save_controller(self, record: ControllerRecord) -> None:
+        """Keep and show the controller's state."""
+        self.controller = record
+        self.effects.records.append(record)
+        self.show_controller()
+
+    # -- what people see ----------------------------------------------------------------------------------------------
+
+    def show(self, topic: Topic, key: str, value: View | None) -> None:
+        """Put a change of the read model into the effects."""
+        self.effects.updates.append(Update(topic, key, value))
+
+    def show_station(self, station: StationId) -> None:
+        """Show a station as it is now."""
+        self.show(
+            Topic.STATIONS,
+            station,
+            view_of_station(self.specs[station], self.stations[station], self.dests.get(station)),
+        )
+
+    def show_carrier(self, carrier: CarrierId) -> None:
+        """Show a carrier as it is now."""
+        self.show(Topic.CARRIERS, carrier, view_of_carrier(self.carriers[carrier]))
+
+    def show_controller(self) -> None:
+        """Show the controller as it is now."""
+        self.show(
+            Topic.CONTROLLER,
+            self.plant.name,
+            view_of_controller(self.plant.name, self.controller, self.epoch, self.started, self.roll_call),
+        )
+
+    def touch(self, vehicle: VehicleNow) -> None:
+        """Note that a vehicle looks different now; it is shown with the next flush."""
+        self.dirty[vehicle.id] = None
+
+    def wake(self, vehicle: VehicleId) -> None:
+        """Note that a vehicle should look again whether it can go on."""
+        self.woken[vehicle] = None

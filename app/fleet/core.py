@@ -1,0 +1,477 @@
+"""The fleet: takes what sessions tell and people ask, in order, and gives effects (ARCHITECTURE section 1)."""
+
+from collections.abc import Callable
+
+from app.domain.errors import Refusal
+from app.domain.events import (
+    Acknowledged,
+    Answered,
+    Event,
+    Garbled,
+    LinkDown,
+    LinkUp,
+    NotSent,
+    Reported,
+    Taught,
+    Unanswered,
+    Unknown,
+)
+from app.domain.ids import CmdIds, VehicleId
+from app.domain.job import JobEvent, JobState, Leg
+from app.domain.layout import Axis, Plant
+from app.domain.records import Intent, IntentState, Kept, TeachingEvent
+from app.domain.requests import (
+    AbortJob,
+    Accepted,
+    CancelJob,
+    ChangeJob,
+    CommandVehicle,
+    CreateJob,
+    DisplayOnVehicle,
+    HandleOnce,
+    HoldVehicle,
+    LockVehicle,
+    MoveVehicle,
+    PauseController,
+    RecoverAlarm,
+    ReleaseVehicle,
+    Reply,
+    Request,
+    ResumeController,
+    SetService,
+    UnlockVehicle,
+    WriteCarrier,
+    WriteDest,
+    WriteOffset,
+    WriteStation,
+)
+from app.domain.units import Seconds, Timestamp
+from app.domain.vehicle import Mode, Oper, VehicleStatus
+from app.domain.view import LinkView, Topic, Update, VehicleView
+from app.fleet.books import Books, Effects
+from app.fleet.courtesy import Courtesy
+from app.fleet.dispatch import Dispatch
+from app.fleet.jobs import Jobs
+from app.fleet.missions import MAX_MISSES, Missions
+from app.fleet.motion import Motion, OffPath
+from app.fleet.orders import PlantOrders, VehicleOrders
+from app.fleet.recovery import Recovery
+from app.fleet.vehicle import Stage, VehicleNow
+from app.fleet.views import view_of_job, view_of_vehicle
+
+SHOW_EVERY = Seconds(0.1)
+"""A vehicle is shown at most so often, unless something is decided (QUALITY 1: live frames at 10 Hz)."""
+THINK_EVERY = Seconds(1.0)
+"""Dispatch, and a look at everything that waits, at least so often; sooner when something changed (our choice)."""
+GIVE_BACK_AFTER = Seconds(10.0)
+"""A vehicle that cannot go on to its source for so long loses the job to another (our choice)."""
+
+
+class Fleet:
+    """Decides for one plant. Inputs in order; ``take`` gives what was decided since the last call.
+
+    ``link`` tells the quality of a vehicle's line, for people only.
+    """
+
+    def __init__(
+        self,
+        plant: Plant,
+        kept: Kept,
+        cmd_ids: CmdIds,
+        now: Seconds,
+        utc: Timestamp,
+        link: Callable[[VehicleId], LinkView],
+    ) -> None:
+        self.books = Books(plant, kept, cmd_ids, now, utc)
+        self.motion = Motion(self.books)
+        self.recovery = Recovery(self.books, self.motion)
+        self.missions = Missions(self.books, self.motion, self.recovery)
+        self._dispatch = Dispatch(self.books, self.missions)
+        self._courtesy = Courtesy(self.books, self.motion)
+        self._jobs = Jobs(self.books, self.missions)
+        self._vehicle_orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery)
+        self._plant_orders = PlantOrders(self.books)
+        self._link = link
+        self._shown: dict[VehicleId, VehicleView] = {}
+        self._last_show = now
+        self._next_thought = now
+        self._start()
+
+    # -- start --------------------------------------------------------------------------------------------------------
+
+    def _start(self) -> None:
+        """Claim what every vehicle may be on, call the roll, and show all there is (COMMANDS sections 3.1, 3.6)."""
+        books = self.books
+        for vehicle in books.vehicles.values():
+            if vehicle.record.off_rail or not vehicle.spec.in_service:
+                continue
+            claim = [*vehicle.record.held, *(b for i in vehicle.opened.values() for b in i.path)]
+            books.traffic.hold(vehicle.id, [b for b in dict.fromkeys(claim) if b in books.track])
+            books.roll_call[vehicle.id] = None
+        for job in books.jobs.values():
+            books.show(Topic.JOBS, job.id, view_of_job(job))
+        for station in books.specs:
+            books.show_station(station)
+        for carrier in books.carriers:
+            books.show_carrier(carrier)
+        books.show_controller()
+        for vehicle in books.vehicles.values():
+            books.touch(vehicle)
+
+    # -- inputs -------------------------------------------------------------------------------------------------------
+
+    @property
+    def deadline(self) -> Seconds:
+        """When ``tick`` wants to be called next."""
+        if self.books.dirty:
+            return min(self._next_thought, Seconds(self._last_show + SHOW_EVERY))
+        return self._next_thought
+
+    def tick(self, now: Seconds) -> None:
+        """Time has passed."""
+        self.books.now = now
+        if now < self._next_thought:
+            return
+        self._next_thought = Seconds(now + THINK_EVERY)
+        for vehicle in self.books.vehicles.values():
+            self.recovery.tick(vehicle)
+            self._give_back_if_unfit(vehicle)
+            self.books.wake(vehicle.id)
+        self._go_on()
+
+    def _give_back_if_unfit(self, vehicle: VehicleNow) -> None:
+        """A job not yet picked up does not wait for a vehicle that cannot go on."""
+        job = self.books.jobs.get(vehicle.job) if vehicle.job else None
+        if vehicle.fit or job is None or job.leg is not Leg.TO_SOURCE:
+            vehicle.unfit_since = None
+            return
+        if vehicle.unfit_since is None:
+            vehicle.unfit_since = self.books.now
+        elif self.books.now - vehicle.unfit_since >= GIVE_BACK_AFTER:
+            why = vehicle.barred or vehicle.waiting or vehicle.link_reason or "not ready"
+            self.missions.give_back(vehicle, f"given back by {vehicle.id}: {why}")
+
+    def handle(self, event: Event, now: Seconds) -> None:
+        """Take one event of a session."""
+        self.books.now = now
+        vehicle = self.books.vehicles[event.vehicle]
+        match event:
+            case LinkUp():
+                self._link_up(vehicle)
+            case LinkDown(reason=reason):
+                self.recovery.link_lost(vehicle, reason)
+            case Reported():
+                self._reported(vehicle, event)
+            case Acknowledged():
+                self._acknowledged(vehicle, event)
+            case Answered():
+                self._answered(vehicle, event)
+            case Unanswered():
+                self._unanswered(vehicle, event)
+            case NotSent():
+                self._not_sent(vehicle, event)
+            case Taught():
+                self._taught(vehicle, event)
+            case Garbled():
+                self.books.touch(vehicle)
+        self._go_on()
+
+    def ask(self, request: Request, ticket: int, now: Seconds) -> None:
+        """Take one request; its reply is among the effects under this ticket."""
+        self.books.now = now
+        reply = self._answer(request)
+        accepted = isinstance(reply, Accepted)
+        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else repr(request)
+        target = next(
+            (
+                str(getattr(request, name))
+                for name in ("job", "vehicle", "station", "carrier")
+                if getattr(request, name, None)
+            ),
+            reply.key if isinstance(reply, Accepted) else "",
+        )
+        self.books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
+        self.books.effects.replies.append((ticket, reply))
+        self._next_thought = now
+        self._go_on()
+
+    def _answer(self, request: Request) -> Reply:
+        match request:
+            case CreateJob():
+                return self._jobs.create(request)
+            case CancelJob():
+                return self._jobs.cancel(request)
+            case AbortJob():
+                return self._jobs.abort(request)
+            case ChangeJob():
+                return self._jobs.change(request)
+            case WriteStation():
+                return self._plant_orders.station(request)
+            case WriteCarrier():
+                return self._plant_orders.carrier(request)
+            case WriteDest():
+                return self._plant_orders.dest(request)
+            case WriteOffset():
+                return self._plant_orders.offset(request)
+            case PauseController():
+                return self._plant_orders.pause(request)
+            case ResumeController():
+                return self._plant_orders.resume(request)
+            case _:
+                return self._answer_about_vehicle(request)
+
+    def _answer_about_vehicle(
+        self,
+        request: CommandVehicle
+        | DisplayOnVehicle
+        | MoveVehicle
+        | HandleOnce
+        | RecoverAlarm
+        | ReleaseVehicle
+        | HoldVehicle
+        | SetService
+        | LockVehicle
+        | UnlockVehicle,
+    ) -> Reply:
+        orders = self._vehicle_orders
+        match request:
+            case CommandVehicle():
+                return orders.command(request)
+            case DisplayOnVehicle():
+                return orders.display(request)
+            case MoveVehicle():
+                return orders.move(request)
+            case HandleOnce():
+                return orders.handle(request)
+            case RecoverAlarm():
+                return orders.recover(request)
+            case ReleaseVehicle():
+                return orders.release(request)
+            case HoldVehicle():
+                return orders.hold(request)
+            case SetService():
+                return orders.service(request)
+            case LockVehicle():
+                return orders.lock(request)
+            case UnlockVehicle():
+                return orders.unlock(request)
+
+    # -- what sessions tell -------------------------------------------------------------------------------------------
+
+    def _link_up(self, vehicle: VehicleNow) -> None:
+        vehicle.linked, vehicle.link_reason, vehicle.link_since = True, "", self.books.now
+        self.recovery.begin(vehicle)
+
+    def _reported(self, vehicle: VehicleNow, event: Reported) -> None:
+        before, vehicle.status, vehicle.seen = vehicle.status, event.status, self.books.now
+        self.books.touch(vehicle)
+        self._note_changes(vehicle, before, event.status)
+        self._follow(vehicle, event.status)
+        if not event.polled:
+            return
+        if vehicle.recovery:
+            self.recovery.step_alarm_recovery(vehicle, event.status, event.asked_at)
+        elif vehicle.stage is Stage.SETTLING:
+            if self.recovery.observe(vehicle, event.status, event.asked_at):
+                self.missions.settle_handling(vehicle)
+                self.books.wake(vehicle.id)
+        else:
+            self._confirm(vehicle, event)
+
+    def _confirm(self, vehicle: VehicleNow, event: Reported) -> None:
+        """A polled STATUS of a ready vehicle: does it show what we wait for, does it agree with what we believe?"""
+        drive = vehicle.drive
+        if drive and self.motion.completes(vehicle, drive, event.status, event.asked_at):
+            self.motion.finish(vehicle, IntentState.DONE, f"STATUS: standing at {event.status.barcode}")
+        self.missions.confirm(vehicle, event.asked_at)
+        if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (
+            vehicle.handling is None and vehicle.loaded is not self.recovery.believed_loaded(vehicle)
+        ):
+            self.recovery.begin(vehicle)
+
+    def _note_changes(self, vehicle: VehicleNow, before: VehicleStatus | None, now: VehicleStatus) -> None:
+        """Alarms become events; leaving AUTO means that the vehicle may be moved without us."""
+        if before is None:
+            return
+        was, is_ = before.condition, now.condition
+        if is_.oper is Oper.ALARM and (was.oper is not Oper.ALARM or was.code != is_.code):
+            name = self.books.plant.alarm_codes.get(is_.code, "")
+            self.books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=f"{is_.code} {name}".rstrip())
+        elif was.oper is Oper.ALARM and is_.oper is not Oper.ALARM:
+            self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
+        if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:
+            self.recovery.begin(vehicle)
+
+    def _follow(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
+        """Follow the barcodes it reports along what it holds."""
+        if vehicle.barcode is None or not status.condition.recognised or status.barcode == vehicle.barcode:
+            return
+        if status.condition.mode is not Mode.AUTO:
+            if vehicle.accounted and vehicle.drive is None and status.barcode in self.books.track:
+                self.motion.place(vehicle, status.barcode)
+                self.recovery.widen(vehicle)
+            return
+        try:
+            self.motion.report(vehicle, status.barcode)
+        except OffPath as why:
+            if vehicle.stage is Stage.READY and not vehicle.record.hold:
+                self.recovery.hold(vehicle, str(why), "look where it stands, then release it with verdict go_on")
+                self.recovery.begin(vehicle)
+            return
+        self.books.wake(vehicle.id)
+
+    def _acknowledged(self, vehicle: VehicleNow, event: Acknowledged) -> None:
+        drive = vehicle.drive
+        if drive and drive.cmd_id == event.cmd_id:
+            drive.acknowledged = self.books.now
+            self.books.wake(vehicle.id)
+
+    def _answered(self, vehicle: VehicleNow, event: Answered) -> None:
+        drive, handling = vehicle.drive, vehicle.handling
+        if drive and event.cmd_id == drive.cmd_id:
+            drive.acknowledged = drive.acknowledged or self.books.now
+            self._follow_answer(vehicle, event)
+            if self.motion.answer(vehicle, drive, event):
+                self._moved(vehicle, event)
+        elif drive and drive.amendment and event.cmd_id == drive.amendment.cmd_id:
+            if event.ok:
+                self.motion.amended(vehicle, drive, drive.amendment)
+            else:
+                self.motion.not_amended(vehicle, drive, IntentState.FAILED, event.reason or "it is stopping, or stands")
+        elif handling and event.cmd_id == handling.cmd_id:
+            self._handled(vehicle, event)
+        else:
+            state = IntentState.DONE if event.ok else IntentState.FAILED
+            self.books.close_intent(
+                vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
+            )
+            self.recovery.answered(vehicle, event)
+
+    def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
+        """RESP1 brings the place too; a barcode that was not reported before is followed now."""
+        if event.condition.recognised and event.barcode in vehicle.ahead:
+            self.motion.report(vehicle, event.barcode)
+
+    def _moved(self, vehicle: VehicleNow, event: Answered) -> None:
+        """The MOVE is over. After an abnormal end the vehicle is asked before anything else is sent."""
+        if event.ok:
+            vehicle.missed = 0
+            return
+        vehicle.missed += 1
+        if vehicle.stage is Stage.READY:
+            self.recovery.begin(vehicle)
+        if vehicle.missed >= MAX_MISSES and not vehicle.record.hold:
+            vehicle.missed = 0
+            self.recovery.hold(
+                vehicle,
+                f"MOVE ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})",
+                "look at the vehicle and its way, then release it",
+            )
+
+    def _handled(self, vehicle: VehicleNow, event: Answered) -> None:
+        handling = vehicle.handling
+        if handling is None:
+            return
+        if event.ok:
+            handling.answered = self.books.now
+            self.books.effects.polls.append(vehicle.id)
+            return
+        self.recovery.note_failure(vehicle, event)
+        self.missions.close_handling(vehicle, IntentState.FAILED, event.reason or "RESULT 1")
+        self.recovery.begin(vehicle)
+
+    def _unanswered(self, vehicle: VehicleNow, event: Unanswered) -> None:
+        """Unknown is not failed: the vehicle is asked, and nothing else is sent (PROTOCOLS 6.2)."""
+        drive = vehicle.drive
+        if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
+            self.motion.not_amended(vehicle, drive, IntentState.UNKNOWN, event.why.value)
+            return
+        self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
+        self.recovery.unanswered(vehicle, event.cmd_id, event.why)
+        if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
+            self.recovery.begin(vehicle)
+
+    def _not_sent(self, vehicle: VehicleNow, event: NotSent) -> None:
+        """Nothing left: the intent is closed, and what hung on it is thought over."""
+        drive, handling = vehicle.drive, vehicle.handling
+        if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
+            self.motion.not_amended(vehicle, drive, IntentState.NOT_SENT, event.reason)
+        elif drive and drive.cmd_id == event.cmd_id:
+            self.motion.finish(vehicle, IntentState.NOT_SENT, event.reason)
+        elif handling and handling.cmd_id == event.cmd_id:
+            self.missions.close_handling(vehicle, IntentState.NOT_SENT, event.reason)
+        else:
+            self.books.close_intent(vehicle, event.cmd_id, IntentState.NOT_SENT, event.reason)
+            self.recovery.unanswered(vehicle, event.cmd_id, event.reason)
+            return
+        if vehicle.linked and vehicle.stage is Stage.READY:
+            self.recovery.begin(vehicle)
+
+    def _taught(self, vehicle: VehicleNow, event: Taught) -> None:
+        """A teaching event is kept raw before it is acknowledged (DOMAIN section 3)."""
+        axes = {"shft": Axis.SHFT, "rota": Axis.ROTA, "lift": Axis.LIFT}
+        axis = axes[event.kind.value.split("_")[0]] if event.kind else None
+        link_since = self.books.utc_at(vehicle.link_since)
+        self.books.effects.records.append(
+            TeachingEvent(
+                vehicle=vehicle.id,
+                connection=f"{self.books.epoch}/{link_since:.3f}",
+                cmd_id=event.cmd_id,
+                code=event.code,
+                axis=axis,
+                position=event.position,
+                barcode=event.barcode,
+                at=self.books.utc,
+            )
+        )
+        self.books.effects.stored.append((vehicle.id, event.receipt))
+
+    # -- going on -----------------------------------------------------------------------------------------------------
+
+    def _go_on(self) -> None:
+        """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
+        books = self.books
+        if books.now >= self._next_thought or any(self._wants_dispatch(name) for name in books.woken):
+            self._dispatch.run()
+        while books.woken:
+            name = next(iter(books.woken))
+            del books.woken[name]
+            vehicle = books.vehicles[name]
+            self.missions.proceed(vehicle)
+            self._courtesy.explain(vehicle, self.motion.advance(vehicle)) if vehicle.errand else None
+        self._plant_orders.note_rest()
+
+    def _wants_dispatch(self, name: VehicleId) -> bool:
+        """Whether a woken vehicle could take a job now."""
+        vehicle = self.books.vehicles[name]
+        return vehicle.available and any(job.state is JobState.QUEUED for job in self.books.jobs.values())
+
+    # -- outputs ------------------------------------------------------------------------------------------------------
+
+    def take(self) -> Effects:
+        """Return and forget what was decided, with what has changed for the eye."""
+        books = self.books
+        effects = books.effects
+        decided = bool(effects.records or effects.replies)
+        if books.dirty and (decided or books.now >= self._last_show + SHOW_EVERY):
+            self._show_vehicles(effects)
+        if effects.empty:
+            return effects
+        books.effects = Effects()
+        return effects
+
+    def _show_vehicles(self, effects: Effects) -> None:
+        books = self.books
+        self._last_show = books.now
+        for name in books.dirty:
+            vehicle = books.vehicles[name]
+            job = books.jobs.get(vehicle.job) if vehicle.job else None
+            view = view_of_vehicle(vehicle, job, books.plant, self._link(name), books.utc_at)
+            if self._shown.get(name) != view:
+                self._shown[name] = view
+                effects.updates.append(Update(Topic.VEHICLES, name, view))
+        books.dirty.clear()
+
+    def open_intents(self, vehicle: VehicleId) -> tuple[Intent, ...]:
+        """Return the commands of a vehicle whose outcome is not known yet."""
+        return tuple(self.books.vehicles[vehicle].opened.values())

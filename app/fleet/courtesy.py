@@ -1,0 +1,124 @@
+"""Who waits for whom, why, and who gives way (DOMAIN section 5, TRAFFIC section 5)."""
+
+from heapq import heappop, heappush
+
+from app.domain.errors import NoRoute
+from app.domain.ids import VehicleId
+from app.domain.layout import StopAction
+from app.domain.units import Barcode
+from app.domain.vehicle import Oper
+from app.fleet.books import Books
+from app.fleet.motion import Motion
+from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
+from app.planning.traffic import Blocked, BlockReason
+
+PARK_BONUS = 20.0
+"""A parking place may be so many seconds farther than the nearest other place (our choice)."""
+
+
+class Courtesy:
+    """Explains waits, and sends idle vehicles out of others' way."""
+
+    def __init__(self, books: Books, motion: Motion) -> None:
+        self._books = books
+        self._motion = motion
+
+    def explain(self, vehicle: VehicleNow, blocked: Blocked | None) -> None:
+        """Say what a vehicle waits for, and ask who stands in its way idle to give way."""
+        if blocked is None or blocked.why is BlockReason.NO_STOP:
+            reason = ""
+        else:
+            reason = self._sentence(vehicle, blocked)
+            if blocked.by:
+                self.ask_way(vehicle, self._books.vehicles[blocked.by])
+        moving = vehicle.drive is not None
+        if not moving and reason != vehicle.waiting:
+            if not vehicle.waiting:
+                vehicle.waiting_since = self._books.now
+            vehicle.waiting = reason
+            self._books.touch(vehicle)
+
+    def _sentence(self, vehicle: VehicleNow, blocked: Blocked) -> str:
+        what = {
+            BlockReason.HELD: f"{blocked.at}",
+            BlockReason.CONFLICT: f"{blocked.at}, which excludes track",
+            BlockReason.ZONE: f"{blocked.at} in zone {blocked.zone}",
+        }.get(blocked.why)
+        if what is None or blocked.by is None:
+            return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
+        return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self._doing(blocked.by)}"
+
+    def _doing(self, name: VehicleId) -> str:
+        """Return a vehicle with what it is doing, as the end of a sentence."""
+        other = self._books.vehicles[name]
+        if other.handling:
+            what = "picking up" if other.handling.pickup else "putting down"
+            since = int(self._books.now - other.handling.started)
+            return f"{name}, which is {what} at {other.handling.station} ({since} s)"
+        states = (
+            (other.barred, f"{name}, which is {other.barred}"),
+            (other.stage is Stage.ABSENT, f"{name}, which is silent ({other.link_reason})"),
+            (other.oper is Oper.ALARM, f"{name}, which has an alarm"),
+            (other.stage is Stage.SETTLING, f"{name}, which is being asked where it is"),
+            (other.drive, f"{name}, which is moving"),
+            (other.waiting, f"{name}, which waits itself"),
+        )
+        return next((words for applies, words in states if applies), f"{name}, which is idle there")
+
+    # -- giving way ---------------------------------------------------------------------------------------------------
+
+    def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
+        """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
+        resting = other.job is None or other.errand is None
+        if not other.fit or not other.at_rest or other.order or other.errand or not resting:
+            return
+        if other.job and not self._stands_by(other):
+            return
+        goal = self.refuge(asker, other)
+        if goal is None:
+            return
+        try:
+            self._motion.send(other, Errand(goal, StopAction.STOP, Purpose.GIVE_WAY))
+        except NoRoute:
+            return
+
+    def _stands_by(self, other: VehicleNow) -> bool:
+        """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
+        job = self._books.jobs.get(other.job) if other.job else None
+        return job is not None and bool(job.reason)
+
+    def refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:
+        """Return the nearest place off the asker's way, by driving time, preferring parking places; None: there is none."""
+        books, length = self._books, other.spec.length
+        way = {b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None}
+        start = other.barcode
+        if start is None:
+            return None
+        best: Barcode | None = None
+        bound = float("inf")
+        queue: list[tuple[float, Barcode]] = [(0.0, start)]
+        seen: set[Barcode] = set()
+        while queue:
+            time, here = heappop(queue)
+            if here in seen:
+                continue
+            seen.add(here)
+            if time > bound:
+                break
+            if here != start and self._free_of(here, way, length, other):
+                if books.track.point(here).park:
+                    return here
+                if best is None:
+                    best, bound = here, time + PARK_BONUS
+            for ahead in books.track.successors(here):
+                edge = books.track.edge(here, ahead)
+                heappush(queue, (time + 100 * edge.length / (edge.speed * other.spec.max_speed), ahead))
+        return best
+
+    def _free_of(self, place: Barcode, way: set[Barcode], length: int, other: VehicleNow) -> bool:
+        """Whether a vehicle standing there is off the way, off no-stop zones and on nobody's track."""
+        books = self._books
+        covered = {place, *books.track.behind(place, other.spec.length)} if length else {place}
+        if covered & way or books.track.no_stop(place):
+            return False
+        return not any(books.traffic.holders(b) - {other.id} for b in covered)

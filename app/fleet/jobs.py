@@ -1,0 +1,231 @@
+"""Requests about jobs: create, cancel, abort, change (DOMAIN section 2, COMMANDS sections 4 and 5)."""
+
+from dataclasses import replace
+
+from app.domain.errors import NoRoute, Refusal
+from app.domain.ids import CarrierId, JobId, StationId, VehicleId
+from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
+from app.domain.layout import StationKind
+from app.domain.requests import AbortJob, Accepted, CancelJob, ChangeJob, CreateJob, Reply
+from app.domain.view import Topic
+from app.fleet.books import Books
+from app.fleet.missions import Missions
+
+DISPLAY_BYTES = 16
+"""FOUP ID, SOURCE and DESTINATION on the vehicle's display (PROTOCOLS 1.6)."""
+OUR_NAMES = "HW-"
+"""Jobs without a name from the host are called HW-1, HW-2 ...; hosts may not use the prefix."""
+
+
+class Jobs:
+    """Answers requests about jobs."""
+
+    def __init__(self, books: Books, missions: Missions) -> None:
+        self._books = books
+        self._missions = missions
+
+    # -- create -------------------------------------------------------------------------------------------------------
+
+    def create(self, request: CreateJob) -> Reply:
+        """Accept a transfer, or say why not. The same id or key with the same body gives the same job."""
+        if known := self._known(request):
+            return self._same_or_conflict(known, request)
+        if refusal := self._fault(request):
+            return refusal
+        order = self._books.new_order()
+        job = Job(
+            id=request.job or JobId(f"{OUR_NAMES}{order}"),
+            order=order,
+            carrier=request.carrier or self._carrier_aboard(request.source),
+            source=StationId(request.source),
+            destination=request.destination,
+            priority=request.priority,
+            created=self._books.utc,
+            actor=request.actor,
+            fingerprint=request.fingerprint,
+            idempotency_key=request.idempotency_key,
+            wish=request.vehicle,
+            fallbacks=request.fallbacks,
+        )
+        self._books.save_job(job)
+        return Accepted(Topic.JOBS, job.id, created=True)
+
+    def _known(self, request: CreateJob) -> Job | None:
+        books = self._books
+        name = request.job or (books.by_key.get(request.idempotency_key) if request.idempotency_key else None)
+        return (books.jobs.get(name) or books.ended.get(name)) if name else None
+
+    def _same_or_conflict(self, known: Job, request: CreateJob) -> Reply:
+        if known.fingerprint == request.fingerprint:
+            return Accepted(Topic.JOBS, known.id)
+        what = "job_id" if request.job else "Idempotency-Key"
+        return Refusal(
+            "conflict",
+            f"job {known.id} was accepted with another body under this {what}",
+            f"use a new {what} for a new job, or GET /api/v1/jobs/{known.id} to see the old one",
+            "job_id",
+        )
+
+    def _fault(self, request: CreateJob) -> Refusal | None:
+        """Return what is wrong with a new job: refused at once (DOMAIN section 2)."""
+        books = self._books
+        if request.job and request.job.startswith(OUR_NAMES):
+            return Refusal(
+                "invalid", f"job_id must not begin with {OUR_NAMES}", "leave it out, or use your own", "job_id"
+            )
+        if refusal := self._unknown_ends(request.source, request.destination, request.fallbacks):
+            return refusal
+        if request.vehicle and request.vehicle not in books.vehicles:
+            return Refusal("invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle")
+        if request.source in books.vehicles and request.vehicle not in {None, request.source}:
+            return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
+        if request.carrier and (len(request.carrier) > DISPLAY_BYTES or not request.carrier.isascii()):
+            return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} ASCII characters", "", "carrier")
+        return self._untaught(request.source, request.destination) or self._no_route(
+            request.source, request.destination
+        )
+
+    def _unknown_ends(self, source: str, destination: str, fallbacks: tuple[StationId, ...]) -> Refusal | None:
+        books = self._books
+        see = "see GET /api/v1/stations"
+        if source not in books.specs and source not in books.vehicles:
+            return Refusal("invalid", f"there is no station or vehicle {source}", see, "source")
+        for name, field in ((destination, "destination"), *((f, "fallbacks") for f in fallbacks)):
+            if name not in books.specs:
+                return Refusal("invalid", f"there is no station {name}", see, field)
+        if source == destination:
+            return Refusal("invalid", "source and destination are the same station", "", "destination")
+        return None
+
+    def _untaught(self, source: str, destination: str) -> Refusal | None:
+        """Ports without DEST are refused with the missing axes named (DOMAIN section 3)."""
+        for name, field in ((source, "source"), (destination, "destination")):
+            spec = self._books.specs.get(StationId(name))
+            if spec and spec.kind is StationKind.PORT and spec.id not in self._books.dests:
+                return Refusal(
+                    "not-now",
+                    f"{name} has no DEST for SHFT, ROTA and LIFT",
+                    f"teach it, or PUT /api/v1/stations/{name}/dest",
+                    field,
+                )
+        return None
+
+    def _no_route(self, source: str, destination: str) -> Refusal | None:
+        books = self._books
+        start = (
+            books.vehicles[VehicleId(source)].barcode
+            if source in books.vehicles
+            else books.specs[StationId(source)].barcode
+        )
+        try:
+            if start is not None:
+                books.router.route(start, books.specs[StationId(destination)].barcode)
+        except NoRoute as why:
+            return Refusal("no-route", why.message, "see GET /api/v1/layout", "destination")
+        return None
+
+    def _carrier_aboard(self, source: str) -> CarrierId | None:
+        """Return the carrier that the source vehicle has aboard, if the source is one and we know."""
+        holder = self._books.vehicles.get(VehicleId(source))
+        return holder.record.carrier if holder else None
+
+    # -- cancel, abort, change ----------------------------------------------------------------------------------------
+
+    def _find(self, name: JobId) -> Job | Refusal:
+        job = self._books.jobs.get(name)
+        if job:
+            return job
+        ended = self._books.ended.get(name)
+        if ended:
+            return Refusal("conflict", f"job {name} has ended: {ended.state.value}", "")
+        return Refusal("not-found", f"there is no job {name} under way", "see GET /api/v1/jobs")
+
+    def cancel(self, request: CancelJob) -> Reply:
+        """Cancel before the carrier is being acquired."""
+        job = self._find(request.job)
+        if isinstance(job, Refusal):
+            return job
+        if not job.allows(JobStep.CANCEL):
+            return Refusal(
+                "conflict",
+                f"job {job.id} is {job.state.value}: the carrier is aboard or being picked up",
+                f"POST /api/v1/jobs/{job.id}/abort",
+            )
+        self._books.event(JobEvent.TRANSFER_CANCEL_INITIATED, job=job)
+        job = self._books.save_job(job.after(JobStep.CANCEL))
+        vehicle = self._books.vehicles.get(job.vehicle) if job.vehicle else None
+        self._missions.end(vehicle, job, JobStep.CANCEL_DONE, f"by {request.actor}", JobEvent.TRANSFER_CANCEL_COMPLETED)
+        return Accepted(Topic.JOBS, job.id)
+
+    def abort(self, request: AbortJob) -> Reply:
+        """Abort after the pick-up began; the carrier stays aboard. One being handled is waited for."""
+        job = self._find(request.job)
+        if isinstance(job, Refusal):
+            return job
+        if job.state is JobState.ABORTING:
+            return Accepted(Topic.JOBS, job.id)
+        if not job.allows(JobStep.ABORT):
+            return Refusal(
+                "conflict",
+                f"job {job.id} is {job.state.value}: nothing was picked up",
+                f"POST /api/v1/jobs/{job.id}/cancel",
+            )
+        self._books.event(JobEvent.TRANSFER_ABORT_INITIATED, job=job)
+        job = self._books.save_job(job.after(JobStep.ABORT))
+        vehicle = self._books.vehicles.get(job.vehicle) if job.vehicle else None
+        if job.leg is Leg.TO_DESTINATION:
+            told = "aborted; the carrier is aboard: order vehicle -> place for it"
+            self._missions.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
+        elif vehicle:
+            self._books.wake(vehicle.id)
+        return Accepted(Topic.JOBS, job.id)
+
+    def change(self, request: ChangeJob) -> Reply:
+        """Change priority, destination or wished vehicle; all or nothing."""
+        job = self._find(request.job)
+        if isinstance(job, Refusal):
+            return job
+        if job.state in {JobState.ABORTING, JobState.CANCELLING}:
+            return Refusal("conflict", f"job {job.id} is {job.state.value}", "")
+        if refusal := self._bad_change(job, request):
+            return refusal
+        changed = replace(
+            job,
+            priority=job.priority if request.priority is None else request.priority,
+            destination=request.destination or job.destination,
+            wish=request.vehicle or job.wish,
+        )
+        self._books.save_job(changed)
+        self._books.event(JobEvent.TRANSFER_UPDATED, job=changed, detail=self._difference(job, changed))
+        vehicle = self._books.vehicles.get(changed.vehicle) if changed.vehicle else None
+        if vehicle and request.vehicle and request.vehicle != vehicle.id:
+            self._missions.give_back(vehicle, f"{request.vehicle} is asked for")
+        elif vehicle and changed.destination != job.destination:
+            self._books.wake(vehicle.id)
+        return Accepted(Topic.JOBS, job.id)
+
+    def _bad_change(self, job: Job, request: ChangeJob) -> Refusal | None:
+        if request.vehicle is not None:
+            if request.vehicle not in self._books.vehicles:
+                return Refusal(
+                    "invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle"
+                )
+            if job.state not in {JobState.QUEUED, JobState.WAITING}:
+                return Refusal("conflict", f"the carrier is aboard {job.vehicle} or being picked up", "", "vehicle")
+        if request.destination is None or request.destination == job.destination:
+            return None
+        if job.leg is Leg.DEPOSITING:
+            return Refusal("conflict", f"the carrier is being put down at {job.destination}", "", "destination")
+        return (
+            self._unknown_ends(job.source, request.destination, ())
+            or self._untaught(job.source, request.destination)
+            or self._no_route(job.source, request.destination)
+        )
+
+    def _difference(self, before: Job, after: Job) -> str:
+        pairs = (
+            ("priority", before.priority, after.priority),
+            ("destination", before.destination, after.destination),
+            ("vehicle", before.wish, after.wish),
+        )
+        return ", ".join(f"{name} {old} -> {new}" for name, old, new in pairs if old != new) or "nothing changed"

@@ -1,0 +1,378 @@
+"""What a vehicle does for its job: to the source, pick up, to the destination, put down; and one-shots for a person.
+
+Every step is decided from durable facts (the job's leg, settled commands) and the vehicle's own FOUP bit, so that a restart
+goes on where it was.
+"""
+
+from dataclasses import replace
+
+from app.domain.commands import Pickup, Place
+from app.domain.errors import NoRoute, Refusal
+from app.domain.ids import JobId, StationId
+from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
+from app.domain.layout import NO_OFFSET, Axis, PulseSet, Station, StationKind
+from app.domain.records import IntentState, Provenance
+from app.domain.units import Seconds
+from app.fleet.books import SYSTEM, Books
+from app.fleet.motion import Motion
+from app.fleet.recovery import Recovery
+from app.fleet.vehicle import ACQUIRING_LEGS, Errand, Handling, Purpose, VehicleNow
+
+MAX_MISSES = 3
+"""So often a handling or a move may end abnormally without an alarm before the vehicle is held (our choice)."""
+
+
+class Missions:
+    """Takes vehicles through their jobs, one step at a time."""
+
+    def __init__(self, books: Books, motion: Motion, recovery: Recovery) -> None:
+        self._books = books
+        self._motion = motion
+        self._recovery = recovery
+
+    # -- the next step ------------------------------------------------------------------------------------------------
+
+    def proceed(self, vehicle: VehicleNow) -> None:
+        """Take the next step if nothing is under way."""
+        if not vehicle.fit or vehicle.handling:
+            return
+        if vehicle.drive:
+            self._redirect(vehicle)
+            return
+        if vehicle.order:
+            self._handle_for_person(vehicle)
+            return
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job:
+            self._go_on_with(vehicle, job)
+        elif vehicle.errand and self._motion.arrived(vehicle):
+            self._motion.drop(vehicle)
+
+    def _redirect(self, vehicle: VehicleNow) -> None:
+        """While it drives: its job, or the job's destination, may have changed."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job is None or job.state is JobState.PAUSED:
+            return
+        if job.leg is Leg.TO_DESTINATION:
+            usable = self._usable_destination(vehicle, job)
+            if usable:
+                self._head_for(vehicle, usable, pickup=False)
+        elif job.leg is Leg.TO_SOURCE:
+            self._head_for(vehicle, job, pickup=True)
+
+    def _head_for(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> Station:
+        """Make the station of this leg the vehicle's errand, if it is not already."""
+        station = self._books.specs[StationId(job.source if pickup else job.destination)]
+        purpose = Purpose.SOURCE if pickup else Purpose.DESTINATION
+        errand = Errand(station.barcode, station.kind.stop_action, purpose)
+        if vehicle.errand != errand:
+            self._send(vehicle, job, errand)
+        return station
+
+    def _go_on_with(self, vehicle: VehicleNow, job: Job) -> None:
+        match job.state:
+            case JobState.ABORTING:
+                self._end_abort(vehicle, job)
+                return
+            case JobState.PAUSED:
+                return
+            case _:
+                pass
+        match job.leg:
+            case Leg.NONE:
+                pass
+            case Leg.TO_SOURCE:
+                self._go_and(vehicle, job, pickup=True)
+            case Leg.ACQUIRING:
+                self._after_acquiring(vehicle, job)
+            case Leg.TO_DESTINATION:
+                self._go_and(vehicle, job, pickup=False)
+            case Leg.DEPOSITING:
+                self._after_depositing(vehicle, job)
+
+    def _go_and(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> None:
+        """Go to the station of this leg, and handle there once arrived."""
+        if vehicle.loaded is pickup:
+            self._cannot(vehicle, job, pickup=pickup)
+            return
+        usable = job if pickup else self._usable_destination(vehicle, job)
+        if usable is None:
+            return
+        station = self._head_for(vehicle, usable, pickup=pickup)
+        if self._motion.arrived(vehicle):
+            self._books.event(JobEvent.VEHICLE_ARRIVED, job=usable, detail=station.id)
+            self._start_handling(vehicle, usable, station, pickup=pickup)
+
+    def _cannot(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> None:
+        """The load is not what this leg needs; a person has vouched for it, otherwise the vehicle were held."""
+        if pickup:
+            self.give_back(vehicle, f"{vehicle.id} is loaded already")
+        else:
+            self.end(vehicle, job, JobStep.FAIL, "the carrier is no longer aboard", JobEvent.TRANSFER_COMPLETED)
+
+    def _send(self, vehicle: VehicleNow, job: Job, errand: Errand) -> None:
+        try:
+            self._motion.send(vehicle, errand)
+        except NoRoute as why:
+            self._wait(job, f"{vehicle.id} finds no way: {why.message}")
+            return
+        if vehicle.barcode == errand.goal and vehicle.status:
+            tags = {kind.stop_action for kind in vehicle.status.condition.tags}
+            vehicle.stopped = errand.action if errand.action in tags else vehicle.stopped
+        if not self._motion.arrived(vehicle):
+            self._books.event(JobEvent.VEHICLE_DEPARTED, job=job)
+        self._wait(job, "")
+
+    def _wait(self, job: Job, reason: str) -> Job:
+        if job.reason == reason:
+            return job
+        return self._books.save_job(replace(job, reason=reason))
+
+    # -- where to put it down -----------------------------------------------------------------------------------------
+
+    def _usable_destination(self, vehicle: VehicleNow, job: Job) -> Job | None:
+        """Return the job with a destination that can be used now; None: it has to wait, and says so."""
+        obstacle = self.obstacle_at(job.destination, job.id)
+        if not obstacle:
+            return self._wait(job, "") if job.reason.startswith("its destination") else job
+        spec = self._books.specs[job.destination]
+        for fallback in (*job.fallbacks, *spec.fallbacks):
+            if fallback in self._books.specs and not self.obstacle_at(fallback, job.id):
+                changed = self._books.save_job(replace(job, destination=fallback, reason=""))
+                self._books.event(
+                    JobEvent.TRANSFER_UPDATED, job=changed, detail=f"{obstacle}; going on to the fall-back {fallback}"
+                )
+                return changed
+        self._wait(job, f"its destination cannot be used: {obstacle}")
+        if vehicle.errand and vehicle.errand.purpose is Purpose.DESTINATION:
+            self._motion.drop(vehicle)
+        return None
+
+    def obstacle_at(self, station: StationId, job: JobId | None) -> str:
+        """Return why nothing can be put down at a station now, empty if it can."""
+        record = self._books.stations[station]
+        if record.out_of_service:
+            return f"{station} is out of service: {record.out_of_service}"
+        if record.reserved and record.reserved != job:
+            return f"{station} is reserved: {record.reserved}"
+        if record.present:
+            return f"{station} is occupied by {record.carrier or 'a carrier'}"
+        return ""
+
+    # -- handling -----------------------------------------------------------------------------------------------------
+
+    def target(self, vehicle: VehicleNow, station: Station, given: PulseSet | None = None) -> PulseSet | Refusal | None:
+        """Return DEST + OFFSET for a port (None for a side buffer), or why there is none (DOMAIN section 3)."""
+        if station.kind is not StationKind.PORT:
+            return None
+        dest = self._books.dests.get(station.id)
+        if given is None and dest is None:
+            return Refusal(
+                "not-now",
+                f"{station.id} has no DEST (SHFT, ROTA, LIFT)",
+                f"teach it, or PUT /api/v1/stations/{station.id}/dest",
+            )
+        offset = self._books.offsets.get(vehicle.id)
+        if given is None and offset is None:
+            return Refusal(
+                "not-now", f"{vehicle.id} has no OFFSET (SHFT, ROTA, LIFT)",
+                f"teach it, or PUT /api/v1/vehicles/{vehicle.id}/offset",
+            )  # fmt: skip
+        pulses = given or (dest.pulses if dest else NO_OFFSET).plus(offset.pulses if offset else NO_OFFSET)
+        for axis in Axis:
+            low, high = vehicle.spec.limits.of(axis)
+            if not low <= pulses.of(axis) <= high:
+                return Refusal(
+                    "invalid",
+                    f"{axis.name} {pulses.of(axis)} for {station.id} is outside {low}..{high} of {vehicle.id}",
+                    "correct the DEST of the station, the OFFSET of the vehicle, or the limits in the plant file",
+                )
+        return pulses
+
+    def _start_handling(self, vehicle: VehicleNow, job: Job, station: Station, *, pickup: bool) -> None:
+        target = self.target(vehicle, station)
+        if isinstance(target, Refusal):
+            self._wait(job, f"{vehicle.id} cannot {'pick up' if pickup else 'put down'}: {target.reason}")
+            return
+        leg = Leg.ACQUIRING if pickup else Leg.DEPOSITING
+        if pickup:
+            job = job.after(JobStep.ACQUIRING) if job.allows(JobStep.ACQUIRING) else job
+            self._books.event(JobEvent.TRANSFERRING, job=job)
+        job = self._books.save_job(replace(job, leg=leg, reason=""))
+        self._books.event(JobEvent.VEHICLE_ACQUIRE_STARTED if pickup else JobEvent.VEHICLE_DEPOSIT_STARTED, job=job)
+        self._handle(vehicle, station, target, job, pickup=pickup)
+
+    def _handle(
+        self, vehicle: VehicleNow, station: Station, target: PulseSet | None, job: Job | None, *, pickup: bool
+    ) -> None:
+        books = self._books
+        actor = job.actor if job else vehicle.order.actor if vehicle.order else SYSTEM
+        make = Pickup if pickup else Place
+        dest, offset = books.dests.get(station.id), books.offsets.get(vehicle.id)
+        body = {
+            "station": station.id,
+            "target": [target.shft, target.rota, target.lift] if target else None,
+            "dest_version": dest.version if dest and target else None,
+            "offset_version": offset.version if offset and target else None,
+        }
+        command = make(station.kind, target, station.look_down, station.speed)
+        kind = "pickup" if pickup else "place"
+        intent = books.open_intent(vehicle, kind, command, actor, job=job.id if job else None, body=body)
+        vehicle.handling = Handling(intent.cmd_id, intent, pickup, station.id, job.id if job else None, books.now)
+
+    def confirm(self, vehicle: VehicleNow, asked_at: Seconds) -> None:
+        """A polled STATUS after RESULT 0: done if F agrees, else an alarm of ours (PROTOCOLS 6.2)."""
+        handling = vehicle.handling
+        if handling is None or handling.answered is None or asked_at < handling.answered or vehicle.loaded is None:
+            return
+        if vehicle.loaded is handling.pickup:
+            self.close_handling(vehicle, IntentState.DONE, "RESULT 0 and F agrees")
+            return
+        what = "PICKUP" if handling.pickup else "PLACE"
+        self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(vehicle.loaded)}")
+        self._recovery.hold(
+            vehicle,
+            f"{what} at {handling.station} was answered RESULT 0, but the FOUP bit is {int(vehicle.loaded)}",
+            "look whether the carrier is aboard or at the station, correct it, then release the vehicle",
+        )
+
+    def close_handling(self, vehicle: VehicleNow, state: IntentState, outcome: str) -> None:
+        """The PICKUP or PLACE is over: write down what it did to carrier and station."""
+        handling = vehicle.handling
+        if handling is None:
+            return
+        vehicle.handling = None
+        self._books.close_intent(vehicle, handling.cmd_id, state, outcome)
+        if state in {IntentState.DONE, IntentState.SETTLED_DONE}:
+            vehicle.missed = 0
+            self.carrier_moved(vehicle, handling.station, handling.job, pickup=handling.pickup)
+        vehicle.order = None
+        self._books.wake(vehicle.id)
+
+    def settle_handling(self, vehicle: VehicleNow) -> None:
+        """The vehicle is settled: an open PICKUP or PLACE is decided by F (COMMANDS 3.3)."""
+        for intent in [i for i in vehicle.opened.values() if i.kind in {"pickup", "place"}]:
+            pickup = intent.kind == "pickup"
+            if vehicle.handling is None or vehicle.handling.cmd_id != intent.cmd_id:
+                station = StationId(str(intent.body.get("station")))
+                vehicle.handling = Handling(intent.cmd_id, intent, pickup, station, intent.job, self._books.now)
+            done = vehicle.loaded is pickup
+            state = IntentState.SETTLED_DONE if done else IntentState.SETTLED_NOT_DONE
+            self.close_handling(vehicle, state, f"by STATUS: F = {int(bool(vehicle.loaded))}")
+
+    def carrier_moved(self, vehicle: VehicleNow, station: StationId, job_id: JobId | None, *, pickup: bool) -> None:
+        """A carrier went from station to vehicle, or back: by F, not by belief."""
+        books = self._books
+        job = books.jobs.get(job_id) if job_id else None
+        record = books.stations[station]
+        if pickup:
+            carrier = (job.carrier if job else None) or record.carrier
+            books.save_station(replace(record, present=False, carrier=None, provenance=Provenance.PICKED, at=books.utc))
+            books.save_vehicle(vehicle, carrier=carrier, believed_loaded=True)
+            if carrier:
+                books.put_carrier(carrier, vehicle.id, Provenance.PICKED)
+            if job:
+                job = books.save_job(replace(job, carrier=carrier, picked=books.utc))
+            books.event(JobEvent.CARRIER_INSTALLED, job=job, vehicle=vehicle.id, carrier=carrier, source=station)
+            return
+        carrier = vehicle.record.carrier
+        books.save_station(
+            replace(record, present=True, carrier=carrier, reserved="", provenance=Provenance.PLACED, at=books.utc)
+        )
+        books.save_vehicle(vehicle, carrier=None, believed_loaded=False)
+        if carrier:
+            books.put_carrier(carrier, station, Provenance.PLACED)
+        books.event(JobEvent.CARRIER_REMOVED, job=job, vehicle=vehicle.id, carrier=carrier, destination=station)
+
+    def _after_acquiring(self, vehicle: VehicleNow, job: Job) -> None:
+        """The pick-up of this job is settled: F says what came of it."""
+        if vehicle.loaded:
+            self._books.event(JobEvent.VEHICLE_ACQUIRE_COMPLETED, job=job)
+            job = self._books.save_job(replace(job, leg=Leg.TO_DESTINATION))
+            vehicle.errand = None
+            self._go_on_with(vehicle, job)
+        else:
+            self._again_or_fail(vehicle, job, Leg.TO_SOURCE)
+
+    def _after_depositing(self, vehicle: VehicleNow, job: Job) -> None:
+        if vehicle.loaded:
+            self._again_or_fail(vehicle, job, Leg.TO_DESTINATION)
+            return
+        self._books.event(JobEvent.VEHICLE_DEPOSIT_COMPLETED, job=job)
+        self.end(vehicle, job, JobStep.COMPLETE, "completed", JobEvent.TRANSFER_COMPLETED)
+
+    def _again_or_fail(self, vehicle: VehicleNow, job: Job, leg: Leg) -> None:
+        """A handling ended abnormally, and nothing moved. After an alarm the job fails (nothing aboard) or waits held."""
+        why, vehicle.failed_handling = vehicle.failed_handling, ""
+        vehicle.missed += 1
+        if leg is Leg.TO_SOURCE and (why or vehicle.missed >= MAX_MISSES):
+            vehicle.missed = 0
+            self._forget_presence(StationId(job.source))
+            self.end(vehicle, job, JobStep.FAIL, why or "PICKUP refused by the vehicle", JobEvent.TRANSFER_COMPLETED)
+        elif vehicle.missed >= MAX_MISSES:
+            vehicle.missed = 0
+            self._recovery.hold(
+                vehicle,
+                f"PLACE at {job.destination} was refused {MAX_MISSES} times",
+                "look at the vehicle and the station, change the job's destination if need be, then release the vehicle",
+            )
+        else:
+            vehicle.errand = None
+            self._go_on_with(vehicle, self._books.save_job(replace(job, leg=leg)))
+
+    def _forget_presence(self, station: StationId) -> None:
+        """A pick-up failed there: what we believed of the station counts no more."""
+        record = self._books.stations.get(station)
+        if record:
+            self._books.save_station(replace(record, present=None, provenance=Provenance.INFERRED, at=self._books.utc))
+
+    # -- ends ---------------------------------------------------------------------------------------------------------
+
+    def end(self, vehicle: VehicleNow | None, job: Job, step: JobStep, result: str, event: JobEvent) -> Job:
+        """End a job and free its vehicle."""
+        ended = replace(job.after(step), result=result, reason="", leg=Leg.NONE, ended=self._books.utc)
+        if vehicle:
+            self.unassign(vehicle, ended)
+        self._books.save_job(ended)
+        self._books.event(
+            event, job=ended, vehicle=vehicle.id if vehicle else None, result=ended.state.value, detail=result
+        )
+        return ended
+
+    def unassign(self, vehicle: VehicleNow, job: Job) -> None:
+        """The vehicle is no longer on this job."""
+        vehicle.job = None
+        vehicle.missed = 0
+        self._motion.drop(vehicle)
+        self._books.event(JobEvent.VEHICLE_UNASSIGNED, job=job, vehicle=vehicle.id)
+
+    def give_back(self, vehicle: VehicleNow, why: str) -> None:
+        """The vehicle cannot fetch its job's carrier: the job goes back into the queue (waiting -> queued)."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job is None or job.leg is not Leg.TO_SOURCE or not job.allows(JobStep.UNASSIGNED):
+            return
+        self.unassign(vehicle, job)
+        self._books.save_job(replace(job.after(JobStep.UNASSIGNED), leg=Leg.NONE, vehicle=None, reason=why))
+
+    def _end_abort(self, vehicle: VehicleNow, job: Job) -> None:
+        """An abort was asked for while a handling was under way, which is settled now (COMMANDS section 4)."""
+        if job.leg is Leg.DEPOSITING and not vehicle.loaded:
+            self._after_depositing(vehicle, job)
+            return
+        aboard = "the carrier is aboard" if vehicle.loaded else "nothing is aboard"
+        if job.leg not in ACQUIRING_LEGS:
+            aboard = f"{aboard}: order vehicle -> place for it"
+        self.end(vehicle, job, JobStep.ABORT_DONE, f"aborted; {aboard}", JobEvent.TRANSFER_ABORT_COMPLETED)
+
+    # -- one-shots ----------------------------------------------------------------------------------------------------
+
+    def _handle_for_person(self, vehicle: VehicleNow) -> None:
+        order = vehicle.order
+        if order is None:
+            return
+        station = self._books.specs[order.station]
+        target = self.target(vehicle, station, order.target)
+        if isinstance(target, Refusal):
+            vehicle.order = None
+            return
+        self._handle(vehicle, station, target, None, pickup=order.pickup)

@@ -1,0 +1,350 @@
+"""Motion: from an errand to a route, to claims, to MOVE and XMOVE, and the release of what lies behind.
+
+A vehicle moves only on what it holds. MOVE goes to the end of what is held; before the vehicle must brake for that end,
+XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
+"""
+
+from dataclasses import replace
+from itertools import pairwise
+
+from app.domain.commands import Move, Xmove
+from app.domain.errors import NoRoute
+from app.domain.events import Answered
+from app.domain.ids import StationId
+from app.domain.job import Job
+from app.domain.layout import StopAction
+from app.domain.records import ControllerState, IntentState
+from app.domain.route import PathElement
+from app.domain.units import Barcode, Millimetres, Seconds
+from app.domain.vehicle import Mode, VehicleStatus
+from app.fleet.books import SYSTEM, Books
+from app.fleet.vehicle import Amendment, Drive, Errand, Stage, VehicleNow
+from app.planning.kinematics import braking_distance, driving_time, elements
+from app.planning.traffic import Blocked
+
+REACTION = Seconds(0.5)
+"""From a barcode read to the XMOVE in the vehicle: link both ways, our commit, its next cycle (our choice, TRAFFIC 2)."""
+LAST_SEQ = 60_000
+"""A path that has come this far is not extended any more; a fresh MOVE begins at SEQ 0 (PROTOCOLS I48)."""
+
+
+class OffPath(Exception):
+    """The vehicle reports a place that it cannot have reached on what it holds. The message is one sentence."""
+
+
+class Motion:
+    """Moves vehicles on their errands. Decides nothing about jobs."""
+
+    def __init__(self, books: Books) -> None:
+        self._books = books
+
+    # -- where it is --------------------------------------------------------------------------------------------------
+
+    def place(self, vehicle: VehicleNow, barcode: Barcode) -> tuple[Barcode, ...]:
+        """The vehicle stands at ``barcode``, by its own word: it holds what it covers there, and nothing else.
+
+        Returns the barcodes that another vehicle holds too.
+        """
+        books = self._books
+        before = books.traffic.held(vehicle.id)
+        vehicle.barcode = barcode
+        vehicle.trail = self._covered(vehicle, barcode)
+        vehicle.ahead, vehicle.rest = [], []
+        books.traffic.release(vehicle.id, [b for b in before if b not in vehicle.trail])
+        clashes = books.traffic.hold(vehicle.id, tuple(reversed(vehicle.trail)))
+        self._wake_waiters(before)
+        books.save_vehicle(vehicle, barcode=barcode, held=tuple(reversed(vehicle.trail)))
+        return tuple(dict.fromkeys(at for at, _ in clashes))
+
+    def _covered(self, vehicle: VehicleNow, barcode: Barcode) -> dict[Barcode, Millimetres]:
+        """Return what it covers there: by the way it came if that is known, else by every branch."""
+        length = vehicle.spec.length
+        if vehicle.barcode == barcode and vehicle.trail.get(barcode) == 0:
+            return vehicle.trail
+        track = self._books.track
+        covered = {barcode: Millimetres(0)}
+        for behind in reversed(track.covered(barcode, length)[:-1]):
+            covered[behind] = length
+        return covered
+
+    def report(self, vehicle: VehicleNow, barcode: Barcode) -> None:
+        """The vehicle has read a barcode: it goes on along what it holds, and what it has left is free.
+
+        Raises OffPath: the barcode is neither where it was nor ahead on its path.
+        """
+        if barcode in vehicle.trail:
+            return
+        if barcode not in vehicle.ahead:
+            raise OffPath(f"{vehicle.id} reports barcode {barcode}, which is not on the track it holds")
+        count = vehicle.ahead.index(barcode) + 1
+        passed = [b for b in (vehicle.barcode, *vehicle.ahead[:count]) if b is not None]
+        gone = self._books.track.distance(passed)
+        trail = {b: Millimetres(d + gone) for b, d in vehicle.trail.items()}
+        for start, end in pairwise(passed):
+            gone = Millimetres(gone - self._books.track.edge(start, end).length)
+            trail[end] = gone
+        length = vehicle.spec.length
+        vehicle.trail = dict(sorted(((b, d) for b, d in trail.items() if d <= length), key=lambda item: item[1]))
+        left = [b for b in trail if b not in vehicle.trail]
+        vehicle.barcode, vehicle.stopped = barcode, None
+        del vehicle.ahead[:count]
+        self._books.traffic.release(vehicle.id, left)
+        self._wake_waiters(left)
+
+    def shrink_ahead(self, vehicle: VehicleNow) -> None:
+        """Give back what is granted ahead of a standing vehicle that has no MOVE open."""
+        if vehicle.drive is None and vehicle.ahead:
+            freed, vehicle.ahead = vehicle.ahead, []
+            self._books.traffic.release(vehicle.id, [b for b in freed if b not in vehicle.trail])
+            self._wake_waiters(freed)
+
+    def vacate(self, vehicle: VehicleNow) -> None:
+        """The vehicle is not on the track: all it held is free."""
+        freed = self._books.traffic.held(vehicle.id)
+        self._books.traffic.clear(vehicle.id)
+        vehicle.trail, vehicle.ahead, vehicle.rest, vehicle.barcode = {}, [], [], None
+        self._wake_waiters(freed)
+
+    def _wake_waiters(self, barcodes: list[Barcode] | tuple[Barcode, ...]) -> None:
+        for waiter in self._books.traffic.waiters(barcodes):
+            self._books.wake(waiter)
+
+    # -- where it goes ------------------------------------------------------------------------------------------------
+
+    def send(self, vehicle: VehicleNow, errand: Errand) -> None:
+        """Give the vehicle an errand. Raises NoRoute: no way leads there from the end of what it holds."""
+        if vehicle.drive is None:
+            self.shrink_ahead(vehicle)
+        start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
+        if start is None:
+            raise NoRoute(f"the place of {vehicle.id} is not known")
+        rest = self._books.router.route(start, errand.goal)[1:]
+        vehicle.errand, vehicle.rest = errand, list(rest)
+        self._books.touch(vehicle)
+        self._books.wake(vehicle.id)
+
+    def drop(self, vehicle: VehicleNow) -> None:
+        """Forget the errand: the vehicle runs to the end of what it was told, and stays there."""
+        vehicle.errand, vehicle.rest, vehicle.waiting = None, [], ""
+        self._books.traffic.forget(vehicle.id)
+        self.shrink_ahead(vehicle)
+        self._books.touch(vehicle)
+
+    def arrived(self, vehicle: VehicleNow) -> bool:
+        """Whether the vehicle stands where its errand leads, stopped as the errand wants it."""
+        errand = vehicle.errand
+        if errand is None or vehicle.drive is not None or vehicle.barcode != errand.goal or vehicle.rest:
+            return False
+        return errand.action is StopAction.STOP or vehicle.stopped is errand.action
+
+    def may_drive(self, vehicle: VehicleNow) -> bool:
+        """Whether grants may be given to this vehicle at all."""
+        books = self._books
+        if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
+            return False
+        return not self.missing(vehicle)
+
+    def missing(self, vehicle: VehicleNow) -> tuple[str, ...]:
+        """Return the vehicles that the roll-call still misses in this vehicle's area (COMMANDS section 3.6)."""
+        books = self._books
+        if not books.roll_call or vehicle.barcode is None:
+            return ()
+        area = books.track.area(vehicle.barcode)
+        return tuple(name for name in books.roll_call if self._may_be_in(area, books.vehicles[name]))
+
+    def _may_be_in(self, area: int, absent: VehicleNow) -> bool:
+        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in self._books.track]
+        return not places or any(self._books.track.area(b) == area for b in places)
+
+    def advance(self, vehicle: VehicleNow) -> Blocked | None:
+        """Claim what is wanted next and tell the vehicle. Returns what stands against it, if anything does."""
+        if vehicle.errand is None or vehicle.handling is not None or not self.may_drive(vehicle):
+            return None
+        if vehicle.drive is None:
+            return None if self.arrived(vehicle) else self._start(vehicle)
+        return self._extend(vehicle, vehicle.drive)
+
+    def _horizon(self, vehicle: VehicleNow) -> tuple[Millimetres, Millimetres]:
+        """Return (extend when less than this is left, claim up to this): braking, reaction, one edge (TRAFFIC section 2)."""
+        spec = vehicle.spec
+        edge = 0
+        if vehicle.barcode is not None:
+            nexts = [*vehicle.ahead, *vehicle.rest][:1]
+            edge = self._books.track.edge(vehicle.barcode, nexts[0]).length if nexts else 0
+        low = braking_distance(spec.max_speed, spec) + int(spec.max_speed * REACTION) + edge
+        return Millimetres(low), Millimetres(2 * low)
+
+    def _claim(self, vehicle: VehicleNow, horizon: Millimetres) -> Blocked | None:
+        """Claim along the rest of the way so that about ``horizon`` lies ahead; move what is granted to ``ahead``."""
+        track = self._books.track
+        start = vehicle.barcode
+        if start is None:
+            return None
+        held = track.distance([start, *vehicle.ahead])
+        room = vehicle.spec.max_count - 1 - len(vehicle.ahead)
+        last = vehicle.ahead[-1] if vehicle.ahead else start
+        wanted: list[Barcode] = []
+        for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
+            enough = held >= horizon and not track.no_stop(last if not wanted else wanted[-1])
+            if enough or len(wanted) >= room:
+                break
+            wanted.append(barcode)
+            held = Millimetres(held + track.edge(start_of_edge, barcode).length)
+        if not wanted:
+            return None
+        grant = self._books.traffic.claim(vehicle.id, wanted, len(wanted) == len(vehicle.rest))
+        vehicle.ahead += grant.granted
+        del vehicle.rest[: len(grant.granted)]
+        return grant.blocked
+
+    def _start(self, vehicle: VehicleNow) -> Blocked | None:
+        """The vehicle stands: MOVE as far as it may."""
+        errand, here = vehicle.errand, vehicle.barcode
+        if errand is None or here is None:
+            return None
+        _, high = self._horizon(vehicle)
+        blocked = self._claim(vehicle, high)
+        if not vehicle.ahead and vehicle.rest:
+            return blocked
+        path = [here, *vehicle.ahead]
+        action = StopAction.STOP if vehicle.rest else errand.action
+        planned = driving_time(self._books.track, path, vehicle.spec)
+        move_path = elements(self._books.track, path, action, vehicle.spec)
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        foup, source, destination = self._display(job)
+        intent = self._books.open_intent(
+            vehicle,
+            "move",
+            Move(move_path, planned, foup, source, destination),
+            job.actor if job else SYSTEM,
+            job=job.id if job else None,
+            path=tuple(path),
+            body={"action": action.name, "goal": errand.goal, "purpose": errand.purpose.value},
+        )
+        vehicle.drive = Drive(intent.cmd_id, move_path, intent)
+        vehicle.waiting = ""
+        return blocked
+
+    def _display(self, job: Job | None) -> tuple[str, str, str]:
+        """Return FOUP ID, SOURCE and DESTINATION for the vehicle's display."""
+        if job is None:
+            return "", "", ""
+        names = [
+            self._books.specs[StationId(place)].display or place if place in self._books.specs else place
+            for place in (job.source, job.destination)
+        ]
+        return job.carrier or "", names[0], names[1]
+
+    def _extend(self, vehicle: VehicleNow, drive: Drive) -> Blocked | None:
+        """The vehicle moves: XMOVE from its STOP element on, while it need not brake for that yet."""
+        errand, here = vehicle.errand, vehicle.barcode
+        if errand is None or here is None or drive.amendment or drive.stopping or drive.acknowledged is None:
+            return None
+        track = self._books.track
+        ending = [here, *vehicle.ahead]
+        left = track.distance(ending)
+        low, high = self._horizon(vehicle)
+        too_late = left <= braking_distance(vehicle.spec.max_speed, vehicle.spec)
+        if drive.end.barcode != ending[-1] or left > low or not vehicle.rest or drive.end.seq > LAST_SEQ:
+            return None
+        blocked = self._claim(vehicle, high)
+        added = vehicle.ahead[len(ending) - 1 :]
+        if not added or too_late:
+            return blocked
+        action = StopAction.STOP if vehicle.rest else errand.action
+        path = elements(track, [drive.end.barcode, *added], action, vehicle.spec, drive.end.seq)
+        planned = driving_time(track, [here, *vehicle.ahead], vehicle.spec)
+        intent = self._books.open_intent(
+            vehicle,
+            "xmove",
+            Xmove(path, planned, drive.cmd_id),
+            drive.intent.actor,
+            job=drive.intent.job,
+            path=tuple(e.barcode for e in path),
+            body={"first_seq": path[0].seq, "action": action.name},
+            amends=drive.cmd_id,
+        )
+        drive.amendment = Amendment(intent.cmd_id, path, intent)
+        vehicle.waiting = ""
+        return blocked
+
+    # -- what became of it --------------------------------------------------------------------------------------------
+
+    def amended(self, vehicle: VehicleNow, drive: Drive, amendment: Amendment) -> None:
+        """The XMOVE was accepted: its path is the MOVE's path now."""
+        books = self._books
+        drive.amendment = None
+        kept = tuple(e for e in drive.path if e.seq < amendment.path[0].seq)
+        drive.path = kept + amendment.path
+        books.close_intent(vehicle, amendment.cmd_id, IntentState.DONE, "accepted")
+        extended = replace(drive.intent, path=drive.intent.path + amendment.intent.path[1:])
+        drive.intent = books.keep_intent(vehicle, extended)
+        books.wake(vehicle.id)
+
+    def not_amended(self, vehicle: VehicleNow, drive: Drive, state: IntentState, outcome: str) -> None:
+        """The XMOVE was refused or got no answer: the vehicle runs to its old end (or, unanswered, to the new one)."""
+        amendment = drive.amendment
+        if amendment is None:
+            return
+        drive.stopping = True
+        if state is not IntentState.UNKNOWN:
+            drive.amendment = None
+        self._books.close_intent(vehicle, amendment.cmd_id, state, outcome)
+
+    def completes(self, vehicle: VehicleNow, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
+        """Whether this polled STATUS shows the MOVE done: standing at the last element, asked after the vehicle had it."""
+        condition = status.condition
+        ends = {drive.end.barcode}
+        if drive.amendment:
+            if not drive.stopping:
+                return False
+            ends.add(drive.amendment.path[-1].barcode)
+        return (
+            drive.acknowledged is not None
+            and asked_at > drive.acknowledged
+            and status.barcode in ends
+            and (status.seq == drive.end.seq or drive.amendment is not None)
+            and not condition.travelling
+            and condition.recognised
+            and condition.mode is Mode.AUTO
+            and condition.oper.name == "IDLE"
+        )
+
+    def finish(self, vehicle: VehicleNow, state: IntentState, outcome: str) -> None:
+        """The MOVE is over, and the vehicle stands where it last said."""
+        drive = vehicle.drive
+        if drive is None:
+            return
+        if drive.amendment:
+            end = drive.amendment.path[-1].barcode
+            taken = vehicle.barcode == end
+            known = IntentState.SETTLED_DONE if taken else IntentState.SETTLED_NOT_DONE
+            self._books.close_intent(vehicle, drive.amendment.cmd_id, known, "by the place where the vehicle stands")
+        self._books.close_intent(vehicle, drive.cmd_id, state, outcome)
+        vehicle.drive = None
+        done = state in {IntentState.DONE, IntentState.SETTLED_DONE} and vehicle.barcode == drive.end.barcode
+        vehicle.stopped = drive.end.action if done else None
+        self._books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*reversed(vehicle.trail), *vehicle.ahead))
+        self._books.wake(vehicle.id)
+
+    def answer(self, vehicle: VehicleNow, drive: Drive, answer: Answered) -> bool:
+        """RESP1 of the MOVE. Returns whether the MOVE is over; False: it was answered on acceptance, and runs."""
+        if not answer.ok:
+            self.finish(vehicle, IntentState.FAILED, answer.reason or "RESULT 1")
+            return True
+        ends = {drive.end.barcode}
+        if drive.amendment:
+            ends.add(drive.amendment.path[-1].barcode)
+        if answer.barcode not in ends or vehicle.barcode != answer.barcode:
+            drive.answered = True
+            return False
+        self.finish(vehicle, IntentState.DONE, "RESULT 0")
+        return True
+
+    def known_path(self, vehicle: VehicleNow) -> tuple[PathElement, ...]:
+        """Return the elements of the open MOVE, for people."""
+        return vehicle.drive.path if vehicle.drive else ()
+
+    def watchable(self, vehicle: VehicleNow) -> bool:
+        """Whether barcodes it reports are to be followed along what it holds."""
+        return vehicle.stage is not Stage.ABSENT and vehicle.barcode is not None

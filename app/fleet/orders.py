@@ -1,0 +1,527 @@
+"""Requests about vehicles, stations, carriers and the controller itself."""
+
+from dataclasses import replace
+
+from app.domain.commands import Display, Plain, Simple
+from app.domain.errors import NoRoute, Refusal
+from app.domain.ids import Actor, CarrierId, StationId, VehicleId
+from app.domain.job import JobEvent
+from app.domain.layout import StopAction
+from app.domain.records import (
+    ControllerRecord,
+    ControllerState,
+    Lockout,
+    Provenance,
+    StationDest,
+    StationRecord,
+    VehicleOffset,
+)
+from app.domain.requests import (
+    Accepted,
+    CommandVehicle,
+    DisplayOnVehicle,
+    HandleOnce,
+    HoldVehicle,
+    LockVehicle,
+    MoveVehicle,
+    PauseController,
+    RecoverAlarm,
+    ReleaseVehicle,
+    Reply,
+    ResumeController,
+    SetService,
+    UnlockVehicle,
+    Verdict,
+    WriteCarrier,
+    WriteDest,
+    WriteOffset,
+    WriteStation,
+)
+from app.domain.vehicle import Mode, Oper
+from app.domain.view import Topic
+from app.fleet.books import Books
+from app.fleet.missions import Missions
+from app.fleet.motion import Motion
+from app.fleet.recovery import Recovery
+from app.fleet.vehicle import Errand, HandleOrder, Purpose, Stage, VehicleNow
+
+HARMLESS = frozenset({Plain.STATUS, Plain.STOP, Plain.STOP_BY_HOST})
+"""Commands that a lockout lets through: they read or stop, they start nothing (our choice)."""
+MANT_ONLY = frozenset(
+    {
+        Plain.SERVO_ON,
+        Plain.SERVO_OFF,
+        Plain.SEARCH_HOME,
+        Plain.GO_HOME,
+        Plain.SYSTEM_RESET,
+        Plain.ALARM_CLEAR,
+        Plain.AUTO,
+        Plain.PORT_DEST_TEACHING,
+        Plain.PORT_OFFSET_TEACHING,
+    }
+)
+
+
+def no_vehicle(name: str) -> Refusal:
+    """Refusal for a vehicle that the plant does not have."""
+    return Refusal("not-found", f"there is no vehicle {name}", "see GET /api/v1/vehicles")
+
+
+def no_station(name: str) -> Refusal:
+    """Refusal for a station that the plant does not have."""
+    return Refusal("not-found", f"there is no station {name}", "see GET /api/v1/stations")
+
+
+class VehicleOrders:
+    """Answers requests about one vehicle."""
+
+    def __init__(self, books: Books, motion: Motion, missions: Missions, recovery: Recovery) -> None:
+        self._books = books
+        self._motion = motion
+        self._missions = missions
+        self._recovery = recovery
+
+    def _find(self, name: VehicleId) -> VehicleNow | Refusal:
+        return self._books.vehicles.get(name) or no_vehicle(name)
+
+    def _accepted(self, vehicle: VehicleNow, cmd_id: int | None = None) -> Accepted:
+        self._books.touch(vehicle)
+        return Accepted(Topic.VEHICLES, vehicle.id, cmd_id=cmd_id)
+
+    # -- commands -----------------------------------------------------------------------------------------------------
+
+    def command(self, request: CommandVehicle) -> Reply:
+        """Send a command without data. Its outcome is the intent's."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if refusal := self._unready(vehicle, request.what):
+            return refusal
+        if request.what is Plain.STATUS:
+            self._books.effects.polls.append(vehicle.id)
+            return self._accepted(vehicle)
+        intent = self._books.open_intent(vehicle, request.what.value, Simple(request.what), request.actor)
+        if request.what is Plain.STOP_BY_HOST:
+            self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
+        return self._accepted(vehicle, intent.cmd_id)
+
+    def _unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
+        """Return why a command cannot be sent now, with what would help."""
+        lock = vehicle.record.lockout
+        if lock and what not in HARMLESS:
+            return Refusal(
+                "not-now", f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}", "lift the lockout first"
+            )
+        if not vehicle.linked or vehicle.status is None:
+            return Refusal(
+                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
+            )
+        if vehicle.recovery and what not in HARMLESS:
+            return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
+        mode = vehicle.mode
+        if what in MANT_ONLY and mode is not Mode.MANT:
+            return Refusal(
+                "not-now",
+                f"{vehicle.id} is in {mode.name if mode is not None else 'no mode'}, and {what.value} needs MANT",
+                "send stop first: it brings the vehicle to MANT",
+            )
+        if what is Plain.STOP_BY_HOST and mode not in {Mode.AUTO, Mode.SEMI}:
+            return Refusal("not-now", f"{vehicle.id} is in MANT: stop_by_host needs AUTO or SEMI", "send stop")
+        return None
+
+    def display(self, request: DisplayOnVehicle) -> Reply:
+        """Show a text on the vehicle."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if refusal := self._unready(vehicle, Plain.STOP_BY_HOST):
+            return replace(
+                refusal, reason=refusal.reason.replace("stop_by_host", "display"), remedy="switch it to AUTO"
+            )
+        if vehicle.record.lockout:
+            return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift the lockout first")
+        command = Display(request.text, request.alarm)
+        body = {"text": request.text, "alarm": request.alarm}
+        return self._accepted(
+            vehicle, self._books.open_intent(vehicle, "display", command, request.actor, body=body).cmd_id
+        )
+
+    def _unfit(self, vehicle: VehicleNow) -> Refusal | None:
+        """Return why a vehicle cannot be moved or made to handle for a person now."""
+        if vehicle.barred:
+            return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift that first")
+        if not vehicle.linked:
+            return Refusal(
+                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
+            )
+        if vehicle.job:
+            return Refusal("conflict", f"{vehicle.id} is on job {vehicle.job}", "cancel the job, or let it end")
+        if vehicle.mode is not Mode.AUTO:
+            return Refusal(
+                "not-now", f"{vehicle.id} is not in AUTO", "send servo_on, search_home and auto, or recover it"
+            )
+        if vehicle.oper is Oper.ALARM:
+            return Refusal("not-now", f"{vehicle.id} has an alarm", f"POST /api/v1/vehicles/{vehicle.id}/recover")
+        if vehicle.stage is not Stage.READY or vehicle.recovery:
+            return Refusal(
+                "not-now", vehicle.waiting or f"{vehicle.id} is being asked where it is", "try again shortly"
+            )
+        if vehicle.handling or vehicle.order:
+            return Refusal("conflict", f"{vehicle.id} is handling a carrier", "wait for its end")
+        if missing := self._motion.missing(vehicle):
+            return Refusal(
+                "not-now",
+                f"the roll-call still misses {', '.join(missing)}",
+                "connect them, or POST /api/v1/vehicles/ID/release with verdict off_rail or stands_at",
+            )
+        return None
+
+    def move(self, request: MoveVehicle) -> Reply:
+        """Send a vehicle to a barcode, under grants."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if request.barcode not in self._books.track:
+            return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
+        if request.action is StopAction.RUN:
+            return Refusal("invalid", "a path ends in a stop", "", "action")
+        if refusal := self._unfit(vehicle):
+            return refusal
+        try:
+            self._motion.send(vehicle, Errand(request.barcode, request.action, Purpose.PERSON))
+        except NoRoute as why:
+            return Refusal("no-route", why.message, "see GET /api/v1/layout", "barcode")
+        return self._accepted(vehicle)
+
+    def handle(self, request: HandleOnce) -> Reply:
+        """One PICKUP or PLACE where the vehicle stands."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        station = self._books.specs.get(request.station)
+        if station is None:
+            return replace(no_station(request.station), code="invalid", field="station")
+        if refusal := self._unfit(vehicle):
+            return refusal
+        if vehicle.barcode != station.barcode or not vehicle.at_rest:
+            return Refusal(
+                "not-now",
+                f"{vehicle.id} does not stand at {station.id} (barcode {station.barcode}) but at {vehicle.barcode}",
+                f"send move to {station.barcode} with action {station.kind.stop_action.name.lower()} first",
+            )
+        if vehicle.loaded is request.pickup:
+            return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
+        target = self._missions.target(vehicle, station, request.target)
+        if isinstance(target, Refusal):
+            return target
+        vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)
+        self._motion.drop(vehicle)
+        self._missions.proceed(vehicle)
+        return self._accepted(vehicle, vehicle.handling.cmd_id if vehicle.handling else None)
+
+    # -- decisions of people ------------------------------------------------------------------------------------------
+
+    def recover(self, request: RecoverAlarm) -> Reply:
+        """Start the alarm recovery of PROTOCOLS 6.2."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if vehicle.record.lockout:
+            return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift the lockout first")
+        if not vehicle.linked or vehicle.status is None:
+            return Refusal(
+                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
+            )
+        if vehicle.recovery:
+            return self._accepted(vehicle)
+        unsafe = self._recovery.unsafe_to_home(vehicle.status)
+        if unsafe and not request.confirmed:
+            return Refusal(
+                "not-now",
+                f"homing {vehicle.id} now could drop a carrier: {unsafe}",
+                'let a person look at the vehicle, then send {"confirmed": true}',
+                "confirmed",
+            )
+        self._recovery.start_alarm_recovery(vehicle, request.actor, confirmed=request.confirmed)
+        return self._accepted(vehicle)
+
+    def hold(self, request: HoldVehicle) -> Reply:
+        """Nothing more is sent to the vehicle until released; what it was told, it finishes."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        self._recovery.hold(vehicle, f"held by {request.actor}: {request.reason}", "release it when it may go on")
+        return self._accepted(vehicle)
+
+    def release(self, request: ReleaseVehicle) -> Reply:
+        """A named person decides about a held or absent vehicle."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        decide = {
+            Verdict.GO_ON: self._go_on,
+            Verdict.OFF_RAIL: self._off_rail,
+            Verdict.STANDS_AT: self._stands_at,
+        }[request.verdict]
+        return decide(vehicle, request) or self._accepted(vehicle)
+
+    def _go_on(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Refusal | None:
+        if vehicle.oper is Oper.ALARM:
+            return Refusal(
+                "not-now", f"{vehicle.id} still has an alarm", f"POST /api/v1/vehicles/{vehicle.id}/recover", "verdict"
+            )
+        if not vehicle.record.hold and not vehicle.record.off_rail:
+            return Refusal("conflict", f"{vehicle.id} is not on hold", "nothing to release", "verdict")
+        self._recovery.release(vehicle, request.actor, request.reason)
+        return None
+
+    def _off_rail(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Refusal | None:
+        if vehicle.linked:
+            return Refusal(
+                "conflict",
+                f"{vehicle.id} is connected and reports",
+                "switch it off and take it off the rail first",
+                "verdict",
+            )
+        self._missions.give_back(vehicle, f"{vehicle.id} was taken off the rail")
+        self._motion.vacate(vehicle)
+        self._books.save_vehicle(
+            vehicle, off_rail=f"said by {request.actor}: {request.reason}", hold=None, barcode=None, held=()
+        )
+        self._books.event(JobEvent.VEHICLE_REMOVED, vehicle=vehicle.id, detail=f"{request.actor}: {request.reason}")
+        self._recovery.strike_off(vehicle)
+        return None
+
+    def _stands_at(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Refusal | None:
+        if request.barcode is None or request.barcode not in self._books.track:
+            return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
+        if vehicle.linked:
+            return Refusal(
+                "conflict", f"{vehicle.id} is connected and reports its place itself", "use go_on", "verdict"
+            )
+        vehicle.drive = None
+        self._motion.place(vehicle, request.barcode)
+        self._books.event(
+            JobEvent.VEHICLE_RELEASED,
+            vehicle=vehicle.id,
+            detail=f"{request.actor}: stands at {request.barcode}: {request.reason}",
+        )
+        self._recovery.strike_off(vehicle)
+        return None
+
+    def service(self, request: SetService) -> Reply:
+        """Out of service with a reason, or back."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if request.reason:
+            self._missions.give_back(vehicle, f"{vehicle.id} was taken out of service")
+        self._books.save_vehicle(vehicle, out_of_service=request.reason)
+        self._books.event(
+            JobEvent.VEHICLE_REMOVED if request.reason else JobEvent.VEHICLE_INSTALLED,
+            vehicle=vehicle.id,
+            detail=f"{request.actor}: {request.reason}" if request.reason else f"{request.actor}: in service",
+        )
+        self._books.wake(vehicle.id)
+        return self._accepted(vehicle)
+
+    def lock(self, request: LockVehicle) -> Reply:
+        """Maintenance lockout: nothing is sent, nothing is granted."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        if vehicle.record.lockout:
+            owner = vehicle.record.lockout.owner
+            return Refusal("conflict", f"{vehicle.id} is locked out by {owner} already", f"ask {owner}")
+        self._missions.give_back(vehicle, f"{vehicle.id} is locked out by {request.actor}")
+        self._books.save_vehicle(vehicle, lockout=Lockout(request.actor, request.reason, self._books.utc))
+        return self._accepted(vehicle)
+
+    def unlock(self, request: UnlockVehicle) -> Reply:
+        """Lifted by its owner, or by two others together."""
+        vehicle = self._find(request.vehicle)
+        if isinstance(vehicle, Refusal):
+            return vehicle
+        lock = vehicle.record.lockout
+        if lock is None:
+            return Refusal("conflict", f"{vehicle.id} is not locked out", "")
+        releases = tuple(dict.fromkeys((*lock.releases, request.actor)))
+        if request.actor != lock.owner and len(releases) < 2:
+            self._books.save_vehicle(vehicle, lockout=replace(lock, releases=releases))
+            return Refusal(
+                "not-now",
+                f"the lockout is {lock.owner}'s; your wish to lift it is noted",
+                f"{lock.owner} alone can lift it, or one more person with you",
+            )
+        self._books.save_vehicle(vehicle, lockout=None)
+        if vehicle.linked:
+            self._recovery.begin(vehicle)
+        return self._accepted(vehicle)
+
+
+class PlantOrders:
+    """Answers requests about stations, carriers, taught values and the controller."""
+
+    def __init__(self, books: Books) -> None:
+        self._books = books
+
+    def station(self, request: WriteStation) -> Reply:
+        """Write what is at a station: all or nothing."""
+        books = self._books
+        record = books.stations.get(request.station)
+        if record is None:
+            return no_station(request.station)
+        carrier = record.carrier if request.carrier is None else CarrierId(request.carrier) or None
+        present = request.present if request.present is not None else (True if request.carrier else record.present)
+        if request.carrier and request.present is False:
+            return Refusal("invalid", "a carrier cannot be at a station where nothing is present", "", "carrier")
+        if present is False:
+            carrier = None
+        if carrier and carrier != record.carrier:
+            books.put_carrier(carrier, request.station, self._provenance(by_person=request.by_person))
+            record = books.stations[request.station]
+        elif record.carrier and carrier != record.carrier:
+            self._lose(record, by_person=request.by_person)
+        changed = replace(
+            record,
+            present=present,
+            carrier=carrier,
+            reserved=record.reserved if request.reserved is None else request.reserved,
+            out_of_service=record.out_of_service if request.out_of_service is None else request.out_of_service,
+            provenance=self._provenance(by_person=request.by_person),
+            at=books.utc,
+        )
+        books.save_station(changed)
+        books.event(JobEvent.PORT_CHANGED, destination=request.station, carrier=carrier, detail=self._words(changed))
+        return Accepted(Topic.STATIONS, request.station)
+
+    def _provenance(self, *, by_person: bool) -> Provenance:
+        return Provenance.PERSON if by_person else Provenance.HOST
+
+    def _lose(self, record: StationRecord, *, by_person: bool) -> None:
+        """The carrier we believed there is not there: where it is, we do not know."""
+        if record.carrier and self._books.carriers.get(record.carrier):
+            self._books.put_carrier(record.carrier, None, self._provenance(by_person=by_person))
+
+    def _words(self, record: StationRecord) -> str:
+        known = {True: "occupied", False: "empty", None: "not known"}[record.present]
+        more = [f"reserved: {record.reserved}"] if record.reserved else []
+        more += [f"out of service: {record.out_of_service}"] if record.out_of_service else []
+        return ", ".join([known, *more])
+
+    def carrier(self, request: WriteCarrier) -> Reply:
+        """Install, move or remove a carrier's record."""
+        books = self._books
+        before = books.carriers.get(request.carrier)
+        if request.place is None:
+            return self._remove(request)
+        if request.place in books.vehicles:
+            return self._carrier_aboard(request, books.vehicles[VehicleId(request.place)])
+        if request.place not in books.specs:
+            return Refusal(
+                "invalid", f"there is no station or vehicle {request.place}", "see GET /api/v1/stations", "place"
+            )
+        there = books.stations[StationId(request.place)]
+        if there.carrier and there.carrier != request.carrier:
+            return Refusal(
+                "conflict", f"{request.place} holds {there.carrier}", f"move or remove {there.carrier} first", "place"
+            )
+        self._leave_vehicle(request.carrier)
+        books.put_carrier(request.carrier, StationId(request.place), self._provenance(by_person=request.by_person))
+        books.event(JobEvent.CARRIER_MOVED, carrier=request.carrier, destination=request.place)
+        return Accepted(Topic.CARRIERS, request.carrier, created=before is None)
+
+    def _carrier_aboard(self, request: WriteCarrier, vehicle: VehicleNow) -> Reply:
+        if vehicle.record.carrier and vehicle.record.carrier != request.carrier:
+            return Refusal("conflict", f"{vehicle.id} carries {vehicle.record.carrier}", "", "place")
+        created = request.carrier not in self._books.carriers
+        self._books.put_carrier(request.carrier, vehicle.id, self._provenance(by_person=request.by_person))
+        self._books.save_vehicle(vehicle, carrier=request.carrier)
+        self._books.event(JobEvent.CARRIER_MOVED, carrier=request.carrier, vehicle=vehicle.id, destination=vehicle.id)
+        return Accepted(Topic.CARRIERS, request.carrier, created=created)
+
+    def _leave_vehicle(self, carrier: CarrierId) -> None:
+        for vehicle in self._books.vehicles.values():
+            if vehicle.record.carrier == carrier:
+                self._books.save_vehicle(vehicle, carrier=None)
+
+    def _remove(self, request: WriteCarrier) -> Reply:
+        books = self._books
+        if request.carrier not in books.carriers:
+            return Refusal("not-found", f"there is no carrier {request.carrier}", "see GET /api/v1/carriers")
+        busy = next((job for job in books.jobs.values() if job.carrier == request.carrier), None)
+        if busy:
+            return Refusal(
+                "conflict", f"{request.carrier} is ordered by job {busy.id}", "cancel or abort the job first"
+            )
+        self._leave_vehicle(request.carrier)
+        books.put_carrier(request.carrier, None, self._provenance(by_person=request.by_person))
+        books.drop_carrier(request.carrier)
+        books.event(JobEvent.CARRIER_MOVED, carrier=request.carrier, detail="removed from the plant")
+        return Accepted(Topic.CARRIERS, request.carrier)
+
+    # -- taught values ------------------------------------------------------------------------------------------------
+
+    def dest(self, request: WriteDest) -> Reply:
+        """A new version of a station's DEST."""
+        spec = self._books.specs.get(request.station)
+        if spec is None:
+            return no_station(request.station)
+        if spec.kind.stop_action is not StopAction.PORT:
+            return Refusal(
+                "invalid", f"{spec.id} is a side buffer: vehicles know its positions themselves", "", "station"
+            )
+        now = self._books.dests.get(request.station)
+        version = now.version if now else 0
+        if refusal := self._stale(request.expected, version):
+            return refusal
+        self._books.keep_dest(
+            StationDest(request.station, version + 1, request.pulses, request.actor, "rest", self._books.utc)
+        )
+        return Accepted(Topic.STATIONS, request.station, created=version == 0)
+
+    def offset(self, request: WriteOffset) -> Reply:
+        """A new version of a vehicle's OFFSET."""
+        if request.vehicle not in self._books.vehicles:
+            return no_vehicle(request.vehicle)
+        now = self._books.offsets.get(request.vehicle)
+        version = now.version if now else 0
+        if refusal := self._stale(request.expected, version):
+            return refusal
+        self._books.keep_offset(
+            VehicleOffset(request.vehicle, version + 1, request.pulses, request.actor, "rest", self._books.utc)
+        )
+        return Accepted(Topic.VEHICLES, request.vehicle, created=version == 0)
+
+    def _stale(self, expected: int | None, version: int) -> Refusal | None:
+        if expected is None or expected == version:
+            return None
+        return Refusal(
+            "stale", f"it is version {version} now, not {expected}", "read it again, then decide", "If-Match"
+        )
+
+    # -- the controller -----------------------------------------------------------------------------------------------
+
+    def pause(self, request: PauseController) -> Reply:
+        """No new movement; paused once everything stands."""
+        if self._books.controller.state is ControllerState.AUTO:
+            self._books.save_controller(ControllerRecord(ControllerState.PAUSING, f"{request.actor}: {request.reason}"))
+            self._books.event(JobEvent.CONTROLLER_PAUSING, detail=f"{request.actor}: {request.reason}")
+            self.note_rest()
+        return Accepted(Topic.CONTROLLER, self._books.plant.name)
+
+    def note_rest(self) -> None:
+        """Pausing becomes paused when no motion or handling of ours is under way."""
+        books = self._books
+        if books.controller.state is ControllerState.PAUSING and all(v.at_rest for v in books.vehicles.values()):
+            books.save_controller(replace(books.controller, state=ControllerState.PAUSED))
+            books.event(JobEvent.CONTROLLER_PAUSED)
+
+    def resume(self, request: ResumeController) -> Reply:
+        """Go on."""
+        if self._books.controller.state is not ControllerState.AUTO:
+            self._books.save_controller(ControllerRecord(ControllerState.AUTO))
+            self._books.event(JobEvent.CONTROLLER_AUTO, detail=str(Actor(request.actor)))
+            for vehicle in self._books.vehicles:
+                self._books.wake(vehicle)
+        return Accepted(Topic.CONTROLLER, self._books.plant.name)

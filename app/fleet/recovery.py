@@ -1,0 +1,355 @@
+"""When in doubt: settle by STATUS, hold for a person, count the fleet after a restart, clear an alarm (COMMANDS section 3)."""
+
+from app.domain.commands import Plain, Simple
+from app.domain.events import Answered, Unknown
+from app.domain.ids import Actor, CmdId
+from app.domain.job import Job, JobEvent, Leg
+from app.domain.records import Hold, Intent, IntentState, Provenance
+from app.domain.units import Seconds
+from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
+from app.fleet.books import Books
+from app.fleet.motion import Motion
+from app.fleet.vehicle import AlarmRecovery, Stage, VehicleNow
+
+QUIESCE = Seconds(1.0)
+"""Waited before the first STATUS that counts: longer than the longest delay of a link (our choice)."""
+RECOVERY_PATIENCE = Seconds(60.0)
+"""After so long without the STATUS it needs, an alarm recovery gives up (our choice)."""
+LOADED_LEGS = frozenset({Leg.TO_DESTINATION, Leg.DEPOSITING})
+HOMING = frozenset({Plain.SERVO_ON, Plain.SEARCH_HOME, Plain.GO_HOME, Plain.AUTO})
+
+
+class Recovery:
+    """Settles what is in doubt."""
+
+    def __init__(self, books: Books, motion: Motion) -> None:
+        self._books = books
+        self._motion = motion
+
+    # -- settlement ---------------------------------------------------------------------------------------------------
+
+    def begin(self, vehicle: VehicleNow) -> None:
+        """From now on the vehicle is asked, and nothing else is sent, until its answers settle it."""
+        vehicle.stage = Stage.SETTLING
+        vehicle.stage_since = self._books.now
+        vehicle.quiet_until = Seconds(self._books.now + QUIESCE)
+        vehicle.agreed = None
+        self._books.touch(vehicle)
+
+    def observe(self, vehicle: VehicleNow, status: VehicleStatus, asked_at: Seconds) -> bool:
+        """Take a polled STATUS into the settlement. Returns whether the vehicle has become ready."""
+        if vehicle.stage is not Stage.SETTLING or asked_at < vehicle.quiet_until:
+            return False
+        first, vehicle.agreed = vehicle.agreed, status
+        vehicle.waiting = self.unrest(vehicle, status)
+        if status.condition.oper is Oper.ALARM and not vehicle.recovery:
+            self._alarm(vehicle, status)
+        if not vehicle.waiting and first != status:
+            self._books.effects.polls.append(vehicle.id)
+        if vehicle.waiting or first != status:
+            return False
+        return self._settle(vehicle, status)
+
+    def unrest(self, vehicle: VehicleNow, status: VehicleStatus) -> str:
+        """Return why a vehicle that reports this is not at rest at a known place, empty if it is (COMMANDS 3.2)."""
+        condition = status.condition
+        checks = (
+            (condition.oper is Oper.ALARM, f"is in ALARM {condition.code}"),
+            (condition.oper in {Oper.RUN, Oper.PAUSE}, f"is in {condition.oper.name}"),
+            (condition.travelling, "is driving"),
+            (not condition.servos_on, "has its servos off: send SERVO ON, SEARCH HOME, AUTO"),
+            (not condition.home_known, "has not found its home position: send SEARCH HOME"),
+            (not (condition.at_rest and condition.homed), "has an axis that is not at home"),
+            (not condition.recognised, "reads no barcode"),
+            (status.barcode not in self._books.track, self._strange(status)),
+        )
+        return next((f"{vehicle.id} {words}" for applies, words in checks if applies), "")
+
+    def _strange(self, status: VehicleStatus) -> str:
+        return f"reports barcode {status.barcode}, which is not on the map (is its dialect right?)"
+
+    def _alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
+        code = status.condition.code
+        name = self._books.plant.alarm_codes.get(code, "")
+        if vehicle.handling or (vehicle.job and not vehicle.failed_handling):
+            vehicle.failed_handling = f"alarm {code} {name}".rstrip()
+        self.hold(
+            vehicle,
+            f"alarm {code} {name}".rstrip(),
+            f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover",
+        )
+        vehicle.accounted = vehicle.accounted or self._plausible(vehicle, status)
+        self._strike_off(vehicle)
+
+    def _settle(self, vehicle: VehicleNow, status: VehicleStatus) -> bool:
+        """Two STATUS agree, and the vehicle is at rest. Decide what was open; hold on a contradiction."""
+        trusted, vehicle.trusted = vehicle.trusted, False
+        if not trusted and (contradiction := self._contradiction(vehicle, status)):
+            self.hold(vehicle, *contradiction)
+            return False
+        if vehicle.record.hold and not trusted:
+            self._account(vehicle, status)
+            return False
+        self._account(vehicle, status)
+        self._close_moves(vehicle, status)
+        if trusted:
+            self._believe(vehicle, status.condition)
+        vehicle.stage, vehicle.stage_since, vehicle.waiting = Stage.READY, self._books.now, ""
+        return True
+
+    def _plausible(self, vehicle: VehicleNow, status: VehicleStatus) -> bool:
+        """Whether the vehicle can have come to this place on what it held."""
+        held = self._books.traffic.held(vehicle.id)
+        return not held or status.barcode in held or status.barcode == vehicle.barcode
+
+    def _contradiction(self, vehicle: VehicleNow, status: VehicleStatus) -> tuple[str, str] | None:
+        """Return reason and remedy if what it reports does not fit what we know (COMMANDS 3.4)."""
+        record, condition = vehicle.record, status.condition
+        if record.off_rail:
+            return (
+                f"it was said to be off the rail ({record.off_rail}), and reports from barcode {status.barcode}",
+                "release it with verdict go_on if it stands on the rail again",
+            )
+        if not self._plausible(vehicle, status):
+            return (
+                (
+                    f"it reports barcode {status.barcode}, which cannot be reached from the track it held"
+                    f" ({', '.join(self._books.traffic.held(vehicle.id)) or 'none'})"
+                ),
+                "look where it stands; release it with verdict go_on if the barcode is right",
+            )
+        pickup = next((i for i in vehicle.opened.values() if i.kind == "pickup"), None)
+        place = next((i for i in vehicle.opened.values() if i.kind == "place"), None)
+        if pickup or place:
+            return None
+        return self._strange_load(vehicle, condition)
+
+    def _strange_load(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
+        believed = self.believed_loaded(vehicle)
+        if condition.loaded and not believed:
+            return (
+                "it carries a FOUP that no job or record accounts for",
+                "see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on",
+            )
+        if believed and not condition.loaded:
+            return (
+                f"it should carry {vehicle.record.carrier or 'a FOUP'}, and its FOUP bit is 0",
+                "find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)",
+            )
+        return None
+
+    def _believe(self, vehicle: VehicleNow, condition: Condition) -> None:
+        """A person vouched for what the vehicle reports: its FOUP bit counts, our books follow."""
+        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
+            return
+        lost = vehicle.record.carrier if not condition.loaded else None
+        aboard = vehicle.record.carrier if condition.loaded else None
+        self._books.save_vehicle(vehicle, believed_loaded=condition.loaded, carrier=aboard)
+        if lost:
+            self._books.put_carrier(lost, None, Provenance.PERSON)
+
+    def believed_loaded(self, vehicle: VehicleNow) -> bool:
+        """Whether by our books a FOUP is aboard."""
+        return bool(vehicle.record.believed_loaded)
+
+    def _account(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
+        """Its place is known: it holds what it covers there (in MANT, all it can reach by itself)."""
+        clashes = self._motion.place(vehicle, status.barcode)
+        if status.condition.mode is Mode.MANT:
+            self.widen(vehicle)
+        if clashes:
+            others = sorted({o for b in clashes for o in self._books.traffic.holders(b)} - {vehicle.id})
+            vehicle.waiting = f"{vehicle.id} stands on track that {', '.join(others)} holds too"
+        vehicle.accounted = True
+        self._strike_off(vehicle)
+
+    def widen(self, vehicle: VehicleNow) -> None:
+        """In MANT it can be moved without us: hold what it can reach, both ways, as far as nobody else has it."""
+        books = self._books
+        if vehicle.barcode is None:
+            return
+        reach = books.track.reach(vehicle.barcode, vehicle.spec.reach)
+        free = sorted(b for b in reach if not books.traffic.holders(b))
+        books.traffic.hold(vehicle.id, free)
+        books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*free, *reversed(vehicle.trail)))
+
+    def _strike_off(self, vehicle: VehicleNow) -> None:
+        """The roll-call no longer waits for it, once its place is known."""
+        if vehicle.accounted and vehicle.id in self._books.roll_call:
+            del self._books.roll_call[vehicle.id]
+            self._books.show_controller()
+            for other in self._books.vehicles:
+                self._books.wake(other)
+
+    def strike_off(self, vehicle: VehicleNow) -> None:
+        """A named person has said where it is."""
+        vehicle.accounted = True
+        self._strike_off(vehicle)
+
+    def _close_moves(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
+        """Every open command but PICKUP and PLACE is settled by what the vehicle says."""
+        if vehicle.drive:
+            at_end = status.barcode == vehicle.drive.end.barcode
+            state = IntentState.SETTLED_DONE if at_end else IntentState.SETTLED_NOT_DONE
+            self._motion.finish(vehicle, state, f"by STATUS at {status.barcode}")
+        for intent in list(vehicle.opened.values()):
+            if intent.kind in {"pickup", "place"}:
+                continue
+            done = self._shows(intent, status)
+            state = IntentState.SETTLED_DONE if done else IntentState.SETTLED_NOT_DONE
+            self._books.close_intent(vehicle, intent.cmd_id, state, f"by STATUS: {self._said(status)}")
+
+    def _said(self, status: VehicleStatus) -> str:
+        condition = status.condition
+        return f"{condition.mode.name}, {condition.oper.name}, barcode {status.barcode}, F = {int(condition.loaded)}"
+
+    def _shows(self, intent: Intent, status: VehicleStatus) -> bool:
+        """Whether the effect of a command is visible in a STATUS."""
+        condition = status.condition
+        if intent.kind in {"move", "xmove"}:
+            return bool(intent.path) and intent.path[-1] == status.barcode
+        visible = {
+            "servo_on": condition.servos_on,
+            "servo_off": not condition.servos_on,
+            "search_home": condition.home_known and condition.homed,
+            "go_home": condition.homed,
+            "alarm_clear": condition.oper is not Oper.ALARM,
+            "auto": condition.mode is Mode.AUTO,
+            "stop": condition.mode is Mode.MANT,
+            "stop_by_host": not condition.travelling,
+        }
+        return visible.get(intent.kind, False)
+
+    # -- holds --------------------------------------------------------------------------------------------------------
+
+    def hold(self, vehicle: VehicleNow, reason: str, remedy: str) -> None:
+        """Nothing is sent to the vehicle any more until a named person decides."""
+        if vehicle.record.hold and vehicle.record.hold.reason == reason:
+            return
+        self._books.save_vehicle(vehicle, hold=Hold(reason, remedy, self._books.utc))
+        self._books.event(
+            JobEvent.VEHICLE_HELD, job=self._job(vehicle), vehicle=vehicle.id, detail=f"{reason}; {remedy}"
+        )
+
+    def release(self, vehicle: VehicleNow, actor: Actor, reason: str) -> None:
+        """A person has decided: what the vehicle says next is believed."""
+        self._books.save_vehicle(vehicle, hold=None, off_rail="")
+        self._books.event(JobEvent.VEHICLE_RELEASED, vehicle=vehicle.id, detail=f"{actor}: {reason}")
+        vehicle.trusted = True
+        if vehicle.linked:
+            self.begin(vehicle)
+
+    def _job(self, vehicle: VehicleNow) -> Job | None:
+        return self._books.jobs.get(vehicle.job) if vehicle.job else None
+
+    # -- alarm recovery (PROTOCOLS 6.2) -------------------------------------------------------------------------------
+
+    def unsafe_to_home(self, status: VehicleStatus) -> str:
+        """Return which axis forbids homing without a person at the vehicle, empty if none does."""
+        safe = {"lift": {1}, "slid": {1}, "shft": {1}, "grip": {3}}
+        values = {name: (value, meaning) for name, value, meaning in status.condition.details}
+        bad = [f"{axis.upper()} {values[axis][1]}" for axis, good in safe.items() if values[axis][0] not in good]
+        return ", ".join(bad)
+
+    def start_alarm_recovery(self, vehicle: VehicleNow, actor: Actor, *, confirmed: bool) -> None:
+        """Begin the sequence: STOP, ALARM CLEAR, SERVO ON, SEARCH HOME or GO HOME, AUTO, each where needed."""
+        vehicle.recovery = AlarmRecovery(actor, confirmed, self._books.now)
+        vehicle.stage = Stage.SETTLING
+        self._books.effects.polls.append(vehicle.id)
+        self._books.touch(vehicle)
+
+    def step_alarm_recovery(self, vehicle: VehicleNow, status: VehicleStatus, asked_at: Seconds) -> None:
+        """With a fresh STATUS, send the next command of the sequence, or end it."""
+        recovery = vehicle.recovery
+        if recovery is None or recovery.waiting is not None or asked_at < recovery.since:
+            return
+        what = self._next_command(status)
+        if what is None:
+            self._end_alarm_recovery(vehicle, "")
+            return
+        unsafe = "" if recovery.confirmed else self.unsafe_to_home(status)
+        if what in {Plain.SEARCH_HOME, Plain.GO_HOME} and unsafe:
+            self._end_alarm_recovery(vehicle, f"not homed, because {unsafe}; let a person look, and confirm")
+            return
+        recovery.since = self._books.now
+        recovery.waiting = self._books.open_intent(vehicle, what.value, Simple(what), recovery.actor).cmd_id
+
+    def _next_command(self, status: VehicleStatus) -> Plain | None:
+        condition = status.condition
+        if condition.mode is Mode.AUTO:
+            return Plain.STOP if condition.oper is Oper.ALARM else None
+        if condition.mode is not Mode.MANT:
+            return Plain.STOP
+        needed = (
+            (condition.oper is Oper.ALARM, Plain.ALARM_CLEAR),
+            (not condition.servos_on, Plain.SERVO_ON),
+            (not condition.home_known, Plain.SEARCH_HOME),
+            (not condition.all_home, Plain.GO_HOME),
+        )
+        return next((what for applies, what in needed if applies), Plain.AUTO)
+
+    def answered(self, vehicle: VehicleNow, answer: Answered) -> None:
+        """A command of the sequence was answered."""
+        recovery = vehicle.recovery
+        if recovery is None or recovery.waiting != answer.cmd_id:
+            return
+        recovery.waiting, recovery.since = None, self._books.now
+        if not answer.ok:
+            what = answer.command.what.value if isinstance(answer.command, Simple) else "the command"
+            self._end_alarm_recovery(vehicle, f"{what} ended abnormally ({answer.reason or 'no reason given'})")
+            return
+        self._books.effects.polls.append(vehicle.id)
+
+    def unanswered(self, vehicle: VehicleNow, cmd_id: CmdId, why: Unknown | str) -> None:
+        """A command of the sequence got no answer, or was not sent."""
+        if vehicle.recovery and vehicle.recovery.waiting == cmd_id:
+            self._end_alarm_recovery(vehicle, str(why))
+
+    def tick(self, vehicle: VehicleNow) -> None:
+        """Give an alarm recovery up that hears nothing."""
+        recovery = vehicle.recovery
+        if recovery and recovery.waiting is None and self._books.now > recovery.since + RECOVERY_PATIENCE:
+            self._end_alarm_recovery(vehicle, "no STATUS came")
+
+    def _end_alarm_recovery(self, vehicle: VehicleNow, failure: str) -> None:
+        recovery, vehicle.recovery = vehicle.recovery, None
+        if recovery is None:
+            return
+        if failure:
+            self.hold(
+                vehicle,
+                f"alarm recovery stopped: {failure}",
+                f"mend the cause, then POST /api/v1/vehicles/{vehicle.id}/recover again",
+            )
+            self.begin(vehicle)
+            return
+        self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=f"recovered by {recovery.actor}")
+        hold = vehicle.record.hold
+        if hold:
+            self._books.save_vehicle(vehicle, hold=None)
+            self._books.event(
+                JobEvent.VEHICLE_RELEASED, vehicle=vehicle.id, detail=f"{recovery.actor}: alarm recovered"
+            )
+        self.begin(vehicle)
+
+    def link_lost(self, vehicle: VehicleNow, reason: str) -> None:
+        """The vehicle is silent. What it holds, it holds (COMMANDS 3.1)."""
+        if vehicle.recovery:
+            vehicle.recovery = None
+            self.hold(
+                vehicle,
+                "alarm recovery stopped: the link was lost",
+                f"POST /api/v1/vehicles/{vehicle.id}/recover again once it is back",
+            )
+        vehicle.linked, vehicle.link_reason, vehicle.link_since = False, reason, self._books.now
+        vehicle.stage, vehicle.stage_since = Stage.ABSENT, self._books.now
+        vehicle.agreed = None
+        if vehicle.waiting:
+            vehicle.waiting = ""
+        self._books.touch(vehicle)
+
+    def note_failure(self, vehicle: VehicleNow, answer: Answered) -> None:
+        """Remember why a handling ended abnormally, if an alarm says so (I46)."""
+        if answer.condition.oper is Oper.ALARM:
+            name = self._books.plant.alarm_codes.get(answer.condition.code, "")
+            vehicle.failed_handling = f"alarm {answer.condition.code} {name}".rstrip()

@@ -1,0 +1,207 @@
+"""What the fleet knows of one vehicle at this moment."""
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
+from app.domain.job import Leg
+from app.domain.layout import PulseSet, StopAction, VehicleSpec
+from app.domain.records import Intent, VehicleRecord
+from app.domain.route import PathElement
+from app.domain.units import Barcode, Millimetres, Seconds
+from app.domain.vehicle import Mode, Oper, VehicleStatus
+
+
+class Stage(StrEnum):
+    """How far we know where the vehicle is and what it is doing."""
+
+    ABSENT = "absent"
+    """No link. What it held, it holds."""
+    SETTLING = "settling"
+    """Linked; asked by STATUS until two answers agree and it is at rest (COMMANDS section 3)."""
+    READY = "ready"
+    """Known: place, load, and every command settled."""
+
+
+class Purpose(StrEnum):
+    """Why a vehicle is sent somewhere."""
+
+    SOURCE = "source"
+    DESTINATION = "destination"
+    PERSON = "person"
+    GIVE_WAY = "give_way"
+    PARK = "park"
+
+
+@dataclass(frozen=True, slots=True)
+class Errand:
+    """Where a vehicle is to go, how to stop there, and why."""
+
+    goal: Barcode
+    action: StopAction
+    purpose: Purpose
+
+
+@dataclass(frozen=True, slots=True)
+class Amendment:
+    """An XMOVE under way: the elements that take the place of the present path from ``path[0].seq`` on."""
+
+    cmd_id: CmdId
+    path: tuple[PathElement, ...]
+    intent: Intent
+
+
+@dataclass(slots=True)
+class Drive:
+    """The open MOVE. ``path`` is what the vehicle is known to have (amendments count once accepted).
+
+    ``acknowledged`` is when its ACK came; ``answered``: RESP1 RESULT 0 came before it stood at the end (vehicles that answer
+    on acceptance, PROTOCOLS I19); ``stopping``: an XMOVE was refused, it runs to its end.
+    """
+
+    cmd_id: CmdId
+    path: tuple[PathElement, ...]
+    intent: Intent
+    acknowledged: Seconds | None = None
+    answered: bool = False
+    stopping: bool = False
+    amendment: Amendment | None = None
+
+    @property
+    def end(self) -> PathElement:
+        """The present STOP element."""
+        return self.path[-1]
+
+
+@dataclass(slots=True)
+class Handling:
+    """An open PICKUP or PLACE. ``answered`` is when RESULT 0 came; then F must agree in a later STATUS."""
+
+    cmd_id: CmdId
+    intent: Intent
+    pickup: bool
+    station: StationId
+    job: JobId | None
+    started: Seconds
+    answered: Seconds | None = None
+
+
+@dataclass(slots=True)
+class AlarmRecovery:
+    """The sequence of PROTOCOLS 6.2 on its way: the command under way, or None while a fresh STATUS is awaited."""
+
+    actor: Actor
+    confirmed: bool
+    since: Seconds
+    waiting: CmdId | None = None
+    asked: Seconds = Seconds(0.0)
+
+
+@dataclass(slots=True)
+class HandleOrder:
+    """One PICKUP or PLACE that a person asked for without a job."""
+
+    station: StationId
+    pickup: bool
+    actor: Actor
+    target: PulseSet | None
+
+
+@dataclass(slots=True)
+class VehicleNow:
+    """A vehicle at this moment. ``record`` is its durable part, as last saved or about to be.
+
+    ``trail`` maps each barcode it covers to its distance behind the present one (mm; the present one 0); ``ahead`` are the
+    barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
+    ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
+    agree. ``missed`` counts handlings or moves in a row that ended abnormally.
+    """
+
+    spec: VehicleSpec
+    record: VehicleRecord
+    stage: Stage = Stage.ABSENT
+    linked: bool = False
+    link_reason: str = "not connected yet"
+    link_since: Seconds = Seconds(0.0)
+    stage_since: Seconds = Seconds(0.0)
+    status: VehicleStatus | None = None
+    seen: Seconds | None = None
+    barcode: Barcode | None = None
+    stopped: StopAction | None = None
+    trail: dict[Barcode, Millimetres] = field(default_factory=dict)
+    ahead: list[Barcode] = field(default_factory=list)
+    rest: list[Barcode] = field(default_factory=list)
+    errand: Errand | None = None
+    drive: Drive | None = None
+    handling: Handling | None = None
+    recovery: AlarmRecovery | None = None
+    order: HandleOrder | None = None
+    job: JobId | None = None
+    opened: dict[CmdId, Intent] = field(default_factory=dict)
+    agreed: VehicleStatus | None = None
+    quiet_until: Seconds = Seconds(0.0)
+    trusted: bool = False
+    accounted: bool = False
+    failed_handling: str = ""
+    missed: int = 0
+    unfit_since: Seconds | None = None
+    waiting: str = ""
+    waiting_since: Seconds = Seconds(0.0)
+
+    @property
+    def id(self) -> VehicleId:
+        """The vehicle's name."""
+        return self.spec.id
+
+    @property
+    def mode(self) -> Mode | None:
+        """Mode of its newest STATUS."""
+        return self.status.condition.mode if self.status else None
+
+    @property
+    def oper(self) -> Oper | None:
+        """OPER of its newest STATUS."""
+        return self.status.condition.oper if self.status else None
+
+    @property
+    def loaded(self) -> bool | None:
+        """FOUP bit of its newest STATUS."""
+        return self.status.condition.loaded if self.status else None
+
+    @property
+    def barred(self) -> str:
+        """Why nothing may be sent to it by ourselves, empty if it may."""
+        if self.record.off_rail:
+            return f"off the rail: {self.record.off_rail}"
+        if self.record.lockout:
+            return f"locked out by {self.record.lockout.owner}: {self.record.lockout.reason}"
+        if self.record.hold:
+            return f"on hold: {self.record.hold.reason}"
+        if self.record.out_of_service:
+            return f"out of service: {self.record.out_of_service}"
+        return ""
+
+    @property
+    def fit(self) -> bool:
+        """Whether it can be given motion and handling: settled, in AUTO, without alarm, not barred."""
+        return (
+            self.stage is Stage.READY
+            and self.mode is Mode.AUTO
+            and self.oper is not Oper.ALARM
+            and not self.barred
+            and self.recovery is None
+        )
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether it stands with no motion or handling of ours under way."""
+        return self.drive is None and self.handling is None
+
+    @property
+    def available(self) -> bool:
+        """Whether a job may be given to it: nothing to do, or only giving way or parking."""
+        free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
+        return self.fit and free and self.job is None and self.order is None and self.handling is None
+
+
+ACQUIRING_LEGS = frozenset({Leg.TO_SOURCE, Leg.ACQUIRING})

@@ -1,0 +1,230 @@
+"""How the fleet's state looks to people and hosts (``app.domain.view``)."""
+
+from collections.abc import Callable, Iterable
+
+from app.domain.ids import Epoch, VehicleId
+from app.domain.job import Job, Leg
+from app.domain.layout import Plant, Station
+from app.domain.records import (
+    CarrierRecord,
+    ControllerRecord,
+    HistoryEvent,
+    Intent,
+    Provenance,
+    StationDest,
+    StationRecord,
+)
+from app.domain.units import Seconds, Timestamp
+from app.domain.vehicle import Oper, VehicleState
+from app.domain.view import (
+    BitView,
+    CarrierView,
+    CommandView,
+    ControllerView,
+    EventView,
+    HoldView,
+    JobView,
+    LinkView,
+    LockoutView,
+    StationView,
+    VehicleView,
+)
+from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
+
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON})
+"""Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
+
+
+def view_of_job(job: Job) -> JobView:
+    """Return a job as people see it."""
+    return JobView(
+        id=job.id,
+        order=job.order,
+        state=job.state.value,
+        leg=job.leg.value,
+        source=job.source,
+        destination=job.destination,
+        priority=job.priority,
+        carrier=job.carrier,
+        vehicle=job.vehicle,
+        wish=job.wish,
+        fallbacks=job.fallbacks,
+        reason=job.reason,
+        result=job.result,
+        actor=job.actor,
+        created=job.created,
+        assigned=job.assigned,
+        picked=job.picked,
+        ended=job.ended,
+    )
+
+
+def view_of_event(event: HistoryEvent) -> EventView:
+    """Return a durable event as people see it."""
+    return EventView(
+        seq=event.seq,
+        at=event.at,
+        event=event.event,
+        ceid=event.ceid,
+        job=event.job,
+        carrier=event.carrier,
+        vehicle=event.vehicle,
+        source=event.source,
+        destination=event.destination,
+        result=event.result,
+        detail=event.detail,
+    )
+
+
+def view_of_station(spec: Station, record: StationRecord, dest: StationDest | None) -> StationView:
+    """Return a station and what is believed of it."""
+    return StationView(
+        id=spec.id,
+        kind=spec.kind.value,
+        barcode=spec.barcode,
+        present=record.present,
+        carrier=record.carrier,
+        reserved=record.reserved,
+        out_of_service=record.out_of_service,
+        provenance=record.provenance.value,
+        verified=record.provenance in VERIFIED,
+        at=record.at,
+        target=(dest.pulses.shft, dest.pulses.rota, dest.pulses.lift) if dest else None,
+        target_version=dest.version if dest else None,
+    )
+
+
+def view_of_carrier(record: CarrierRecord) -> CarrierView:
+    """Return where a carrier is believed to be."""
+    return CarrierView(record.carrier, record.place, record.provenance.value, record.provenance in VERIFIED, record.at)
+
+
+def view_of_controller(
+    plant: str, record: ControllerRecord, epoch: Epoch, started: Timestamp, waiting_for: Iterable[VehicleId]
+) -> ControllerView:
+    """Return the controller as a whole."""
+    return ControllerView(
+        plant=plant,
+        state=record.state.value,
+        reason=record.reason,
+        epoch=epoch,
+        started=started,
+        waiting_for=tuple(waiting_for),
+    )
+
+
+def view_of_intent(intent: Intent) -> CommandView:
+    """Return a command and its outcome."""
+    return CommandView(
+        cmd_id=f"{intent.cmd_id:016x}",
+        vehicle=intent.vehicle,
+        kind=intent.kind,
+        state=intent.state.value,
+        actor=intent.actor,
+        opened=intent.opened,
+        closed=intent.closed,
+        outcome=intent.outcome,
+        job=intent.job,
+    )
+
+
+def state_of(vehicle: VehicleNow, job: Job | None) -> VehicleState:
+    """Return the E82 state (ARCHITECTURE section 4)."""
+    if vehicle.record.off_rail or vehicle.stage is Stage.ABSENT:
+        return VehicleState.REMOVED
+    if vehicle.handling:
+        return VehicleState.ACQUIRING if vehicle.handling.pickup else VehicleState.DEPOSITING
+    if job is None:
+        return VehicleState.NOT_ASSIGNED
+    if job.leg in {Leg.ACQUIRING, Leg.DEPOSITING} and vehicle.stage is Stage.SETTLING:
+        return VehicleState.ACQUIRING if job.leg is Leg.ACQUIRING else VehicleState.DEPOSITING
+    return VehicleState.ENROUTE if vehicle.drive else VehicleState.PARKED
+
+
+def activity_of(vehicle: VehicleNow) -> str:
+    """Return one word for people."""
+    first = (
+        (vehicle.record.off_rail, "off_rail"),
+        (vehicle.stage is Stage.ABSENT, "absent"),
+        (vehicle.record.lockout, "locked_out"),
+        (vehicle.recovery, "recovering"),
+        (vehicle.record.hold, "held"),
+        (vehicle.oper is Oper.ALARM, "alarm"),
+        (vehicle.stage is Stage.SETTLING, "settling"),
+        (vehicle.handling and vehicle.handling.pickup, "acquiring"),
+        (vehicle.handling, "depositing"),
+        (vehicle.oper is Oper.PAUSE, "paused"),
+        (vehicle.drive, "moving"),
+        (vehicle.waiting, "waiting"),
+        (vehicle.errand or vehicle.job or vehicle.order, "busy"),
+    )
+    return next((word for applies, word in first if applies), "idle")
+
+
+def address_of(vehicle: VehicleNow) -> str:
+    """Return where the vehicle's line leads."""
+    spec = vehicle.spec
+    return f"listening for DEV_ID {spec.dev_id}" if spec.listen else f"{spec.host}:{spec.port}"
+
+
+def goal_of(errand: Errand | None, job: Job | None) -> str | None:
+    """Return what the vehicle is going to, as a station where it is one."""
+    if errand is None:
+        return None
+    if job and errand.purpose is Purpose.SOURCE:
+        return job.source
+    if job and errand.purpose is Purpose.DESTINATION:
+        return job.destination
+    return errand.goal
+
+
+def view_of_vehicle(
+    vehicle: VehicleNow,
+    job: Job | None,
+    plant: Plant,
+    link: LinkView,
+    utc_at: Callable[[Seconds], Timestamp],
+) -> VehicleView:
+    """Return a vehicle as people see it."""
+    spec, record, status = vehicle.spec, vehicle.record, vehicle.status
+    condition = status.condition if status else None
+    hold = HoldView(record.hold.reason, record.hold.remedy, record.hold.since) if record.hold else None
+    lock = record.lockout
+    return VehicleView(
+        id=spec.id,
+        dev_id=spec.dev_id,
+        dialect=spec.dialect,
+        address=address_of(vehicle),
+        state=state_of(vehicle, job).value,
+        activity=activity_of(vehicle),
+        service="out_of_service" if record.out_of_service else "in_service",
+        link=link,
+        mode=condition.mode.name.lower() if condition else None,
+        oper=condition.oper.name.lower() if condition else None,
+        code=condition.code if condition else None,
+        code_name=_code_name(vehicle, plant),
+        loaded=condition.loaded if condition else None,
+        carrier=record.carrier,
+        barcode=vehicle.barcode or (status.barcode if status else record.barcode),
+        dist=status.dist if status else None,
+        seq=status.seq if status else None,
+        status1=f"{condition.status1:08X}" if condition else None,
+        status2=f"{condition.status2:08X}" if condition else None,
+        bits=tuple(BitView(*detail) for detail in condition.details) if condition else (),
+        job=vehicle.job,
+        goal=goal_of(vehicle.errand, job),
+        waiting=vehicle.waiting or (vehicle.barred if vehicle.barred else ""),
+        granted=tuple(vehicle.ahead),
+        covered=tuple(vehicle.trail),
+        hold=hold,
+        lockout=LockoutView(lock.owner, lock.reason, lock.since, lock.releases) if lock else None,
+        seen=utc_at(vehicle.seen) if vehicle.seen is not None else None,
+    )
+
+
+def _code_name(vehicle: VehicleNow, plant: Plant) -> str:
+    if vehicle.status is None:
+        return ""
+    condition = vehicle.status.condition
+    names = plant.alarm_codes if condition.oper is Oper.ALARM else plant.process_codes
+    return names.get(condition.code, "")
