@@ -140,6 +140,12 @@ class Exchange:
         self._frames_out += 1
         self.last_frames.append((now, "out", packet))
 
+    def ask(self, now: Seconds) -> None:
+        """Ask STATUS now instead of at the next turn; does nothing while the vehicle is not up."""
+        if self.up:
+            self._poll(now)
+            self._plan()
+
     def _poll(self, now: Seconds) -> None:
         cmd_id = self._ids.next()
         self._polls.asked(cmd_id, now, self.timing.status)

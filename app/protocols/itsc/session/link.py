@@ -88,7 +88,7 @@ class Polls:
 
     def asked(self, cmd_id: int, now: Seconds, answer: Seconds) -> None:
         """Note a question; the next one is due when its answer is late."""
-        if self.open:
+        if self.open and now >= self.due:
             self.lost += 1
         if len(self.open) >= POLLS_KEPT:
             del self.open[next(iter(self.open))]
