@@ -12,6 +12,7 @@ from app.api.calls import (
     answer_of,
     answer_view,
     ask,
+    changed_meanwhile,
     listing,
     live_object,
     missing,
@@ -112,7 +113,9 @@ def versions(rows: Sequence[StationDest | VehicleOffset]) -> Response:
 async def write_dest(station: PathId, body: Target, request: Request, controller: Ctl, actor: Who) -> Response:
     """Write a new version of a port's DEST; with If-Match only if nobody else did meanwhile."""
     expected = version_expected(request)
-    return await _written(controller, station, requests.WriteDest(actor, StationId(station), body.pulses(), expected))
+    asked = requests.WriteDest(actor, StationId(station), body.pulses(), expected)
+    with changed_meanwhile(expected):
+        return await _written(controller, station, asked)
 
 
 @carriers.get("", **gives("Carrier[]", description="All carriers; up to 100 ms old."))

@@ -43,7 +43,7 @@ from app.domain import requests
 from app.domain.ids import Actor, CmdId, StationId, VehicleId
 from app.domain.layout import VehicleSpec
 from app.domain.units import Barcode
-from app.domain.view import Topic
+from app.domain.view import CommandView, Topic
 from app.fleet.views import view_of_intent
 from app.runtime.showing import shown
 
@@ -89,7 +89,7 @@ async def list_commands(vehicle: PathId, controller: Ctl, limit: Limit = 100) ->
 async def get_command(vehicle: PathId, command: PathId, controller: Ctl) -> Response:
     """Show one command by its 16 hex digits."""
     live = controller.model.get(Topic.COMMANDS, command.lower())
-    if live is not None:
+    if isinstance(live, CommandView) and live.vehicle == vehicle:
         return answer_view(live)
     number = int(command, 16) if len(command) == 16 and set(command.lower()) <= set("0123456789abcdef") else 0
     intent = await read(controller.reader.intent, CmdId(number)) if number else None

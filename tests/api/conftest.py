@@ -4,8 +4,9 @@ from collections.abc import AsyncIterator
 
 import httpx
 import pytest
+from fastapi import FastAPI
 
-from app.api import application
+from app.api.application import described
 from app.settings import Settings
 from tests.api.scripted import Scripted
 
@@ -20,8 +21,20 @@ def controller() -> Scripted:
     return Scripted()
 
 
+@pytest.fixture(scope="session")
+def described_app() -> FastAPI:
+    return described(Settings())
+
+
 @pytest.fixture
-async def client(controller: Scripted) -> AsyncIterator[httpx.AsyncClient]:
-    transport = httpx.ASGITransport(application(controller, Settings()), raise_app_exceptions=False)
+def served(controller: Scripted, described_app: FastAPI) -> FastAPI:
+    described_app.state.controller = controller
+    described_app.state.layout = None
+    return described_app
+
+
+@pytest.fixture
+async def client(served: FastAPI) -> AsyncIterator[httpx.AsyncClient]:
+    transport = httpx.ASGITransport(served, raise_app_exceptions=False)
     async with httpx.AsyncClient(transport=transport, base_url="http://localhost/api/v1") as client:
         yield client
