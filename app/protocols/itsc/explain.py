@@ -85,9 +85,9 @@ def explain(data: bytes, dialect: Dialect, language: Language = "en") -> Explana
     for down, up in zip(_items(data, codec, Toward.VEHICLE), _items(data, codec, Toward.CONTROLLER), strict=True):
         size = _size(down, codec)
         cut = data[offset : offset + size]
-        if isinstance(down, Garbled) or isinstance(up, Garbled):
-            pieces.append(Piece(offset, cut, garbled=down if isinstance(down, Garbled) else None))
-        else:
+        if isinstance(down, Garbled):
+            pieces.append(Piece(offset, cut, garbled=down))
+        elif not isinstance(up, Garbled):
             readings = [
                 Reading(way, frame, tuple(frame_rows(frame, codec, language)))
                 for way, frame in _ways(down, up, cut, codec)
@@ -187,8 +187,9 @@ def _sensible(data: bytes, dialect: Dialect) -> int:
     for down, up in zip(_items(data, codec, Toward.VEHICLE), _items(data, codec, Toward.CONTROLLER), strict=True):
         size = _size(down, codec)
         if not isinstance(down, Garbled) and not isinstance(up, Garbled):
-            ways = _ways(down, up, data[offset : offset + size], codec)
-            sensible += size * any(not codec.problems(frame) and _is_usual(frame) for _, frame in ways)
+            cut = data[offset : offset + size]
+            ways = _ways(down, up, cut, codec)
+            sensible += size * any(_is_sound(frame, cut, codec) and _is_usual(frame) for _, frame in ways)
         offset += size
     return sensible
 
