@@ -1,0 +1,130 @@
+"""The committed descriptions are up to date, and answers are what they say."""
+
+import asyncio
+import json
+from pathlib import Path
+from typing import Any
+
+import httpx
+import jsonschema
+import pytest
+import yaml
+from fastapi import FastAPI
+from referencing import Registry
+from referencing.jsonschema import DRAFT202012
+from typer import Typer
+from typer.testing import CliRunner
+
+from app.cli.openapi import document, openapi
+from app.domain import requests as r
+from app.domain.view import Topic
+from tests.api.scripted import ACTOR, NOW, Scripted
+from tests.api.sockets import Socket
+
+ROOT = Path(__file__).parents[2]
+DOCUMENT: dict[str, Any] = json.loads((ROOT / "openapi/openapi.json").read_text(encoding="utf-8"))
+ASYNC: dict[str, Any] = yaml.safe_load((ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8"))
+REGISTRY: Registry[Any] = Registry().with_resources(
+    [
+        (name, DRAFT202012.create_resource(contents))
+        for name, contents in (("openapi.json", DOCUMENT), ("asyncapi.yaml", ASYNC))
+    ]
+)
+ORDER = {"job_id": "LOT-1", "source": "P1", "destination": "P2", "carrier": "F1"}
+
+
+def valid(instance: object, pointer: str) -> None:
+    jsonschema.Draft202012Validator({"$ref": pointer}, registry=REGISTRY).validate(instance)
+
+
+def test_the_committed_openapi_document_is_up_to_date() -> None:
+    assert (ROOT / "openapi/openapi.json").read_text(encoding="utf-8") == document(), "run `hoistway openapi`"
+
+
+def test_the_command_writes_and_checks_the_document(tmp_path: Path) -> None:
+    app, runner, file = Typer(), CliRunner(), tmp_path / "api" / "openapi.json"
+    app.command()(openapi)
+    assert runner.invoke(app, [str(file), "--check"]).exit_code == 1
+    assert runner.invoke(app, [str(file)]).exit_code == 0
+    assert runner.invoke(app, [str(file), "--check"]).exit_code == 0
+
+
+def test_every_operation_is_named_described_and_declares_its_problems() -> None:
+    operations = [op for path in DOCUMENT["paths"].values() for op in path.values()]
+    names = [op["operationId"] for op in operations]
+    assert len(set(names)) == len(names)
+    for operation in operations:
+        assert operation["description"]
+        assert operation["responses"]["default"] == {"$ref": "#/components/responses/Problem"}
+    assert DOCUMENT["openapi"].startswith("3.1")
+
+
+def test_every_reference_of_the_descriptions_leads_somewhere() -> None:
+    resolver = REGISTRY.resolver("openapi.json")
+    for name in DOCUMENT["components"]["schemas"]:
+        resolver.lookup(f"openapi.json#/components/schemas/{name}")
+    for text in (json.dumps(DOCUMENT), json.dumps(ASYNC)):
+        base = "openapi.json" if text.startswith('{"openapi') else "asyncapi.yaml"
+        for reference in {part.partition('"')[0] for part in text.split('"$ref": "')[1:]}:
+            resolver.lookup(base + reference if reference.startswith("#") else reference)
+
+
+def test_the_live_description_names_every_topic() -> None:
+    messages = ASYNC["components"]["messages"]
+    assert set(messages["words"]["payload"]["properties"]["topics"]["items"]["enum"]) == set(Topic)
+    objects = set(messages["snapshot"]["payload"]["properties"]["objects"]["properties"])
+    changed = set(messages["change"]["payload"]["properties"]["changes"]["items"]["properties"]["topic"]["enum"])
+    assert objects == changed == set(Topic) - {Topic.EVENTS}
+
+
+@pytest.mark.anyio
+async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClient, controller: Scripted) -> None:
+    controller.traffic = [(NOW, "in", b"\x06")]
+    pulses = {"shft": 1, "rota": 2, "lift": 3}
+    await client.post("/jobs", json=ORDER)
+    command = (await client.post("/vehicles/V001/commands", json={"command": "status"})).json()["cmd_id"]
+    await client.put("/carriers/F1", json={"place": "P1"})
+    await client.put("/stations/P1/dest", json=pulses)
+    await client.put("/vehicles/V001/offset", json=pulses)
+    known = {"job": "LOT-1", "vehicle": "V001", "station": "P1", "carrier": "F1", "command": command, "code": "invalid"}
+    seen = 0
+    for path, operations in DOCUMENT["paths"].items():
+        if "get" not in operations or path.endswith("/stream"):
+            continue
+        answer = await client.get("http://localhost" + path.format(**known))
+        assert answer.status_code == 200, path
+        pointer = path.replace("~", "~0").replace("/", "~1").replace("{", "%7B").replace("}", "%7D")
+        where = f"openapi.json#/paths/{pointer}/get/responses/200/content/application~1json/schema"
+        valid(answer.json(), where)
+        seen += 1
+    assert seen > 20
+    valid((await client.get("/jobs/nope")).json(), "openapi.json#/components/schemas/Problem")
+
+
+@pytest.mark.anyio
+async def test_every_live_frame_is_what_the_description_says(served: FastAPI, controller: Scripted) -> None:
+    async with Socket(served, query="topics=" + ",".join(Topic)) as socket:
+        await socket.accepted()
+        frames = [await socket.frame()]
+        await controller.ask(r.PauseController(ACTOR, "x"))
+        controller.happen("ControllerPausing")
+        controller.hub.flush()
+        await asyncio.sleep(0)
+        frames += [await socket.frame(), await socket.frame()]
+        socket.say("?")
+        socket.say('{"resync": true}')
+        frames += [await socket.frame() for _ in range(3)]
+    assert {frame["type"] for frame in frames} == {"snapshot", "change", "event", "error", "resync"}
+    for frame in frames:
+        valid(frame, f"asyncapi.yaml#/components/messages/{frame['type']}/payload")
+
+
+@pytest.mark.anyio
+async def test_the_docs_need_nothing_from_elsewhere(client: httpx.AsyncClient) -> None:
+    page = await client.get("http://localhost/api/docs")
+    assert page.status_code == 200
+    sources = [part.partition('"')[0] for marker in ('src="', 'href="') for part in page.text.split(marker)[1:]]
+    assert len(sources) == 3
+    for source in sources:
+        assert source.startswith("/api/docs/files/")
+        assert (await client.get(f"http://localhost{source}")).status_code == 200

@@ -1,0 +1,162 @@
+"""Every route answers bad input with a problem, never with a defect."""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+
+from app.api.application import described
+from app.settings import Settings
+from tests.api.scripted import Scripted
+
+pytestmark = pytest.mark.anyio
+
+DOCUMENT = described(Settings()).openapi()
+SCHEMAS: dict[str, Any] = DOCUMENT["components"]["schemas"]
+OPERATIONS = [
+    (method.upper(), path, operation) for path, ops in DOCUMENT["paths"].items() for method, operation in ops.items()
+]
+WITH_BODY = [(method, path, op["requestBody"]) for method, path, op in OPERATIONS if "requestBody" in op]
+KNOWN = {
+    "job": "LOT-1",
+    "vehicle": "V001",
+    "station": "P1",
+    "carrier": "F1",
+    "command": "0000000000000001",
+    "code": "invalid",
+}
+EXAMPLES: dict[str, Any] = {
+    "JobIn": {"source": "P1", "destination": "P2"},
+    "JobChange": {"priority": 5},
+    "PlainCommand": {"command": "status"},
+    "DisplayCommand": {"command": "display", "text": "A"},
+    "MoveCommand": {"command": "move", "barcode": "1001"},
+    "TransferCommand": {"command": "pickup", "station": "P1"},
+    "RecoverIn": {},
+    "ReasonIn": {"reason": "x"},
+    "ReleaseIn": {"verdict": "go_on", "reason": "x"},
+    "ServiceIn": {"in_service": True},
+    "Target": {"shft": 1, "rota": 2, "lift": 3},
+    "StationPut": {"present": True, "carrier": "", "reserved": "", "out_of_service": ""},
+    "StationPatch": {"present": True},
+    "CarrierPut": {"place": "P1"},
+}
+WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
+RAW = [
+    b"",
+    b"{",
+    b"null",
+    b"[]",
+    b'"a"',
+    b"NaN",
+    b'{"priority": NaN}',
+    b"\xff\xfe",
+    b"[" * 20000,
+    b'{"priority": ' + b"9" * 5000 + b"}",
+]
+
+
+def filled(path: str, **others: str) -> str:
+    return "http://localhost" + path.format(**(KNOWN | others))
+
+
+def bodies(request_body: dict[str, Any]) -> Iterator[str]:
+    schema = request_body["content"]["application/json"]["schema"]
+    for part in schema.get("oneOf", [schema]):
+        yield part["$ref"].rpartition("/")[2]
+
+
+def check(answer: httpx.Response) -> None:
+    """A problem, or what was asked for; never a defect."""
+    assert answer.status_code < 500, answer.text
+    if answer.status_code >= 400:
+        assert answer.headers["content-type"] == "application/problem+json"
+        problem = answer.json()
+        assert problem["status"] == answer.status_code
+        assert problem["detail"]
+        assert problem["title"]
+
+
+@pytest.mark.parametrize(("method", "path", "body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
+async def test_each_field_of_each_body_refuses_what_it_cannot_be(
+    client: httpx.AsyncClient, controller: Scripted, method: str, path: str, body: dict[str, Any]
+) -> None:
+    for name in bodies(body):
+        for field in SCHEMAS[name]["properties"]:
+            for wrong in WRONG:
+                sent = json.dumps(EXAMPLES[name] | {field: wrong}).encode()
+                headers = {"Content-Type": "application/json", "X-Actor": "kim"}
+                answer = await client.request(method, filled(path), content=sent, headers=headers)
+                check(answer)
+                if isinstance(wrong, str) and wrong[:1] in {"a", "x", "\ud800"}:
+                    assert answer.status_code == 422, (field, wrong)
+                    assert not controller.seen
+                controller.seen.clear()
+
+
+@pytest.mark.parametrize(("method", "path", "body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
+async def test_a_body_with_a_field_too_many_or_too_few_is_refused(
+    client: httpx.AsyncClient, controller: Scripted, method: str, path: str, body: dict[str, Any]
+) -> None:
+    for name in bodies(body):
+        more = await client.request(
+            method, filled(path), json=EXAMPLES[name] | {"surprise": 1}, headers={"X-Actor": "k"}
+        )
+        assert (more.status_code, more.json()["detail"]) == (422, more.json()["field"] + ": there is no such field")
+        for field in SCHEMAS[name].get("required", []):
+            less = {key: value for key, value in EXAMPLES[name].items() if key != field}
+            answer = await client.request(method, filled(path), json=less, headers={"X-Actor": "k"})
+            assert answer.status_code == 422
+    assert not controller.seen
+
+
+@pytest.mark.parametrize(("method", "path", "_body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
+async def test_what_is_not_json_is_refused(
+    client: httpx.AsyncClient, method: str, path: str, _body: dict[str, Any]
+) -> None:
+    for raw in RAW:
+        headers = {"Content-Type": "application/json", "X-Actor": "kim"}
+        answer = await client.request(method, filled(path), content=raw, headers=headers)
+        check(answer)
+        assert answer.status_code in {400, 422}
+    form = {"Content-Type": "application/x-www-form-urlencoded", "X-Actor": "kim"}
+    answer = await client.request(method, filled(path), content=b"{}", headers=form)
+    assert (answer.status_code, answer.json()["code"]) == (415, "media-type")
+
+
+@pytest.mark.parametrize(("method", "path", "_op"), OPERATIONS, ids=[f"{m} {p}" for m, p, _ in OPERATIONS])
+async def test_odd_names_in_paths_and_questions_are_refused(
+    client: httpx.AsyncClient, method: str, path: str, _op: object
+) -> None:
+    if path.endswith("/stream"):
+        return
+    for odd in ("%00", "%0a", "x" * 65, "%ff", "a%2Fb", "..", "%E2%80%AE", "%20"):
+        if "{" in path:
+            url = path.format(**dict.fromkeys(KNOWN, odd))
+            check(await client.request(method, f"http://localhost{url}", json={}, headers={"X-Actor": "kim"}))
+    for query in ("limit=0", "limit=x", "after=-1", f"after={1 << 70}", "state=nope", "job=%00", "lang=xx", "vehicle="):
+        check(await client.request(method, f"{filled(path)}?{query}", headers={"X-Actor": "kim"}))
+
+
+@pytest.mark.parametrize("path", sorted(DOCUMENT["paths"]))
+async def test_a_method_that_a_path_does_not_have_is_405(client: httpx.AsyncClient, path: str) -> None:
+    answer = await client.request("TRACE", filled(path))
+    check(answer)
+    assert answer.status_code == 405
+    assert answer.headers["allow"]
+
+
+@pytest.mark.parametrize(
+    "path", ["/api/v1/nope", "/nope", "/api/v1/jobs/", "/api/v1/vehicles/V001/nope", "//", "/api/v2"]
+)
+async def test_a_path_that_is_not_there_is_a_404_problem(client: httpx.AsyncClient, path: str) -> None:
+    answer = await client.get(f"http://localhost{path}")
+    check(answer)
+    assert answer.status_code == 404
+
+
+async def test_every_code_of_a_refusal_has_a_status(client: httpx.AsyncClient) -> None:
+    codes = {item["code"] for item in (await client.get("/problems")).json()["items"]}
+    assert {"not-found", "conflict", "not-now", "invalid", "no-route"} <= codes
