@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def decode(
     protocol: Annotated[str, typer.Argument(help="itsc")],
-    hex: Annotated[str, typer.Argument(help="the bytes; blanks, commas and 0x do not matter")],  # noqa: A002
+    hex: Annotated[list[str], typer.Argument(help="the bytes; blanks, commas and 0x do not matter")],  # noqa: A002
     dialect: Annotated[str, typer.Option(help="a named dialect of the protocol")] = "default",
     json: Annotated[bool, typer.Option("--json", help="for a program")] = False,
     lang: Annotated[str, typer.Option(help="en or ko")] = "en",
@@ -31,7 +31,7 @@ def decode(
     if lang not in ("en", "ko"):
         _refuse(unknown("language", lang, ("en", "ko")))
     try:
-        data = parse_hex(hex)
+        data = parse_hex(" ".join(hex))
         if not data:
             _refuse("no bytes were given")
         print(show(data, dialect, lang, json))

@@ -8,15 +8,15 @@ from app.cli.decode import decode
 MOVING = "05 00000001 0000000000000001 7030 08111134 EF002100 0000000004B3 0007 7065"
 
 
-def refused(capsys: pytest.CaptureFixture[str], *arguments: str, **options: str) -> str:
+def refused(capsys: pytest.CaptureFixture[str], protocol: str, text: str, **options: str) -> str:
     with pytest.raises(typer.Exit) as left:
-        decode(*arguments, **options)  # type: ignore[arg-type]
+        decode(protocol, [text], **options)  # type: ignore[arg-type]
     assert left.value.exit_code == 2
     return capsys.readouterr().err
 
 
 def test_a_packet_is_explained_line_by_line(capsys: pytest.CaptureFixture[str]) -> None:
-    decode("itsc", MOVING + " FF")
+    decode("itsc", [*MOVING.split(), "FF"])
     out = capsys.readouterr().out
     assert "[vehicle to controller]" in out
     assert "TRAV   8                 driving" in out
@@ -24,12 +24,12 @@ def test_a_packet_is_explained_line_by_line(capsys: pytest.CaptureFixture[str]) 
 
 
 def test_a_packet_is_explained_in_korean(capsys: pytest.CaptureFixture[str]) -> None:
-    decode("itsc", MOVING, lang="ko")
+    decode("itsc", [MOVING], lang="ko")
     assert "구동 중" in capsys.readouterr().out
 
 
 def test_a_program_gets_json(capsys: pytest.CaptureFixture[str]) -> None:
-    decode("itsc", MOVING + "00", json=True, dialect="itsc.default")
+    decode("itsc", [MOVING + "00"], json=True, dialect="itsc.default")
     told = json.loads(capsys.readouterr().out)
     first, rubbish = told["pieces"]
     assert told["dialect"] == "default"
@@ -38,7 +38,7 @@ def test_a_program_gets_json(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_another_dialect_is_suggested(capsys: pytest.CaptureFixture[str]) -> None:
-    decode("itsc", MOVING, dialect="slides")
+    decode("itsc", [MOVING], dialect="slides")
     assert "* dialect default makes more sense of it (barcode 1203 SEQ 7)" in capsys.readouterr().out
 
 
