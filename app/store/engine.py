@@ -77,6 +77,8 @@ def told(what: str) -> Iterator[None]:
         yield
     except (sa.exc.IntegrityError, sa.exc.DataError, sa.exc.ProgrammingError) as cause:
         raise StoreRefused(f"{what}: {_words(cause)}") from cause
+    except (UnicodeEncodeError, OverflowError) as cause:
+        raise StoreRefused(f"{what}: {cause}") from cause
     except sa.exc.DBAPIError as cause:
         raise StoreError(f"{what}: {_words(cause)}", remedy=_remedy(cause)) from cause
     except sa.exc.SQLAlchemyError as cause:

@@ -1,31 +1,25 @@
 """The reading side: what is committed, on connections of its own. Never waits for the writer and never makes it wait."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import sqlalchemy as sa
 
 from app.domain.errors import StoreError
 from app.domain.ids import CmdId, JobId, StationId, VehicleId
-from app.domain.job import Job, JobState
+from app.domain.job import Job
 from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, TeachingEvent, VehicleOffset
-from app.domain.units import Timestamp
 from app.store import rows
 from app.store.engine import MEMORY, parsed, reading, told
 from app.store.tables import audit, events, intents, jobs, station_dests, teaching_events, vehicle_offsets
 
 T = TypeVar("T")
+_NOW: dict[str, sa.ColumnElement[float]] = {
+    "sqlite": sa.cast(sa.func.strftime("%s", "now"), sa.Double),
+    "postgresql": sa.cast(sa.func.extract("epoch", sa.func.now()), sa.Double),
+}
 KEY_SECONDS = 7 * 86_400
 """How long an idempotency key names its job (COMMANDS section 5)."""
-
-
-@dataclass(frozen=True, slots=True)
-class Numbered:
-    """An audit row with its number, which rises with time: the key of paging."""
-
-    seq: int
-    row: AuditRow
 
 
 class Reader:
@@ -40,6 +34,7 @@ class Reader:
         if made.database == MEMORY:
             raise StoreError("a database in memory can be read by its ledger alone", remedy="Keep the plant in a file.")
         self._engine = reading(made)
+        self._now = _NOW[made.get_backend_name()]
 
     def close(self) -> None:
         """Close all connections."""
@@ -49,14 +44,15 @@ class Reader:
         """Return a job, ended or not."""
         return self._first(sa.select(jobs).where(jobs.c.id == job), rows.job)
 
-    def job_by_key(self, key: str, now: Timestamp) -> Job | None:
+    def job_by_key(self, key: str) -> Job | None:
         """Return the job accepted under this idempotency key within the last 7 days; the newest, if there are several."""
-        young = sa.and_(jobs.c.idempotency_key == key, jobs.c.created > now - KEY_SECONDS)
-        return self._first(sa.select(jobs).where(young).order_by(jobs.c.number.desc()).limit(1), rows.job)
+        known = sa.and_(jobs.c.idempotency_key == key, jobs.c.created > self._now - KEY_SECONDS)
+        return self._first(sa.select(jobs).where(known).order_by(jobs.c.number.desc()).limit(1), rows.job)
 
     def jobs(
         self,
-        state: JobState | None = None,
+        *,
+        state: str | None = None,
         carrier: str | None = None,
         vehicle: str | None = None,
         after: int | None = None,
@@ -69,7 +65,7 @@ class Reader:
         return self._list(query.order_by(jobs.c.number.desc()).limit(limit), rows.job)
 
     def events(
-        self, after: int = 0, limit: int = 1000, job: str | None = None, vehicle: str | None = None
+        self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
     ) -> list[HistoryEvent]:
         """Return durable events in order; ``after`` is the ``seq`` of the last one seen."""
         query = _where(sa.select(events), {events.c.job: job, events.c.vehicle: vehicle})
@@ -84,20 +80,20 @@ class Reader:
         query = sa.select(intents).where(intents.c.vehicle == vehicle)
         return self._list(query.order_by(intents.c.cmd_id.desc()).limit(limit), rows.intent)
 
-    def audit(self, after: int = 0, limit: int = 1000) -> list[Numbered]:
-        """Return what was asked for, oldest first; ``after`` is the ``seq`` of the last one seen."""
+    def audit(self, after: int = 0, limit: int = 100) -> list[tuple[int, AuditRow]]:
+        """Return what was asked for with its number, oldest first; ``after`` is the number of the last one seen."""
         query = sa.select(audit).where(audit.c.seq > after).order_by(audit.c.seq).limit(limit)
-        return self._list(query, lambda row: Numbered(row.seq, rows.audit(row)))
+        return self._list(query, lambda row: (row.seq, rows.audit(row)))
 
     def dests(self, station: StationId) -> list[StationDest]:
-        """Return every version of a station's DEST, newest first."""
+        """Return every version of a station's DEST, oldest first."""
         query = sa.select(station_dests).where(station_dests.c.station == station)
-        return self._list(query.order_by(station_dests.c.version.desc()), rows.dest)
+        return self._list(query.order_by(station_dests.c.version), rows.dest)
 
     def offsets(self, vehicle: VehicleId) -> list[VehicleOffset]:
-        """Return every version of a vehicle's OFFSET, newest first."""
+        """Return every version of a vehicle's OFFSET, oldest first."""
         query = sa.select(vehicle_offsets).where(vehicle_offsets.c.vehicle == vehicle)
-        return self._list(query.order_by(vehicle_offsets.c.version.desc()), rows.offset)
+        return self._list(query.order_by(vehicle_offsets.c.version), rows.offset)
 
     def teaching(self, vehicle: VehicleId, limit: int = 100) -> list[TeachingEvent]:
         """Return a vehicle's raw teaching events, newest first."""

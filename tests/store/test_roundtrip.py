@@ -1,0 +1,197 @@
+"""Every record type comes back equal to what was written, whatever it says."""
+
+from collections.abc import Callable
+from typing import Any, get_args
+
+import pytest
+import sqlalchemy as sa
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.domain.job import TERMINAL, Job, JobState, Leg
+from app.domain.layout import Axis, PulseSet
+from app.domain.records import (
+    AuditRow,
+    CarrierGone,
+    CarrierRecord,
+    ControllerRecord,
+    ControllerState,
+    HistoryEvent,
+    Hold,
+    Intent,
+    IntentState,
+    Kept,
+    Lockout,
+    Provenance,
+    Record,
+    StationDest,
+    StationRecord,
+    TeachingEvent,
+    VehicleOffset,
+    VehicleRecord,
+)
+from app.store import tables
+from app.store.reading import Reader
+from app.store.rows import ROW_OF
+from app.store.statements import APPENDED, REPLACED
+from tests.store.conftest import Open
+
+TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"), max_size=12)
+INT64 = st.integers(-(1 << 63), (1 << 63) - 1)
+UINT64 = st.integers(0, (1 << 64) - 1)
+PULSES = st.integers(-(1 << 31), (1 << 31) - 1)
+TIME = st.floats(0, 4e9)
+JSON = st.recursive(
+    st.none() | st.booleans() | INT64 | st.floats(allow_nan=False, allow_infinity=False) | TEXT,
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(TEXT, inner, max_size=3),
+    max_leaves=6,
+)
+NAMES = st.lists(TEXT, max_size=4).map(tuple)
+MAYBE = st.none() | TEXT
+PROVENANCE = st.sampled_from(Provenance)
+PULSE_SETS = st.builds(PulseSet, PULSES, PULSES, PULSES)
+HOLDS = st.builds(Hold, reason=TEXT, remedy=TEXT, since=TIME)
+LOCKOUTS = st.builds(Lockout, owner=TEXT, reason=TEXT, since=TIME, releases=NAMES)
+TAUGHT: dict[str, st.SearchStrategy[Any]] = {
+    "version": st.integers(1, 1 << 31),
+    "pulses": PULSE_SETS,
+    "actor": TEXT,
+    "source": TEXT,
+    "at": TIME,
+}
+
+RECORDS: dict[type, st.SearchStrategy[Any]] = {
+    Job: st.builds(
+        Job,
+        id=TEXT,
+        order=st.integers(1, 1 << 62),
+        carrier=MAYBE,
+        source=TEXT,
+        destination=TEXT,
+        priority=st.integers(-100, 100),
+        created=TIME,
+        actor=TEXT,
+        fingerprint=TEXT,
+        idempotency_key=MAYBE,
+        state=st.sampled_from(JobState),
+        leg=st.sampled_from(Leg),
+        vehicle=MAYBE,
+        wish=MAYBE,
+        fallbacks=NAMES,
+        reason=TEXT,
+        result=TEXT,
+        assigned=st.none() | TIME,
+        picked=st.none() | TIME,
+        ended=st.none() | TIME,
+    ),
+    Intent: st.builds(
+        Intent,
+        cmd_id=UINT64,
+        vehicle=TEXT,
+        kind=TEXT,
+        state=st.sampled_from(IntentState),
+        opened=TIME,
+        actor=TEXT,
+        job=MAYBE,
+        path=NAMES,
+        body=st.dictionaries(TEXT, JSON, max_size=3),
+        amends=st.none() | UINT64,
+        closed=st.none() | TIME,
+        outcome=TEXT,
+    ),
+    HistoryEvent: st.builds(
+        HistoryEvent,
+        seq=st.integers(1, 1 << 62),
+        at=TIME,
+        event=TEXT,
+        ceid=st.integers(0, 1 << 32),
+        job=MAYBE,
+        carrier=MAYBE,
+        vehicle=MAYBE,
+        source=MAYBE,
+        destination=MAYBE,
+        result=TEXT,
+        detail=TEXT,
+    ),
+    AuditRow: st.builds(AuditRow, at=TIME, actor=TEXT, action=TEXT, target=TEXT, detail=TEXT, accepted=st.booleans()),
+    VehicleRecord: st.builds(
+        VehicleRecord,
+        vehicle=TEXT,
+        barcode=MAYBE,
+        held=NAMES,
+        carrier=MAYBE,
+        believed_loaded=st.none() | st.booleans(),
+        hold=st.none() | HOLDS,
+        lockout=st.none() | LOCKOUTS,
+        out_of_service=TEXT,
+        off_rail=TEXT,
+    ),
+    StationRecord: st.builds(
+        StationRecord,
+        station=TEXT,
+        present=st.none() | st.booleans(),
+        carrier=MAYBE,
+        reserved=TEXT,
+        out_of_service=TEXT,
+        provenance=PROVENANCE,
+        at=TIME,
+    ),
+    CarrierRecord: st.builds(CarrierRecord, carrier=TEXT, place=MAYBE, provenance=PROVENANCE, at=TIME),
+    CarrierGone: st.builds(CarrierGone, TEXT),
+    StationDest: st.builds(StationDest, station=TEXT, **TAUGHT),
+    VehicleOffset: st.builds(VehicleOffset, vehicle=TEXT, **TAUGHT),
+    TeachingEvent: st.builds(
+        TeachingEvent,
+        vehicle=TEXT,
+        connection=TEXT,
+        cmd_id=UINT64,
+        code=st.integers(0, 0xFFFF),
+        axis=st.none() | st.sampled_from(Axis),
+        position=PULSES,
+        barcode=TEXT,
+        at=TIME,
+    ),
+    ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
+}
+
+
+FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
+    Job: lambda one, kept, reader: [reader.job(one.id), *([] if one.state in TERMINAL else [kept.jobs[0]])],
+    Intent: lambda one, kept, reader: [reader.intent(one.cmd_id), *([] if one.state.closed else [kept.intents[0]])],
+    HistoryEvent: lambda one, kept, reader: list(reader.events()),
+    AuditRow: lambda one, kept, reader: [row for _, row in reader.audit()],
+    VehicleRecord: lambda one, kept, reader: list(kept.vehicles),
+    StationRecord: lambda one, kept, reader: list(kept.stations),
+    CarrierRecord: lambda one, kept, reader: list(kept.carriers),
+    CarrierGone: lambda one, kept, reader: [one, *kept.carriers],
+    StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station)],
+    VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle)],
+    TeachingEvent: lambda one, kept, reader: list(reader.teaching(one.vehicle)),
+    ControllerRecord: lambda one, kept, reader: [kept.controller],
+}
+"""What the database says where it should say the record that was written, in every place where it can be asked."""
+TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
+
+
+def test_every_record_type_has_a_row_a_statement_and_a_strategy() -> None:
+    kinds = set(get_args(Record))
+    assert kinds == set(ROW_OF) == {*REPLACED, *APPENDED, CarrierGone} == set(RECORDS)
+
+
+@pytest.mark.parametrize("kind", RECORDS, ids=lambda kind: kind.__name__)
+def test_a_record_comes_back_equal(kind: type, url: str, open_ledger: Open, raw: sa.Engine) -> None:
+    ledger, reader = open_ledger(url), Reader(url)
+
+    @given(record=RECORDS[kind])
+    @settings(max_examples=40)
+    def comes_back(record: Record) -> None:
+        with raw.begin() as connection:
+            connection.execute(tables.metadata.tables[TABLE[kind]].delete())
+        ledger.load()
+        ledger.commit([record])
+        answers = FOUND[kind](record, ledger.load(), reader)
+        assert answers
+        assert all(answer == record for answer in answers)
+
+    comes_back()
+    reader.close()
