@@ -18,7 +18,7 @@ from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Mode, VehicleStatus
 from app.fleet.books import SYSTEM, Books
-from app.fleet.vehicle import Amendment, Drive, Errand, Stage, VehicleNow
+from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
 from app.planning.traffic import Blocked
 
@@ -53,8 +53,18 @@ class Motion:
         books.traffic.release(vehicle.id, [b for b in before if b not in vehicle.trail])
         clashes = books.traffic.hold(vehicle.id, tuple(reversed(vehicle.trail)))
         self._wake_waiters(before)
+        self._set_out_anew(vehicle)
         books.save_vehicle(vehicle, barcode=barcode, held=tuple(reversed(vehicle.trail)))
         return tuple(dict.fromkeys(at for at, _ in clashes))
+
+    def _set_out_anew(self, vehicle: VehicleNow) -> None:
+        """The way to the errand's goal begins somewhere else now; an errand of a job is found again from the job."""
+        errand, vehicle.errand = vehicle.errand, None
+        if errand and errand.purpose is Purpose.PERSON:
+            try:
+                self.send(vehicle, errand)
+            except NoRoute:
+                self._books.touch(vehicle)
 
     def _covered(self, vehicle: VehicleNow, barcode: Barcode) -> dict[Barcode, Millimetres]:
         """Return what it covers there: by the way it came if that is known, else by every branch."""
