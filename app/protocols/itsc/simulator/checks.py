@@ -28,9 +28,13 @@ def objections(
     What hangs on the path of a MOVE or XMOVE is found out on taking it up.
     """
     if message is None or message.kind is None or message.from_vehicle:
-        yield f"code {frame.code:04X} is no command"
-        return
-    kind = message.kind
+        return iter((f"code {frame.code:04X} is no command",))
+    return _objections_to(message.kind, frame, message, codec, state, options, running)
+
+
+def _objections_to(
+    kind: Code, frame: Enq | Etb, message: Message, codec: Codec, state: State, options: Options, running: Code | None
+) -> Iterator[str]:
     if state.mode not in message.modes:
         yield f"{message.name} is not allowed in {state.mode.name}"
     yield from codec.problems(frame)

@@ -182,5 +182,3 @@ class Link:
     def _silence(self) -> None:
         for frame in self._decoder.flush():
             self._take(frame, b"")
-        if self._decoder.pending:
-            self._flush = self._agenda.after(self._options.flush_after, self._silence)

@@ -109,11 +109,6 @@ class Hoist:
         self._since = self._seconds = 0.0
         self._going: dict[str, Pulses | None] = {}
 
-    @property
-    def busy(self) -> bool:
-        """Whether any axis drives."""
-        return self._due is not None
-
     def run(self, work: Work) -> None:
         """Go through the steps of a PICKUP or PLACE."""
         self._step(work, 0)

@@ -201,21 +201,16 @@ class Traveler:
         self._profile, self._base, self._passed = profile, -past, 0
         if self._legs:
             self._onto = self._legs[0].end
-        self._arm()
+        self._arm(profile)
 
-    def _arm(self) -> None:
+    def _arm(self, profile: Profile) -> None:
         if self._next is not None:
             self._next.cancel()
-        profile = self._profile
-        if profile is not None:
-            more = self._passed < len(profile.ends)
-            self._next = self._agenda.at(profile.ends[self._passed] if more else profile.end, self._step)
+        more = self._passed < len(profile.ends)
+        self._next = self._agenda.at(profile.ends[self._passed] if more else profile.end, lambda: self._step(profile))
 
-    def _step(self) -> None:
+    def _step(self, profile: Profile) -> None:
         """A barcode is reached, or the vehicle stands."""
-        profile = self._profile
-        if profile is None:
-            return
         read, index = self._pass_barcodes(profile)
         if read:
             self.on_barcode(self._barcode, index)
@@ -226,7 +221,7 @@ class Traveler:
             self._end()
             self.on_end(not halted)
         else:
-            self._arm()
+            self._arm(profile)
 
     def _pass_barcodes(self, profile: Profile) -> tuple[bool, int | None]:
         """Pass what lies here: one barcode, with all the path elements that name it in a row."""

@@ -137,6 +137,11 @@ class SimulatedVehicle:
         """The command under way."""
         return None if self._onboard.job is None else self._onboard.job.kind
 
+    @property
+    def path(self) -> tuple[Barcode, ...]:
+        """The barcodes of the path that it runs or has run, by SEQ; empty after a stop."""
+        return tuple(Barcode(str(element.barcode)) for element in self._traveler.path)
+
     def place(self, now: Seconds) -> Place:
         """Return the barcode last passed, mm past it, and the barcode ahead, None standing on one.
 
