@@ -4,6 +4,7 @@ import asyncio
 import socket
 import sys
 from collections.abc import Callable
+from typing import cast
 
 from app.domain.ports import Endpoint
 from app.domain.units import Seconds
@@ -24,8 +25,7 @@ def nothing() -> None:
 
 def tune(transport: asyncio.BaseTransport) -> None:
     """Set a TCP connection up for small packets and quick notice of a dead peer; leave other transports alone."""
-    if isinstance(transport, asyncio.WriteTransport):
-        transport.set_write_buffer_limits(high=UNSENT_LIMIT)
+    cast(asyncio.WriteTransport, transport).set_write_buffer_limits(high=UNSENT_LIMIT)
     sock = transport.get_extra_info("socket")
     if sock is None or sock.family not in {socket.AF_INET, socket.AF_INET6}:
         return
@@ -43,11 +43,31 @@ class Line(asyncio.Protocol):
 
     The timer is armed for the endpoint's deadline and left alone when the deadline moves back: it then fires early, finds
     nothing due and arms itself anew, which is cheaper than a new timer per packet. ``after`` is called after each input.
+    ``may_send``, if given, is asked before each write; what may not be sent is dropped.
     """
 
-    __slots__ = ("_after", "_armed", "_closing", "_endpoint", "_idle", "_loop", "_now", "_timer", "_transport", "heard")
+    __slots__ = (
+        "_after",
+        "_armed",
+        "_closing",
+        "_endpoint",
+        "_idle",
+        "_loop",
+        "_may_send",
+        "_now",
+        "_timer",
+        "_transport",
+        "heard",
+    )
 
-    def __init__(self, endpoint: Endpoint, now: Callable[[], Seconds], after: Callable[[], None] = nothing) -> None:
+    def __init__(
+        self,
+        endpoint: Endpoint,
+        now: Callable[[], Seconds],
+        after: Callable[[], None] = nothing,
+        may_send: Callable[[], bool] | None = None,
+    ) -> None:
+        self._may_send = may_send
         self._endpoint = endpoint
         self._now = now
         self._after = after
@@ -67,8 +87,8 @@ class Line(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Begin a connection."""
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        # Not isinstance: uvloop's transports are none of asyncio's classes.
+        self._transport = cast(asyncio.Transport, transport)
         self.heard = False
         tune(transport)
         self._endpoint.connected(self._now())
@@ -103,7 +123,7 @@ class Line(asyncio.Protocol):
         """Write what the endpoint has to say, close if it wants to, and see to its timer."""
         endpoint, transport = self._endpoint, self._transport
         while data := endpoint.outgoing():
-            if transport is not None:
+            if transport is not None and (self._may_send is None or self._may_send()):
                 transport.write(data)
         if transport is not None and self._closing is None and endpoint.wants_close:
             transport.close()

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
+from typing import cast
 
 from structlog.typing import FilteringBoundLogger
 
@@ -141,5 +142,4 @@ class _Arrival(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Give the connection away."""
-        assert isinstance(transport, asyncio.Transport)
-        self._take(transport)
+        self._take(cast(asyncio.Transport, transport))

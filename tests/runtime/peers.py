@@ -5,6 +5,8 @@ from collections import deque
 from collections.abc import Callable, Coroutine
 from typing import Any
 
+import uvloop
+
 from app.domain.units import Seconds
 
 GENEROUS = 20.0
@@ -42,13 +44,15 @@ class Echo:
         return self.out.popleft() if self.out else b""
 
 
-def run(scenario: Coroutine[Any, Any, None]) -> None:
-    """Run a scenario on a fresh loop; it may take a generous time and no more."""
+def run(scenario: Callable[[], Coroutine[Any, Any, None]]) -> None:
+    """Run a scenario on a fresh loop of either kind; it may take a generous time and no more."""
 
     async def bounded() -> None:
-        await asyncio.wait_for(scenario, GENEROUS)
+        await asyncio.wait_for(scenario(), GENEROUS)
 
-    asyncio.run(bounded())
+    for factory in (uvloop.new_event_loop, asyncio.new_event_loop):
+        with asyncio.Runner(loop_factory=factory) as runner:
+            runner.run(bounded())
 
 
 async def until(condition: Callable[[], bool]) -> None:

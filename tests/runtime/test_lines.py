@@ -47,7 +47,7 @@ def test_bytes_go_in_and_what_the_endpoint_says_goes_out() -> None:
         assert wire.inputs == 3
         assert not wire.line.up
 
-    run(scenario())
+    run(scenario)
 
 
 def test_an_endpoint_that_wants_to_close_sends_its_last_bytes_first() -> None:
@@ -59,7 +59,7 @@ def test_an_endpoint_that_wants_to_close_sends_its_last_bytes_first() -> None:
         await wire.line.disconnected()
         await wire.close(writer)
 
-    run(scenario())
+    run(scenario)
 
 
 def test_the_endpoint_is_ticked_at_its_deadline_with_or_without_a_connection() -> None:
@@ -71,7 +71,7 @@ def test_the_endpoint_is_ticked_at_its_deadline_with_or_without_a_connection() -
         await until(lambda: echo.notes == ["tick"])
         line.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_deadline_that_moves_back_is_kept_without_a_tick_at_the_old_one() -> None:
@@ -85,7 +85,7 @@ def test_a_deadline_that_moves_back_is_kept_without_a_tick_at_the_old_one() -> N
         await until(lambda: bool(echo.notes))
         line.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_deadline_that_comes_nearer_is_kept() -> None:
@@ -99,7 +99,7 @@ def test_a_deadline_that_comes_nearer_is_kept() -> None:
         await until(lambda: echo.notes == ["tick"])
         line.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_stopped_line_ticks_no_more() -> None:
@@ -112,7 +112,7 @@ def test_a_stopped_line_ticks_no_more() -> None:
         await asyncio.sleep(0.03)
         assert echo.notes == []
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_peer_that_takes_no_bytes_is_cut_off() -> None:
@@ -127,7 +127,7 @@ def test_a_peer_that_takes_no_bytes_is_cut_off() -> None:
         await wire.close(writer)
         assert wire.echo.notes[-1] == "disconnected"
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_line_serves_one_connection_after_another() -> None:
@@ -141,4 +141,4 @@ def test_a_line_serves_one_connection_after_another() -> None:
         assert await reader.readexactly(5) == b"AGAIN"
         await wire.close(writer)
 
-    run(scenario())
+    run(scenario)

@@ -90,7 +90,7 @@ def test_a_vehicle_is_known_by_its_address() -> None:
             vehicle.writer.close()
         assert bay.reports == []
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_vehicle_at_a_shared_address_is_asked_who_it_is() -> None:
@@ -103,7 +103,7 @@ def test_a_vehicle_at_a_shared_address_is_asked_who_it_is() -> None:
             assert vehicle.acked
             vehicle.writer.close()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_an_event_of_its_own_names_a_vehicle_and_reaches_its_session() -> None:
@@ -114,7 +114,7 @@ def test_an_event_of_its_own_names_a_vehicle_and_reaches_its_session() -> None:
             await until(lambda: bay.ears["V2"].notes == ["connected", "bytes"])
             vehicle.writer.close()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_stranger_is_refused_and_reported() -> None:
@@ -124,7 +124,7 @@ def test_a_stranger_is_refused_and_reported() -> None:
             assert await vehicle.gone()
             assert bay.reports == ["127.0.0.1 is not the address of any vehicle that may dial in"]
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_second_claimant_is_refused_and_reported() -> None:
@@ -138,7 +138,7 @@ def test_a_second_claimant_is_refused_and_reported() -> None:
             assert bay.ears["V1"].notes == ["connected"]
             first.writer.close()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_second_claimant_of_a_dev_id_is_refused_and_reported() -> None:
@@ -155,7 +155,7 @@ def test_a_second_claimant_of_a_dev_id_is_refused_and_reported() -> None:
             for vehicle in (first, second):
                 vehicle.writer.close()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_an_unknown_dev_id_is_refused_and_reported() -> None:
@@ -167,7 +167,7 @@ def test_an_unknown_dev_id_is_refused_and_reported() -> None:
             assert bay.reports == ["127.0.0.1 has DEV_ID 77, which no vehicle that may come from there has"]
             vehicle.writer.close()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_peer_that_goes_before_it_is_known_is_forgotten() -> None:
@@ -179,7 +179,7 @@ def test_a_peer_that_goes_before_it_is_known_is_forgotten() -> None:
             await until(lambda: not bay.listener._asking)
             assert bay.reports == []
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_silent_peer_is_cut_off_in_the_end() -> None:
@@ -191,4 +191,4 @@ def test_a_silent_peer_is_cut_off_in_the_end() -> None:
             assert bay.reports == ["127.0.0.1 answers to no id that is missing"]
             vehicle.writer.close()
 
-    run(scenario())
+    run(scenario)

@@ -36,7 +36,7 @@ def test_a_dialler_connects_and_connects_again_after_a_loss() -> None:
             await until(lambda: theirs.notes.count("connected") == 2)
             await dialler.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
@@ -52,7 +52,7 @@ def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
             await until(lambda: ours.notes == ["connected"])
             await dialler.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_device_serves_one_controller_at_a_time() -> None:
@@ -69,7 +69,7 @@ def test_a_device_serves_one_controller_at_a_time() -> None:
                 writer.close()
             await until(lambda: echo.notes[-1] == "disconnected")
 
-    run(scenario())
+    run(scenario)
 
 
 def test_two_controllers_at_the_same_moment_do_not_both_get_the_device() -> None:
@@ -86,7 +86,7 @@ def test_two_controllers_at_the_same_moment_do_not_both_get_the_device() -> None
                 writer.close()
             await until(lambda: echo.notes[-1] == "disconnected")
 
-    run(scenario())
+    run(scenario)
 
 
 def test_a_device_that_refuses_is_not_listening() -> None:
@@ -103,7 +103,7 @@ def test_a_device_that_refuses_is_not_listening() -> None:
             await asyncio.sleep(0.01)
         await server.stop()
 
-    run(scenario())
+    run(scenario)
 
 
 async def _can_connect(port: int) -> bool:

@@ -1,0 +1,272 @@
+"""The controller on the event loop: carries everything between ``Control`` and the sockets, the database and the watchers."""
+
+import asyncio
+import math
+import os
+import socket
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TypeVar
+
+from structlog.typing import FilteringBoundLogger
+
+from app.control import Control, Transaction
+from app.domain.errors import Refusal
+from app.domain.ids import VehicleId
+from app.domain.layout import Plant
+from app.domain.records import Kept
+from app.domain.requests import Reply, Request
+from app.domain.units import Timestamp
+from app.plant.dialects import dialect_of
+from app.protocols.itsc.codec import Codec
+from app.runtime.clock import Clock
+from app.runtime.hub import Hub, ReadModel
+from app.runtime.lines import Line
+from app.runtime.listener import Expected, Listener
+from app.runtime.telemetry import logger
+from app.runtime.transports import Dialler
+from app.runtime.writer import Writer
+from app.store.ledger import SqlLedger
+from app.store.reading import Reader
+
+Value = TypeVar("Value")
+GONE = Refusal("not-now", "This controller has stopped.", "Ask the one that holds the plant now, or start it again.")
+
+
+class Controller:
+    """One plant under control. ``start`` takes the plant, ``stop`` lets it go; nothing else blocks.
+
+    After every input (bytes, a request, a deadline, a commit) the loop runs ``_pump`` once, however many inputs came in that
+    round: records go to the writer, and bytes, updates and replies go out once they may.
+    """
+
+    def __init__(self, plant: Plant, database: str, clock: Clock | None = None) -> None:
+        self.plant = plant
+        self.trouble = ""
+        """Why nothing can be made durable just now; empty if all is well."""
+        self._clock = clock or Clock()
+        self._database = database
+        self._log: FilteringBoundLogger = logger(plant=plant.name)
+        self._in_flight: deque[Transaction] = deque()
+        self._asked: dict[int, asyncio.Future[Reply]] = {}
+        self._lines: dict[VehicleId, Line] = {}
+        self._diallers: list[Dialler] = []
+        self._listener: Listener | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._armed = 0.0
+        self._pumping = False
+        self._over = False
+
+    async def start(self) -> None:
+        """Take the plant, see what is kept, and begin to connect.
+
+        Raises PlantHeld: another controller has it. Raises StoreError: the database cannot be used. Raises OSError: the address
+        to listen at for vehicles cannot be used.
+        """
+        self._loop = asyncio.get_running_loop()
+        self.lost: asyncio.Future[str] = self._loop.create_future()
+        """Done, with the reason, when this controller may not go on."""
+        kept = await asyncio.to_thread(self._take_plant)
+        self.reader = Reader(self._database)
+        self._control = Control(self.plant, kept, self._clock.now(), self._clock.utc())
+        self.model = ReadModel(last_event=kept.next_event - 1)
+        self.hub = Hub(self.model)
+        self._writer = Writer(
+            self._ledger,
+            lambda last: self._tell(self._durable, last),
+            on_trouble=lambda message: self._tell(self._troubled, message),
+            on_lost=lambda message: self._tell(self._lose, message),
+        )
+        self._writer.start()
+        self.hub.publish(self._control.snapshot())
+        leased = math.isfinite(self._writer.held_until)
+        for vehicle in self._control.vehicles:
+            end = self._control.endpoint(vehicle)
+            self._lines[vehicle] = Line(end, self._clock.now, self._kick, self._may_send if leased else None)
+        self._pump()
+        try:
+            await self._connect()
+        except OSError:
+            await self.stop()
+            raise
+        self._log.info("started", epoch=kept.epoch, vehicles=len(self._lines), jobs=len(kept.jobs))
+
+    async def stop(self) -> None:
+        """Cut the lines, make durable what was decided, and let the plant go. Nothing stops a vehicle: it ends its grant."""
+        if self._listener is not None:
+            await self._listener.stop()
+        await asyncio.gather(*(dialler.stop() for dialler in self._diallers))
+        for line in self._lines.values():
+            line.stop()
+            await line.disconnected()
+        if not self._over:
+            self._pump()
+        await asyncio.to_thread(self._writer.close)
+        await asyncio.sleep(0)
+        self._end()
+        await asyncio.to_thread(self._ledger.close)
+        self.reader.close()
+        self._log.info("stopped")
+
+    async def ask(self, request: Request) -> Reply:
+        """Put a request to the controller; the answer is durable."""
+        if self._over:
+            return GONE
+        future: asyncio.Future[Reply] = self._loop.create_future()
+        with self._whole():
+            self._asked[self._control.ask(request, self._clock.now())] = future
+            self._kick()
+        return GONE if self._gone() else await future
+
+    def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a vehicle's line, oldest first."""
+        return self._control.frames(vehicle)
+
+    def utc(self) -> Timestamp:
+        """Return the present moment."""
+        return self._clock.utc()
+
+    def _take_plant(self) -> Kept:
+        holder = f"{socket.gethostname()}, process {os.getpid()}"
+        self._ledger = SqlLedger(self._database, self.plant.name, holder, self._clock.utc)
+        try:
+            return self._ledger.load()
+        except BaseException:
+            self._ledger.close()
+            raise
+
+    async def _connect(self) -> None:
+        coming = []
+        for spec in self.plant.vehicles:
+            line = self._lines[spec.id]
+            if spec.listen:
+                coming.append(Expected(spec, line, Codec(dialect_of(self.plant, spec.dialect))))
+            else:
+                dialler = Dialler(line, spec.host, spec.port, spec.id)
+                self._diallers.append(dialler)
+                dialler.start()
+        if coming and self.plant.listen is not None:
+            self._listener = Listener(*self.plant.listen, coming, self._claimed)
+            await self._listener.start()
+
+    def _claimed(self, reason: str) -> None:
+        self._log.warning("connection refused", reason=reason)
+
+    def _kick(self) -> None:
+        if not self._pumping:
+            self._pumping = True
+            self._loop.call_soon(self._pump)
+
+    def _pump(self) -> None:
+        """Carry everything that the controller gives to where it belongs."""
+        self._pumping = False
+        if self._over:
+            return
+        with self._whole():
+            self._take_transactions()
+            for vehicle in self._control.dirty():
+                self._lines[vehicle].flush()
+            updates = self._control.updates()
+            if updates:
+                self.hub.publish(updates)
+            for ticket, reply in self._control.replies():
+                future = self._asked.pop(ticket, None)
+                if future is not None and not future.done():
+                    future.set_result(reply)
+            self._arm()
+
+    @contextmanager
+    def _whole(self) -> Iterator[None]:
+        """End this controller if a defect leaves a decision half made: a fresh start settles all by asking (COMMANDS 3)."""
+        try:
+            yield
+        except Exception:  # noqa: BLE001
+            self._log.exception("defect")
+            self._lose("a defect stopped the controller; see the log")
+
+    def _gone(self) -> bool:
+        return self._over
+
+    def _take_transactions(self) -> None:
+        control, waiting = self._control, self._in_flight
+        while transactions := control.transactions():
+            for transaction in transactions:
+                if transaction.records:
+                    self._writer.submit(transaction.number, transaction.records)
+                waiting.append(transaction)
+            self._commit_empty()
+
+    def _commit_empty(self) -> None:
+        """Let those that have nothing to write pass, up to the first that is being written."""
+        last = None
+        while self._in_flight and not self._in_flight[0].records:
+            last = self._in_flight.popleft()
+        if last is not None:
+            self._control.committed(last.number, self._clock.now())
+
+    def _durable(self, last: int) -> None:
+        if self._over:
+            return
+        while self._in_flight and self._in_flight[0].number <= last:
+            self._in_flight.popleft()
+        with self._whole():
+            self._control.committed(last, self._clock.now())
+            self._commit_empty()
+        self._pump()
+
+    def _arm(self) -> None:
+        deadline = self._control.deadline
+        if self._timer is not None and self._armed <= deadline:
+            return
+        if self._timer is not None:
+            self._timer.cancel()
+        self._armed = deadline
+        self._timer = self._loop.call_later(max(deadline - self._clock.now(), 0.001), self._fire)
+
+    def _fire(self) -> None:
+        self._timer = None
+        now = self._clock.now()
+        if self._control.deadline <= now and not self._over:
+            with self._whole():
+                self._control.tick(now)
+        self._pump()
+
+    def _may_send(self) -> bool:
+        if not self._over and self._clock.now() > self._writer.held_until:
+            self._lose("the lease on the plant ran out while this process stood still or the database was away")
+        return not self._over
+
+    def _troubled(self, message: str) -> None:
+        if message:
+            self._log.error("database", trouble=message)
+        else:
+            self._log.info("database is well again")
+        self.trouble = message
+
+    def _lose(self, reason: str) -> None:
+        """Send nothing more."""
+        if self._over:
+            return
+        self.trouble = reason
+        self._log.critical("controller lost", reason=reason)
+        self._end()
+        for line in self._lines.values():
+            line.stop()
+        if not self.lost.done():
+            self.lost.set_result(reason)
+
+    def _end(self) -> None:
+        self._over = True
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        for future in self._asked.values():
+            if not future.done():
+                future.set_result(GONE)
+        self._asked.clear()
+
+    def _tell(self, what: Callable[[Value], None], value: Value) -> None:
+        """Call something on the loop from the writer's thread."""
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(what, value)

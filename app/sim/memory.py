@@ -1,0 +1,102 @@
+"""A ledger in memory, for worlds that never lose power."""
+
+from collections.abc import Sequence
+from dataclasses import fields
+
+from app.domain.ids import CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
+from app.domain.job import Job
+from app.domain.records import (
+    CarrierGone,
+    CarrierRecord,
+    ControllerRecord,
+    ControllerState,
+    HistoryEvent,
+    Intent,
+    Kept,
+    Record,
+    StationDest,
+    StationRecord,
+    VehicleOffset,
+    VehicleRecord,
+)
+
+
+class MemoryLedger:
+    """Keeps records as a database would, for as long as the process lives; a new controller may load what an old one wrote."""
+
+    def __init__(self) -> None:
+        self._epoch = 0
+        self._fresh = True
+        self._jobs: dict[JobId, Job] = {}
+        self._intents: dict[CmdId, Intent] = {}
+        self._vehicles: dict[VehicleId, VehicleRecord] = {}
+        self._stations: dict[StationId, StationRecord] = {}
+        self._carriers: dict[CarrierId, CarrierRecord] = {}
+        self._dests: dict[StationId, StationDest] = {}
+        self._offsets: dict[VehicleId, VehicleOffset] = {}
+        self._controller = ControllerRecord(ControllerState.AUTO)
+        self._next_event = 1
+        self._next_order = 1
+
+    def load(self) -> Kept:
+        """Raise the epoch and return all that is kept."""
+        self._epoch += 1
+        return Kept(
+            epoch=Epoch(self._epoch),
+            jobs=tuple(job for job in self._jobs.values() if not job.state.terminal),
+            intents=tuple(intent for intent in self._intents.values() if not intent.state.closed),
+            vehicles=tuple(self._vehicles.values()),
+            stations=tuple(self._stations.values()),
+            carriers=tuple(self._carriers.values()),
+            dests=tuple(self._dests.values()),
+            offsets=tuple(self._offsets.values()),
+            controller=self._controller,
+            next_event=self._next_event,
+            next_order=self._next_order,
+            fresh=self._fresh,
+        )
+
+    def commit(self, batch: Sequence[Record]) -> None:
+        """Take all records over, in order."""
+        self._fresh = False
+        for record in batch:
+            self._keep(record)
+
+    def close(self) -> None:
+        """Nothing to let go."""
+
+    def job(self, job: JobId) -> Job | None:
+        """Return a job, ended ones too."""
+        return self._jobs.get(job)
+
+    def _keep(self, record: Record) -> None:
+        match record:
+            case Job():
+                self._jobs[record.id] = record
+                self._next_order = max(self._next_order, record.order + 1)
+            case Intent():
+                self._intents[record.cmd_id] = record
+            case HistoryEvent():
+                self._next_event = max(self._next_event, record.seq + 1)
+            case VehicleRecord():
+                self._vehicles[record.vehicle] = record
+            case StationRecord():
+                self._stations[record.station] = record
+            case CarrierRecord():
+                self._carriers[record.carrier] = record
+            case CarrierGone():
+                self._carriers.pop(record.carrier, None)
+            case StationDest():
+                self._dests[record.station] = record
+            case VehicleOffset():
+                self._offsets[record.vehicle] = record
+            case ControllerRecord():
+                self._controller = record
+            case _:
+                pass
+
+
+def written(record: Record) -> str:
+    """Return a record as text that is the same in every process."""
+    values = ", ".join(f"{field.name}={getattr(record, field.name)!r}" for field in fields(record))
+    return f"{type(record).__name__}({values})"

@@ -1,0 +1,300 @@
+"""A virtual world: the whole controller and a simulated plant in virtual time, in one thread, from one seed."""
+
+import struct
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from hashlib import sha256
+from random import Random
+
+from app.control import Control, Transaction
+from app.domain.ids import Actor, JobId, StationId, VehicleId
+from app.domain.layout import Plant
+from app.domain.ports import Ledger
+from app.domain.records import Record
+from app.domain.requests import CreateJob, Reply, Request
+from app.domain.units import Seconds, Timestamp
+from app.domain.view import Update
+from app.plant.dialects import dialect_of
+from app.protocols.itsc.codec import Codec
+from app.sim.agenda import Agenda
+from app.sim.cables import Cable
+from app.sim.memory import MemoryLedger, written
+from app.sim.oracle import Books, LineWatch, Oracle
+from app.sim.plantworld import SimulatedPlant
+from app.sim.truth import Act
+from app.sim.workload import Errand, Pace, choose
+
+BEGINNING = 1_767_225_600.0
+"""UTC at virtual time 0: 2026-01-01. Our choice."""
+LOOK_EVERY = 0.2
+"""Virtual seconds between two looks of the oracle at the rails. Our choice: 0.6 m at full speed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Delays:
+    """How long things take, least and most, in seconds. Our choice: a switched network and a disk that flushes."""
+
+    link: tuple[float, float] = (0.0005, 0.004)
+    commit: tuple[float, float] = (0.001, 0.005)
+    restart: tuple[float, float] = (0.5, 3.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What came of a run. ``open`` jobs have not ended; ``violations`` must be empty."""
+
+    virtual: float
+    completed: int
+    ended: int
+    open: tuple[str, ...]
+    takes: int
+    puts: int
+    violations: tuple[str, ...]
+    trace: str
+
+
+class World:
+    """Control, ledger, cables and simulated vehicles on one agenda.
+
+    The trace is a running SHA-256 over every byte on every line and every committed record, each with its virtual time: two
+    runs with the same arguments give the same trace, whatever the process.
+    """
+
+    def __init__(self, plant: Plant, seed: int, ledger: Ledger | None = None, delays: Delays | None = None) -> None:
+        self.plant = plant
+        self.agenda = Agenda()
+        self.ledger = ledger or MemoryLedger()
+        self.replies: dict[int, Reply] = {}
+        self.seen: Callable[[Update], None] = lambda update: None
+        self._delays = delays or Delays()
+        self._seed = seed
+        self._rng = self._random("world")
+        self._trace = sha256()
+        self._floor = SimulatedPlant(plant, self._acted)
+        self.oracle = Oracle(plant, self._floor.truth)
+        self.books = Books(self.oracle)
+        self._watches: dict[VehicleId, LineWatch] = {}
+        self._cables = {vehicle: self._cable(vehicle) for vehicle in self._floor.devices}
+        self._control: Control | None = None
+        self._control_armed: float | None = None
+        self._queue: deque[Transaction] = deque()
+        self._committing = False
+        self._batch = 0
+        self._life = 0
+        self._start_controller()
+        for cable in self._cables.values():
+            cable.start()
+        self.agenda.after(LOOK_EVERY, self._look)
+
+    @property
+    def now(self) -> Seconds:
+        """Return virtual time in seconds."""
+        return self.agenda.now
+
+    @property
+    def floor(self) -> SimulatedPlant:
+        """Return the simulated plant."""
+        return self._floor
+
+    @property
+    def control(self) -> Control:
+        """Return the controller that is alive. Raises LookupError: it has been killed and is not back."""
+        if self._control is None:
+            raise LookupError("the controller is not running")
+        return self._control
+
+    @property
+    def alive(self) -> bool:
+        """Whether the controller runs."""
+        return self._control is not None
+
+    @property
+    def trace(self) -> str:
+        """Return the hash of all that has happened."""
+        return self._trace.hexdigest()
+
+    def run(self, until: float) -> None:
+        """Let time pass."""
+        self.agenda.run(until)
+
+    def ask(self, request: Request) -> int:
+        """Ask the controller for something; the answer appears in ``replies`` under the number returned."""
+        ticket = self.control.ask(request, self.now)
+        self._pump()
+        return ticket
+
+    def kill(self) -> None:
+        """Kill the controller at this moment and start it again a little later.
+
+        What was being committed is durable or not, as the dice fall; nothing that was not told is ever told.
+        """
+        if self._control is None:
+            return
+        self._control = None
+        self._life += 1
+        if self._committing and self._rng.random() < 0.5:
+            self._write()
+        self._committing = False
+        self._queue.clear()
+        for cable in self._cables.values():
+            cable.unplug()
+        self.agenda.after(self._rng.uniform(*self._delays.restart), self._start_controller)
+
+    def cut(self, vehicle: VehicleId) -> None:
+        """Cut one line; it is dialled again."""
+        self._cables[vehicle].cut("cut")
+
+    def work(self, *, until: float, per_hour: float | None = None, keep_open: int | None = None) -> None:
+        """Order random jobs until that time, once a second."""
+        pace = Pace(self._random("pace"), per_hour=per_hour, keep_open=keep_open)
+        dice = self._random("jobs")
+        stations = [station.id for station in self.plant.stations]
+        errands: dict[str, tuple[StationId, StationId]] = {}
+
+        def order() -> None:
+            if self.now > until:
+                return
+            for job in [job for job in errands if (state := self.books.jobs.get(job)) is not None and state.terminal]:
+                del errands[job]
+            for _ in range(pace.due(self.now, len(errands)) if self.alive else 0):
+                engaged = {station for pair in errands.values() for station in pair}
+                errand = choose(dice, stations, self._floor.truth.at, engaged)
+                if errand is None:
+                    break
+                job = JobId(f"J{len(self.books.jobs) + len(errands) + 1:06d}-{dice.randrange(1 << 16):04x}")
+                errands[job] = (errand.source, errand.destination)
+                self.ask(_ordered(job, errand))
+            self.agenda.after(1.0, order)
+
+        self.agenda.after(1.0, order)
+
+    def finish(self, at_most: float) -> bool:
+        """Let time pass until every job has ended, for at most so many seconds more; return whether they all have."""
+        end = self.now + at_most
+        while self.books.open and self.now < end:
+            self.run(min(self.now + 5.0, end))
+        return not self.books.open
+
+    def result(self) -> Result:
+        """Return what came of it so far."""
+        states = self.books.jobs.values()
+        return Result(
+            virtual=self.now,
+            completed=sum(state.value == "completed" for state in states),
+            ended=sum(state.terminal for state in states),
+            open=tuple(self.books.open),
+            takes=self.oracle.takes,
+            puts=self.oracle.puts,
+            violations=tuple(self.oracle.violations),
+            trace=self.trace,
+        )
+
+    def _random(self, part: str) -> Random:
+        return Random(f"{self._seed}/{part}")
+
+    def _cable(self, vehicle: VehicleId) -> Cable:
+        device = self._floor.devices[vehicle]
+        spec = device.spec
+        codec = Codec(dialect_of(self.plant, spec.dialect))
+        self._watches[vehicle] = LineWatch(spec, codec, self.books, self.oracle)
+        name = vehicle.encode()
+
+        def wire(direction: str, data: bytes) -> None:
+            self._trace.update(struct.pack("<d", self.now) + name + direction.encode() + data)
+            if direction == ">":
+                self._watches[vehicle].sent(data, self.now)
+
+        dice = self._random(f"cable {vehicle}")
+        return Cable(self.agenda, dice, self._delays.link, device, lambda: not device.accepting, wire)
+
+    def _start_controller(self) -> None:
+        kept = self.ledger.load()
+        self._control = Control(self.plant, kept, self.now, Timestamp(BEGINNING + self.now))
+        self._control_armed = None
+        for vehicle, cable in self._cables.items():
+            cable.plug_in(self._control.endpoint(vehicle), self._pump)
+        self._pump()
+
+    def _pump(self) -> None:
+        """Carry everything that the controller gives to where it belongs."""
+        control = self._control
+        if control is None:
+            return
+        self._take_transactions(control)
+        for vehicle in control.dirty():
+            self._cables[vehicle].flush_controller()
+        for update in control.updates():
+            self.seen(update)
+        for ticket, reply in control.replies():
+            self.replies[ticket] = reply
+        self._arm(control)
+
+    def _take_transactions(self, control: Control) -> None:
+        while True:
+            self._queue.extend(control.transactions())
+            if self._committing or not self._queue:
+                return
+            if self._queue[0].records:
+                self._commit()
+                return
+            control.committed(self._queue.popleft().number, self.now)
+
+    def _commit(self) -> None:
+        """Begin to make everything that waits durable."""
+        self._committing = True
+        self._batch = len(self._queue)
+        life = self._life
+        self.agenda.after(self._rng.uniform(*self._delays.commit), lambda: self._durable(life))
+
+    def _write(self) -> int:
+        """Make the batch under way durable; return its last number."""
+        batch = [self._queue.popleft() for _ in range(self._batch)]
+        records: list[Record] = [record for transaction in batch for record in transaction.records]
+        self.ledger.commit(records)
+        for transaction in batch:
+            self.books.committed(transaction.records, self.now)
+        text = "\n".join(written(record) for record in records)
+        self._trace.update(struct.pack("<d", self.now) + text.encode())
+        return batch[-1].number
+
+    def _durable(self, life: int) -> None:
+        if life != self._life or self._control is None:
+            return
+        number = self._write()
+        self._committing = False
+        self._control.committed(number, self.now)
+        self._pump()
+
+    def _arm(self, control: Control) -> None:
+        deadline = control.deadline
+        if self._control_armed is None or deadline < self._control_armed:
+            self._control_armed = deadline
+            self.agenda.at(deadline, lambda: self._tick(control, deadline))
+
+    def _tick(self, control: Control, armed: float) -> None:
+        if self._control is not control or self._control_armed != armed:
+            return
+        self._control_armed = None
+        if control.deadline <= self.now:
+            control.tick(self.now)
+        self._pump()
+
+    def _look(self) -> None:
+        self.oracle.look(self._floor.places(self.now), self._floor.loaded(), self.now)
+        self.agenda.after(LOOK_EVERY, self._look)
+
+    def _acted(self, act: Act) -> None:
+        self.oracle.act(act, self.now)
+
+
+def _ordered(job: JobId, errand: Errand) -> CreateJob:
+    return CreateJob(
+        actor=Actor("workload"),
+        job=job,
+        source=errand.source,
+        destination=errand.destination,
+        carrier=errand.carrier,
+        priority=50,
+        fingerprint=f"{job}/{errand.source}/{errand.destination}/{errand.carrier}",
+    )
