@@ -1,0 +1,35 @@
+"""The ``hoistway`` command. What a command needs is imported when it runs, so that ``--help`` answers at once."""
+
+from __future__ import annotations
+
+import typer
+
+from app.cli import check, db, decode, demo, detect, openapi, schema, serve, sim, simulate, vectors, workload
+
+app = typer.Typer(
+    name="hoistway",
+    help="An open fleet transport controller for overhead hoists.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+for command in (
+    serve.serve,
+    sim.sim,
+    demo.demo,
+    workload.workload,
+    simulate.simulate,
+    check.check,
+    schema.schema,
+    decode.decode,
+    detect.detect,
+    vectors.vectors,
+    openapi.openapi,
+):
+    app.command()(command)
+app.add_typer(db.commands, name="db")
+
+
+def main() -> None:
+    """Run the command line."""
+    app()

@@ -1,0 +1,127 @@
+"""``hoistway demo``: simulated vehicles in a process of their own, and the controller that drives them."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import sys
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+from random import Random
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import plainly
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant
+    from app.settings import Settings
+
+GRACE = 5.0
+"""Seconds for the simulator to end when asked. Our choice."""
+
+
+def demo(
+    plant: Annotated[Path, typer.Option(help="the plant file")] = Path("plants/demo.yaml"),
+    port: Annotated[int, typer.Option(help="port to listen at")] = 8080,
+    workload: Annotated[bool, typer.Option("--workload", help="order random jobs all the time")] = False,
+    keep: Annotated[int, typer.Option(help="jobs kept open by --workload")] = 6,
+    database: Annotated[
+        str | None, typer.Option(help="SQLAlchemy URL; without it a new one, thrown away at the end")
+    ] = None,
+) -> None:
+    """Show a plant: simulate its vehicles, control them, print where to look. Ctrl-C ends everything."""
+    from app.settings import load
+
+    with plainly(), tempfile.TemporaryDirectory(prefix="hoistway-") as directory:
+        url = database or f"sqlite:///{directory}/demo.db"
+        settings = load(plant=plant, database=url, host="127.0.0.1", port=port, log_level="warning")
+        code = _show(settings, plant, keep if workload else None)
+    raise typer.Exit(code)
+
+
+def _show(settings: Settings, file: Path, keep: int | None) -> int:
+    from app import main
+    from app.runtime.telemetry import set_up
+
+    set_up(as_json=False, level=settings.log_level)
+    plant = main.plant_of(file)
+    listening = main.bound(settings.host, settings.port)
+    url = main.url_of(settings.host, listening.getsockname()[1])
+
+    async def run() -> int:
+        stop = main.stop_signal()
+        simulator = await _simulated(file)
+        watching = asyncio.create_task(_end_with(simulator, stop))
+        working = None if keep is None else asyncio.create_task(_work(url, keep, stop))
+        try:
+            return await main.serve(
+                plant, settings, listening, stop, lambda url: print(_invitation(plant, url), flush=True)
+            )
+        finally:
+            stop.set()
+            if working is not None:
+                await working
+            await _ended(simulator)
+            await watching
+
+    return main.run(run())
+
+
+async def _simulated(file: Path) -> asyncio.subprocess.Process:
+    """Start the simulator; return once its vehicles are there. Raises CannotStart."""
+    from app.main import CannotStart
+
+    # A session of its own: Ctrl-C reaches the parent alone, which ends both in order.
+    process = await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "app.cli", "sim", "--plant", str(file), "--with-parent",
+        stdin=asyncio.subprocess.PIPE,
+        stdout=asyncio.subprocess.PIPE,
+        start_new_session=True,
+    )  # fmt: skip
+    assert process.stdout is not None
+    if not await process.stdout.readline():
+        await process.wait()
+        raise CannotStart("the simulated vehicles could not be started", remedy="The line above says why.")
+    return process
+
+
+async def _end_with(simulator: asyncio.subprocess.Process, stop: asyncio.Event) -> None:
+    await simulator.wait()
+    if not stop.is_set():
+        print("hoistway: the simulated vehicles have ended", file=sys.stderr, flush=True)
+        stop.set()
+
+
+async def _ended(simulator: asyncio.subprocess.Process) -> None:
+    if simulator.returncode is None:
+        with suppress(ProcessLookupError):
+            simulator.terminate()
+        try:
+            await asyncio.wait_for(simulator.wait(), GRACE)
+        except TimeoutError:
+            simulator.kill()
+            await simulator.wait()
+
+
+async def _work(url: str, keep: int, stop: asyncio.Event) -> None:
+    from app.cli.workload import order
+
+    await order(url, Random(), stop, rate=None, keep=keep, quiet=True)
+
+
+def _invitation(plant: Plant, url: str) -> str:
+    """Return where to look and one line to try: a transfer that this plant can do."""
+    full = {station: carrier for carrier, station in plant.carriers}
+    source = next((station.id for station in plant.stations if station.id in full), None)
+    destination = next((station.id for station in reversed(plant.stations) if station.id not in full), None)
+    lines = [f"hoistway shows {plant.name} with {len(plant.vehicles)} simulated hoists: {url}"]
+    if source and destination:
+        body = json.dumps({"source": source, "destination": destination})
+        lines += [
+            "Order a transfer from another terminal:",
+            f"  curl -X POST {url}/api/v1/jobs -H 'Content-Type: application/json' -d '{body}'",
+        ]
+    return "\n".join([*lines, "Ctrl-C ends it."])

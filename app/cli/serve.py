@@ -1,0 +1,48 @@
+"""``hoistway serve``: the controller and its server."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import plainly, refuse
+
+if TYPE_CHECKING:
+    from app.settings import Settings
+
+
+def serve(
+    plant: Annotated[Path | None, typer.Option(help="the plant file")] = None,
+    database: Annotated[str | None, typer.Option(help="SQLAlchemy URL, such as sqlite:///hoistway.db")] = None,
+    host: Annotated[str | None, typer.Option(help="address to listen at")] = None,
+    port: Annotated[int | None, typer.Option(help="port to listen at")] = None,
+    config: Annotated[Path | None, typer.Option(help="settings file, TOML or YAML")] = None,
+) -> None:
+    """Control a plant and serve REST, live stream and page, until Ctrl-C."""
+    from app.settings import load
+
+    with plainly():
+        settings = load(config, plant=plant, database=database, host=host, port=port)
+        if settings.plant is None:
+            refuse("which plant?", "Say --plant FILE, or set HOISTWAY_PLANT.")
+        code = _serve(settings, settings.plant)
+    raise typer.Exit(code)
+
+
+def _serve(settings: Settings, file: Path) -> int:
+    from app import main
+    from app.runtime.telemetry import set_up
+
+    set_up(as_json=settings.log_format == "json", level=settings.log_level)
+    plant = main.plant_of(file)
+    listening = main.bound(settings.host, settings.port)
+
+    async def run() -> int:
+        return await main.serve(plant, settings, listening, main.stop_signal(), ready)
+
+    def ready(url: str) -> None:
+        print(f"hoistway controls {plant.name}: {url}", flush=True)
+
+    return main.run(run())

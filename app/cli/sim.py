@@ -1,0 +1,151 @@
+"""``hoistway sim``: all vehicles of a plant as simulated devices behind TCP."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import plainly, refuse
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant, VehicleSpec
+    from app.domain.units import Seconds
+    from app.protocols.itsc.simulator import SimulatedVehicle
+    from app.runtime.lines import Line
+    from app.runtime.transports import DeviceServer, Dialler
+    from app.sim.oracle import Oracle
+    from app.sim.plantworld import SimulatedPlant
+    from app.sim.truth import Act
+
+LOOK_EVERY = 0.2
+"""Seconds between two looks at the rails. Our choice."""
+
+
+def sim(
+    plant: Annotated[Path, typer.Option(help="the plant file")],
+    journal: Annotated[
+        Path | None, typer.Option(help="write each physical happening there, one JSON object a line")
+    ] = None,
+    host: Annotated[
+        str | None, typer.Option(help="serve at this address instead of each vehicle's own (0.0.0.0: all)")
+    ] = None,
+    controller: Annotated[str, typer.Option(help="host that vehicles which dial in themselves dial")] = "127.0.0.1",
+    with_parent: Annotated[
+        bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
+    ] = False,
+) -> None:
+    """Serve every vehicle of a plant as a simulated device at its own TCP address, until Ctrl-C."""
+    from app import main
+    from app.runtime.telemetry import set_up
+
+    set_up(as_json=False, level="warning")
+    with plainly():
+        found = main.plant_of(plant)
+        try:
+            code = main.run(_Floor(found, journal, host, controller).run(with_parent))
+        except OSError as wrong:
+            refuse(f"cannot simulate {found.name}: {main.said(wrong)}", "Is it simulated already?")
+    raise typer.Exit(code)
+
+
+class _Floor:
+    """The simulated plant on real sockets, watched by the oracle."""
+
+    def __init__(self, plant: Plant, journal: Path | None, host: str | None, controller: str) -> None:
+        self._plant = plant
+        self._journal = journal.open("a", encoding="utf-8") if journal else None
+        self._host = host
+        self._controller = controller
+        self._ends: list[DeviceServer | Dialler] = []
+
+    async def run(self, with_parent: bool) -> int:
+        """Serve until told to stop."""
+        from app import main
+        from app.runtime.clock import Clock
+        from app.sim.oracle import Oracle
+        from app.sim.plantworld import SimulatedPlant
+
+        now = Clock().now
+        stop = main.stop_signal()
+        floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), now=now())
+        oracle = Oracle(self._plant, floor.truth)
+        parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
+        try:
+            for spec in self._plant.vehicles:
+                await self._serve(spec, floor.devices[spec.id])
+            print(f"hoistway sim: {len(self._ends)} vehicles of {self._plant.name} are there", flush=True)
+            await self._watch(floor, oracle, stop)
+        finally:
+            if parent is not None:
+                parent.cancel()
+            for end in self._ends:
+                await end.stop()
+            if self._journal:
+                self._journal.close()
+        return 0
+
+    async def _serve(self, spec: VehicleSpec, device: SimulatedVehicle) -> None:
+        from app.runtime.clock import Clock
+        from app.runtime.lines import Line
+        from app.runtime.transports import DeviceServer, Dialler
+
+        line: Line = Line(device, Clock().now)
+        if spec.listen and self._plant.listen is not None:
+            dialler = Dialler(line, self._controller, self._plant.listen[1], spec.id)
+            dialler.start()
+            line.flush()
+            self._ends.append(dialler)
+            return
+        server = DeviceServer(line, self._host or spec.host, spec.port, lambda: not device.accepting)
+        self._ends.append(server)
+        await server.start()
+
+    async def _watch(self, floor: SimulatedPlant, oracle: Oracle, stop: asyncio.Event) -> None:
+        from app.runtime.clock import Clock
+
+        told = 0
+        while not stop.is_set():
+            now = Clock().now()
+            for device in floor.devices.values():
+                device.tick(now)
+            oracle.look(floor.places(now), floor.loaded(), now)
+            for violation in oracle.violations[told:]:
+                print(f"hoistway sim: {violation}", file=sys.stderr, flush=True)
+                self._write({"deed": "violation", "what": violation})
+            told = len(oracle.violations)
+            try:
+                await asyncio.wait_for(stop.wait(), LOOK_EVERY)
+            except TimeoutError:
+                continue
+
+    def _note(self, act: Act, oracle: Oracle, now: Seconds) -> None:
+        oracle.act(act, now)
+        self._write(
+            {
+                "deed": act.deed,
+                "vehicle": act.vehicle,
+                "station": act.station,
+                "carrier": act.carrier,
+                "barcode": act.barcode,
+            }
+        )
+
+    def _write(self, happening: dict[str, str | None]) -> None:
+        if self._journal:
+            self._journal.write(json.dumps({"at": round(time.time(), 3), **happening}) + "\n")
+            self._journal.flush()
+
+
+async def _stop_with_parent(stop: asyncio.Event) -> None:
+    """End with whoever started us, even if that was killed: its end of our standard input closes."""
+    reader = asyncio.StreamReader()
+    loop = asyncio.get_running_loop()
+    await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), sys.stdin)
+    await reader.read()
+    stop.set()
