@@ -793,6 +793,15 @@ def test_a_power_cycle_in_a_pickup_shows_axes_that_are_not_at_home(rig: Rig) -> 
     assert rig.status().status1.word == 0x00000103
 
 
+def test_without_power_nothing_more_is_sent() -> None:
+    vehicle = make_rig().vehicle
+    vehicle.connected(Seconds(0))
+    vehicle.make_ready(Seconds(0))
+    vehicle.power_off(Seconds(0))
+    assert vehicle.wants_close
+    assert vehicle.outgoing() == b""
+
+
 def test_a_restart_may_number_its_events_anew(rig: Rig) -> None:
     rig.vehicle.panel_mode(Mode.MANT, now(rig))
     rig.run(0.1)
@@ -828,6 +837,13 @@ def test_places_in_memory_know_what_was_taken_and_put() -> None:
     assert places.put(spec().id, *there, None)
     assert places.full(*there) is True
     assert not places.put(spec().id, *there, None)
+
+
+def test_the_path_is_there_until_a_stop(rig: Rig) -> None:
+    assert rig.do(Code.MOVE, Move(path(1201, 1202))) == 0
+    assert rig.vehicle.path == ("1201", "1202")
+    assert rig.do(Code.STOP_BY_HOST) == 0
+    assert rig.vehicle.path == ()
 
 
 def test_axes_jogged_to_0_are_at_home(rig: Rig) -> None:

@@ -77,6 +77,11 @@ class Link:
         self.wants_close = self.up
         self.up = False
 
+    def break_off(self) -> None:
+        """The same without what is entered for sending: the power is gone."""
+        self._out.clear()
+        self.hang_up()
+
     def forget(self) -> None:
         """Lose the memory of commands and answers, as a restart does; the events' CMD_IDs begin again."""
         self._answers.clear()

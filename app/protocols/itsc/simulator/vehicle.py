@@ -256,7 +256,7 @@ class SimulatedVehicle:
         self._agenda.run(now)
         self._stop_life()
         self._off = True
-        self._link.hang_up()
+        self._link.break_off()
 
     def power_on(self, now: Seconds) -> None:
         """Give power again: start-up state at once, connections after ``reboot_time``."""
