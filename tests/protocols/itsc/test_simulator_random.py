@@ -131,6 +131,7 @@ def test_a_vehicle_runs_only_along_paths_that_it_was_given(
 ) -> None:
     rig = make_rig().ready()
     rig.move(*way)
+    rig.run(0.01)
     allowed = {("1201", "1202"), ("1201", "1301")} & {("1201", str(way[0])), ("1201", str(way[1 % len(way)]))}
     allowed |= set(_pairs(way))
     for seconds, first, other in changes:

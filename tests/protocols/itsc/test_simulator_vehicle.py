@@ -843,7 +843,7 @@ def test_the_path_is_there_until_a_stop(rig: Rig) -> None:
     assert rig.do(Code.MOVE, Move(path(1201, 1202))) == 0
     assert rig.vehicle.path == ("1201", "1202")
     assert rig.do(Code.STOP_BY_HOST) == 0
-    assert rig.vehicle.path == ()
+    assert not rig.vehicle.path
 
 
 def test_axes_jogged_to_0_are_at_home(rig: Rig) -> None:
