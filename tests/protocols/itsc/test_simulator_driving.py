@@ -229,6 +229,15 @@ def test_an_xmove_that_does_not_lead_on_is_refused_and_the_old_path_stays(
         assert (rig.answer(move).result, rig.answer(move).barcode) == (0, 1203)
 
 
+def test_an_xmove_that_says_the_vehicle_is_elsewhere_is_refused(rig: Rig) -> None:
+    move = rig.move(1201, 1202, 1203)
+    rig.until(lambda: len(rig.events()) == 1)
+    xmove = rig.xmove(0, 1201, 1301, 1302, 1303)
+    rig.until(lambda: rig.result(move) == 0)
+    assert rig.result(xmove) == 1
+    assert rig.status().barcode == 1203
+
+
 def test_an_xmove_may_append_behind_the_stop_which_is_then_a_short_stand(rig: Rig) -> None:
     move = rig.move(1201, 1202)
     rig.run(0.3)

@@ -146,7 +146,9 @@ class Traveler:
         return -1 if first == self._onto else None
 
     def _leads_on(self, path: Sequence[Element], past: float) -> bool:
-        """Whether the element after the present one lies ahead, or on a branch that can still be taken."""
+        """Whether the present element is where the vehicle is, and the next lies ahead or on a branch still to be taken."""
+        if self.index >= 0 and Barcode(str(path[self.index].barcode)) != self._barcode:
+            return False
         target = Barcode(str(path[self.index + 1].barcode))
         if target == self._onto:
             return True
