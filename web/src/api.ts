@@ -1,0 +1,102 @@
+/** REST: who asks, with which key, and what the server says when it does not want to. */
+
+/** A refusal of the server (RFC 9457), or of the network. */
+export class Refused extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+    readonly remedy = "",
+    readonly field = "",
+  ) {
+    super(message);
+  }
+}
+
+const KEY = "hoistway.key";
+const ACTOR = "hoistway.actor";
+const TIMEOUT = 35_000;
+
+let key = sessionStorage.getItem(KEY) ?? "";
+let wantsKey: () => void = () => undefined;
+/** Server's clock minus ours, ms, from the Date header (whole seconds). */
+let skew = 0;
+
+export function onKeyWanted(call: () => void): void {
+  wantsKey = call;
+}
+
+export function useKey(given: string): void {
+  key = given;
+  sessionStorage.setItem(KEY, given);
+}
+
+export function hasKey(): boolean {
+  return key !== "";
+}
+
+export function actor(): string {
+  return localStorage.getItem(ACTOR) ?? "";
+}
+
+export function nameActor(name: string): void {
+  localStorage.setItem(ACTOR, name.trim());
+}
+
+/** The server's time, ms. */
+export function serverNow(): number {
+  return Date.now() + skew;
+}
+
+/** A header carries bytes; the server reads them as UTF-8. */
+export function headerText(text: string): string {
+  return String.fromCharCode(...new TextEncoder().encode(text));
+}
+
+export async function call<T>(method: string, path: string, body?: unknown, extra: Record<string, string> = {}): Promise<T> {
+  const headers: Record<string, string> = { Accept: "application/json", ...extra };
+  if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
+  if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
+  if (body !== undefined) headers["Content-Type"] = "application/json";
+  const init: RequestInit = { method, headers, signal: AbortSignal.timeout(TIMEOUT) };
+  if (body !== undefined) init.body = JSON.stringify(body);
+  let response: Response;
+  try {
+    response = await fetch(`/api/v1${path}`, init);
+  } catch {
+    throw new Refused(0, "The server does not answer.");
+  }
+  const date = Date.parse(response.headers.get("date") ?? "");
+  if (Math.abs(date + 500 - serverNow()) > 1500) skew = date + 500 - Date.now();
+  if (response.ok) return (response.status === 204 ? undefined : await response.json()) as T;
+  throw await refusal(response);
+}
+
+async function refusal(response: Response): Promise<Refused> {
+  if (response.status === 401) wantsKey();
+  const problem = (await response.json().catch(() => ({}))) as Record<string, unknown>;
+  const text = (name: string): string => (typeof problem[name] === "string" ? (problem[name] as string) : "");
+  return new Refused(
+    response.status,
+    text("detail") || text("title") || `${response.status} ${response.statusText}`,
+    text("remedy"),
+    text("field"),
+  );
+}
+
+export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
+export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
+  call<T>("POST", path, body, extra);
+
+export async function alive(): Promise<boolean> {
+  try {
+    return (await fetch("/healthz", { signal: AbortSignal.timeout(3000), cache: "no-store" })).ok;
+  } catch {
+    return false;
+  }
+}
+
+/** A name for an order that may be sent again. randomUUID exists on secure pages only. */
+export function freshKey(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(12));
+  return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
+}

@@ -1,0 +1,35 @@
+import { keyWanted, selected } from "../store";
+import { Events } from "./Events";
+import { Header } from "./Header";
+import { Jobs } from "./Jobs";
+import { KeyPrompt } from "./KeyPrompt";
+import { StationPanel } from "./StationPanel";
+import { TrackMap } from "./TrackMap";
+import { Transfer } from "./Transfer";
+import { VehiclePanel } from "./VehiclePanel";
+import { VehicleStrip } from "./VehicleStrip";
+
+export function App() {
+  const pick = selected.value;
+  return (
+    <div class="page">
+      <Header />
+      <main>
+        <section class="left">
+          <VehicleStrip />
+          <div class="stage">
+            <TrackMap />
+            {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
+            {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
+          </div>
+          <Events />
+        </section>
+        <aside>
+          <Transfer />
+          <Jobs />
+        </aside>
+      </main>
+      {keyWanted.value && <KeyPrompt />}
+    </div>
+  );
+}

@@ -1,0 +1,46 @@
+/** What has happened, newest first. */
+import { clock, sentence } from "../shows";
+import { happenings, selected } from "../store";
+import { t } from "../texts";
+import type { Happening } from "../types";
+
+const BAD = /Alarm(Set)|Failed|Held|Removed|Abort/;
+const GOOD = /TransferCompleted|AlarmCleared|Released/;
+const SHOWN = 80;
+
+export function Events() {
+  const list = happenings.value;
+  return (
+    <section class="card events" aria-label={t("events")}>
+      <h2>{t("events")}</h2>
+      <ol class="scroll" reversed>
+        {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
+        {list.slice(0, SHOWN).map((event) => (
+          <Line key={event.seq} event={event} />
+        ))}
+      </ol>
+    </section>
+  );
+}
+
+function Line({ event }: { event: Happening }) {
+  const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
+  const where = [event.source, event.destination].filter(Boolean).join(" → ");
+  return (
+    <li data-event={event.seq}>
+      <time>{clock(event.ts)}</time>
+      <span class="seq">#{event.seq}</span>
+      <b class={tone}>{sentence(event.event)}</b>
+      {event.vehicle ? (
+        <button type="button" class="text" onClick={() => (selected.value = { kind: "vehicle", id: event.vehicle as string })}>
+          {event.vehicle}
+        </button>
+      ) : (
+        <span />
+      )}
+      <span class="more">
+        {[event.job, event.carrier, where, event.result, event.detail].filter(Boolean).join(" · ")}
+      </span>
+    </li>
+  );
+}

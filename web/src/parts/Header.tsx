@@ -1,0 +1,105 @@
+/** What the plant is, how it does, whether what is shown is live, who looks at it. */
+import { useSignal } from "@preact/signals";
+import { actor, nameActor } from "../api";
+import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, vehicleList } from "../store";
+import { LOOKS, type Look, lookOf } from "../shows";
+import { language, said, speak, t, type Word } from "../texts";
+
+export function Header() {
+  return (
+    <header>
+      <h1>
+        <svg viewBox="0 0 32 32" width="24" height="24" aria-hidden="true">
+          <path d="M3 8h26M16 8v8" stroke="#57c7ff" stroke-width="3" stroke-linecap="round" />
+          <rect x="9" y="16" width="14" height="10" rx="2" fill="#f5b83d" />
+        </svg>
+        Hoistway
+      </h1>
+      <span class="plant">{layout.value?.name ?? ""}</span>
+      <ControllerState />
+      <Counts />
+      <span class="grow" />
+      <Actor />
+      <button type="button" class="plain" onClick={() => speak(language.value === "en" ? "ko" : "en")}>
+        {language.value === "en" ? "한국어" : "English"}
+      </button>
+      <LinkState />
+    </header>
+  );
+}
+
+function ControllerState() {
+  const now = controller.value;
+  if (!now) return <span class="pill" />;
+  const tone = now.trouble ? "bad" : now.state === "auto" ? "good" : "wait";
+  const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
+  const why = notice.value || now.trouble || now.reason || roll;
+  return (
+    <>
+      <span class={`pill ${tone}`}>
+        {t("controller")} · {said(now.state)}
+      </span>
+      <span class={`why ${now.trouble ? "bad" : ""}`} role="status" title={why}>
+        {why}
+      </span>
+    </>
+  );
+}
+
+function Counts() {
+  const looks = new Map<Look, number>();
+  for (const vehicle of vehicleList.value) looks.set(lookOf(vehicle), (looks.get(lookOf(vehicle)) ?? 0) + 1);
+  const open = jobList.value.filter((job) => !ENDED.has(job.state)).length;
+  return (
+    <span class="counts">
+      <span>
+        <b>{vehicleList.value.length}</b> {t("vehicles")}
+      </span>
+      {(["alarm", "held", "gone"] as const).map(
+        (look) =>
+          looks.has(look) && (
+            <span key={look} style={{ color: LOOKS[look] }}>
+              <b>{looks.get(look)}</b> {t(`look_${look}` as Word)}
+            </span>
+          ),
+      )}
+      <span>
+        <b>{open}</b> {t("jobs")}
+      </span>
+    </span>
+  );
+}
+
+function Actor() {
+  const name = useSignal(actor());
+  return (
+    <label class="actor">
+      <span>{t("your_name")}</span>
+      <input
+        value={name.value}
+        maxLength={64}
+        autocomplete="name"
+        title={t("name_hint")}
+        placeholder="—"
+        onInput={(event) => {
+          name.value = event.currentTarget.value;
+          nameActor(name.value);
+        }}
+      />
+    </label>
+  );
+}
+
+function LinkState() {
+  void tick.value;
+  const state = link.value;
+  const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1000) : null;
+  const text =
+    state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);
+  return (
+    <span class={`link ${state}`} role="status" aria-live="polite">
+      <i class="dot" />
+      {text}
+    </span>
+  );
+}

@@ -1,0 +1,29 @@
+/** A button that wants to be pressed twice. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { t } from "../texts";
+
+const PATIENCE = 3500;
+
+export function Sure(props: { label: string; does: () => void; class?: string; disabled?: boolean }) {
+  const armed = useSignal(false);
+  useEffect(() => {
+    if (!armed.value) return undefined;
+    const timer = window.setTimeout(() => (armed.value = false), PATIENCE);
+    return () => window.clearTimeout(timer);
+  }, [armed.value]);
+  const press = (): void => {
+    if (armed.value) props.does();
+    armed.value = !armed.value;
+  };
+  return (
+    <button
+      type="button"
+      class={`sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`}
+      disabled={props.disabled ?? false}
+      onClick={press}
+    >
+      {armed.value ? t("sure") : props.label}
+    </button>
+  );
+}

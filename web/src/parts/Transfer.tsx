@@ -1,0 +1,138 @@
+/** The form that orders a transfer. */
+import { useSignal } from "@preact/signals";
+import { freshKey, post, Refused } from "../api";
+import { changes, layout, order, stations, vehicleList } from "../store";
+import { t } from "../texts";
+import type { Job } from "../types";
+import { Problem } from "./Problem";
+
+let key = freshKey();
+let written = "";
+
+/** The same order keeps its key, so that sending it again after a lost answer makes no second job. */
+function keyOf(body: unknown): string {
+  const now = JSON.stringify(body);
+  if (now !== written) key = freshKey();
+  written = now;
+  return key;
+}
+
+export function Transfer() {
+  const priority = useSignal("50");
+  const sending = useSignal(false);
+  const error = useSignal<unknown>(null);
+  const done = useSignal("");
+  void changes.stations.value;
+  const known = stations.get(order.source.value)?.carrier ?? "";
+
+  const send = async (event: Event): Promise<void> => {
+    event.preventDefault();
+    const body = {
+      source: order.source.value,
+      destination: order.destination.value,
+      priority: Number(priority.value),
+      ...(order.carrier.value.trim() ? { carrier: order.carrier.value.trim() } : {}),
+    };
+    sending.value = true;
+    error.value = null;
+    done.value = "";
+    try {
+      const job = await post<Job>("/jobs", body, { "Idempotency-Key": keyOf(body) });
+      done.value = t("ordered", job.id);
+      written = "";
+      order.carrier.value = "";
+    } catch (failure) {
+      error.value = failure;
+    } finally {
+      sending.value = false;
+    }
+  };
+  const wrong = error.value instanceof Refused ? error.value.field : "";
+  return (
+    <form class="card transfer" onSubmit={(event) => void send(event)}>
+      <h2>{t("new_transfer")}</h2>
+      <Place label={t("source")} value={order.source} wrong={wrong === "source"} vehicles />
+      <Place label={t("destination")} value={order.destination} wrong={wrong === "destination"} />
+      <label>
+        <span>{t("carrier")}</span>
+        <input
+          name="carrier"
+          value={order.carrier.value}
+          maxLength={64}
+          placeholder={known || t("carrier_optional")}
+          aria-invalid={wrong === "carrier"}
+          autocomplete="off"
+          onInput={(event) => (order.carrier.value = event.currentTarget.value)}
+        />
+      </label>
+      <label class="narrow">
+        <span>{t("priority")}</span>
+        <input
+          name="priority"
+          type="number"
+          min="0"
+          max="99"
+          required
+          value={priority.value}
+          aria-invalid={wrong === "priority"}
+          onInput={(event) => (priority.value = event.currentTarget.value)}
+        />
+      </label>
+      <button type="submit" class="primary" disabled={sending.value}>
+        {sending.value ? t("ordering") : t("order")}
+      </button>
+      <div class="outcome">
+        {error.value ? <Problem error={error.value} /> : <span class="done" role="status">{done.value}</span>}
+      </div>
+    </form>
+  );
+}
+
+function Place(props: { label: string; value: { value: string }; wrong: boolean; vehicles?: boolean }) {
+  const places = layout.value?.stations ?? [];
+  const ports = places.filter((station) => station.kind === "port");
+  const buffers = places.filter((station) => station.kind !== "port");
+  const loaded = props.vehicles ? vehicleList.value.filter((vehicle) => vehicle.loaded) : [];
+  const shown = (id: string): string => {
+    const now = stations.get(id);
+    return now?.present ? `${id} · ${now.carrier ?? "■"}` : id;
+  };
+  return (
+    <label>
+      <span>{props.label}</span>
+      <select
+        required
+        value={props.value.value}
+        aria-invalid={props.wrong}
+        onChange={(event) => (props.value.value = event.currentTarget.value)}
+      >
+        <option value="">{t("choose")}</option>
+        <optgroup label={t("ports")}>
+          {ports.map(({ id }) => (
+            <option key={id} value={id}>
+              {shown(id)}
+            </option>
+          ))}
+        </optgroup>
+        {buffers.length > 0 && (
+          <optgroup label={t("buffers")}>
+            {buffers.map(({ id }) => (
+              <option key={id} value={id}>
+                {shown(id)}
+              </option>
+            ))}
+          </optgroup>
+        )}
+        {loaded.length > 0 && (
+          <optgroup label={t("loaded_vehicles")}>
+            {loaded.map(({ id, carrier }) => (
+              <option key={id} value={id}>
+                {carrier ? `${id} · ${carrier}` : id}
+              </option>
+            ))}
+          </optgroup>
+        )}
+      </select>
+    </label>
+  );
+}

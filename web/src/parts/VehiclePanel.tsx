@@ -1,0 +1,245 @@
+/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { actor, get, post, serverNow } from "../api";
+import { clock, LOOKS, lookOf, span } from "../shows";
+import { selected, tick, vehicleNow } from "../store";
+import { language, said, t, type Word } from "../texts";
+import type { Traffic, Vehicle } from "../types";
+import { Fact, Panel } from "./Panel";
+import { Problem } from "./Problem";
+
+const FRAMES_SHOWN = 30;
+const FRAMES_EVERY = 2000;
+
+export function VehiclePanel({ id }: { id: string }) {
+  const now = vehicleNow(id);
+  void tick.value;
+  if (!now) return null;
+  const load = now.loaded === null ? t("unknown") : now.loaded ? (now.carrier ?? t("loaded")) : t("empty");
+  return (
+    <Panel title={now.id} tag={said(now.activity)} colour={LOOKS[lookOf(now)]}>
+      <Notes vehicle={now} />
+      <dl>
+        <Fact name={t("state")}>
+          {said(now.state)} · {said(now.service)}
+        </Fact>
+        <Fact name={t("mode")}>
+          {upper(now.mode)} · {upper(now.oper)}
+          {now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""}
+        </Fact>
+        <Fact name={t("carrier")}>{load}</Fact>
+        <Fact name={t("place")}>
+          {now.barcode ?? t("unknown")}
+          {now.dist ? ` + ${now.dist} mm` : ""}
+        </Fact>
+        <Fact name={t("job")}>{now.job ?? t("none")}</Fact>
+        <Fact name={t("goal")}>
+          {now.goal ? (
+            <button type="button" class="text" onClick={() => (selected.value = { kind: "station", id: now.goal as string })}>
+              {now.goal}
+            </button>
+          ) : (
+            t("none")
+          )}
+        </Fact>
+      </dl>
+      <Decide vehicle={now} />
+      <Bits vehicle={now} />
+      <LinkFacts vehicle={now} />
+      <Frames id={id} />
+    </Panel>
+  );
+}
+
+const upper = (word: string | null): string => (word === null ? "–" : word.toUpperCase());
+const hex = (code: number): string => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
+
+function Notes({ vehicle }: { vehicle: Vehicle }) {
+  return (
+    <>
+      {vehicle.lockout && (
+        <p class="note held">
+          <b>{t("locked", vehicle.lockout.owner)}</b> {vehicle.lockout.reason}
+        </p>
+      )}
+      {vehicle.hold && (
+        <p class="note held">
+          <b>{t("held")}</b> {vehicle.hold.reason} <em>{vehicle.hold.remedy}</em>
+        </p>
+      )}
+      {vehicle.waiting && (
+        <p class="note waits">
+          <b>{t("waits")}</b> {vehicle.waiting}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Bits({ vehicle }: { vehicle: Vehicle }) {
+  return (
+    <details open>
+      <summary>
+        {t("status_bits")}
+        <code>
+          {vehicle.status1 ?? "–"} {vehicle.status2 ?? ""}
+        </code>
+      </summary>
+      {vehicle.bits.length === 0 && <p class="nothing">{t("no_status")}</p>}
+      <table class="bits">
+        <tbody>
+          {vehicle.bits.map((bit) => (
+            <tr key={bit.name}>
+              <th>{bit.name}</th>
+              <td>{bit.value}</td>
+              <td>{bit.meaning}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </details>
+  );
+}
+
+function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
+  const { link } = vehicle;
+  return (
+    <dl>
+      <Fact name={t("link")}>
+        <span class={link.up ? "good" : "bad"}>{t(link.up ? "link_up" : "link_down", clock(link.since))}</span>
+        {!link.up && link.reason && <small> · {link.reason}</small>}
+      </Fact>
+      <Fact name={t("round_trip")}>{link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`}</Fact>
+      <Fact name={t("frames_io")}>
+        {link.frames_in} / {link.frames_out}
+      </Fact>
+      <Fact name={t("trouble_counts")}>
+        {link.garbled} / {link.resends} / {link.duplicates}
+      </Fact>
+      <Fact name={t("seen")}>{vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"}</Fact>
+      <Fact name={t("address")}>
+        {vehicle.address} · DEV_ID {vehicle.dev_id} · {vehicle.dialect}
+      </Fact>
+    </dl>
+  );
+}
+
+function Frames({ id }: { id: string }) {
+  const list = useSignal<Traffic[] | null>(null);
+  useEffect(() => {
+    let here = true;
+    const read = async (): Promise<void> => {
+      try {
+        const { items } = await get<{ items: Traffic[] }>(
+          `/vehicles/${encodeURIComponent(id)}/frames?lang=${language.value}`,
+        );
+        if (here) list.value = items.slice(-FRAMES_SHOWN).reverse();
+      } catch {
+        /* The next round asks again. */
+      }
+    };
+    void read();
+    const timer = window.setInterval(() => void read(), FRAMES_EVERY);
+    return () => {
+      here = false;
+      window.clearInterval(timer);
+    };
+  }, [id, language.value]);
+  return (
+    <section class="frames">
+      <h3>{t("last_frames")}</h3>
+      {list.value?.length === 0 && <p class="nothing">{t("no_frames")}</p>}
+      {list.value?.map((traffic, i) => (
+        <Frame key={`${traffic.at}${traffic.hex}${i}`} traffic={traffic} />
+      ))}
+    </section>
+  );
+}
+
+function Frame({ traffic }: { traffic: Traffic }) {
+  const rows = traffic.frames.flatMap((frame) => frame.fields);
+  const main = rows.find((row) => ["CMD", "MSG", "MESSAGE", "RESULT"].includes(row.name.toUpperCase()));
+  const kind = traffic.frames.map((frame) => frame.kind.toUpperCase()).join(" + ");
+  return (
+    <details>
+      <summary>
+        <span class={traffic.direction}>{traffic.direction === "in" ? "←" : "→"}</span>
+        <time>{clock(traffic.at)}</time>
+        <b>{kind}</b>
+        <span class="more">{main ? main.meaning || main.value : ""}</span>
+      </summary>
+      <code class="hex">{traffic.hex.match(/../g)?.join(" ")}</code>
+      <table class="bits">
+        <tbody>
+          {rows.map((row, i) => (
+            <tr key={i}>
+              <th style={{ paddingLeft: `${row.depth * 0.7}em` }}>{row.name}</th>
+              <td>{row.value}</td>
+              <td>{row.meaning}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </details>
+  );
+}
+
+const VERDICTS = ["go_on", "off_rail", "stands_at"] as const;
+
+/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
+function Decide({ vehicle }: { vehicle: Vehicle }) {
+  const reason = useSignal("");
+  const verdict = useSignal<(typeof VERDICTS)[number]>("go_on");
+  const barcode = useSignal(vehicle.barcode ?? "");
+  const error = useSignal<unknown>(null);
+  const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
+  const send = (event: Event): void => {
+    event.preventDefault();
+    error.value = null;
+    const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
+    const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
+    const body = releasing ? { verdict: verdict.value, reason: reason.value, ...stands } : { reason: reason.value };
+    post(path, body).then(
+      () => (reason.value = ""),
+      (failure: unknown) => (error.value = failure),
+    );
+  };
+  return (
+    <form class="decide" onSubmit={send}>
+      {releasing && (
+        <select
+          aria-label={t("verdict")}
+          value={verdict.value}
+          onChange={(event) => (verdict.value = event.currentTarget.value as (typeof VERDICTS)[number])}
+        >
+          {VERDICTS.map((word) => (
+            <option key={word} value={word}>
+              {t(`verdict_${word}` as Word)}
+            </option>
+          ))}
+        </select>
+      )}
+      {releasing && verdict.value === "stands_at" && (
+        <input
+          aria-label={t("barcode")}
+          required
+          value={barcode.value}
+          onInput={(event) => (barcode.value = event.currentTarget.value)}
+        />
+      )}
+      <input
+        aria-label={t("reason")}
+        placeholder={t("reason")}
+        required
+        maxLength={200}
+        value={reason.value}
+        onInput={(event) => (reason.value = event.currentTarget.value)}
+      />
+      <button type="submit" title={releasing && !actor() ? t("your_name") : ""}>
+        {t(releasing ? "release" : "hold")}
+      </button>
+      <Problem error={error.value} />
+    </form>
+  );
+}
