@@ -13,6 +13,7 @@ from app.api import events, jobs, live, plant, problems, stations, vehicles
 from app.api.calls import Ctl, answer_of
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard, Tickets
+from app.api.orders import Orders
 from app.api.port import Controller
 from app.domain.view import Topic
 from app.settings import Settings
@@ -64,7 +65,7 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
+        middleware=[Middleware(Guard, settings=settings, tickets=tickets), Middleware(Orders)],
     )
     app.state.settings = settings
     app.state.tickets = tickets

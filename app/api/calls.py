@@ -60,15 +60,20 @@ Person = Annotated[Actor, Depends(_person)]
 
 
 def actor_of(request: Request) -> Actor:
-    """Return who asks. The header is UTF-8; without it, the caller's address stands for the name."""
-    given = request.headers.get("x-actor")
+    """Return who asks."""
+    return actor_named(request.headers.get("x-actor"), request.client.host if request.client else "unknown")
+
+
+def actor_named(given: str | None, address: str) -> Actor:
+    """Return who asks, from the header (UTF-8 read as Latin-1); without it, the caller's address stands for the name."""
     if given is None or not given.strip():
-        return Actor(f"anonymous@{request.client.host if request.client else 'unknown'}")
+        return Actor(f"anonymous@{address}")
     try:
         name = given.strip().encode("latin-1").decode("utf-8")
     except UnicodeDecodeError:
         name = given.strip()
-    if len(name) > MAX_ACTOR or any(unicodedata.category(letter) in {"Cc", "Cf", "Cs"} for letter in name):
+    hidden = not name.isascii() and any(unicodedata.category(letter) in {"Cc", "Cf", "Cs"} for letter in name)
+    if len(name) > MAX_ACTOR or hidden or (name.isascii() and not name.isprintable()):
         raise Problem("invalid", f"X-Actor is a name of at most {MAX_ACTOR} printable characters.", field="X-Actor")
     return Actor(name)
 
@@ -83,6 +88,8 @@ async def ask(controller: Controller, request: requests.Request) -> requests.Acc
         remedy = "Look at the object before asking again; a job is safe to post again under the same id or key."
         raise Problem("unavailable", detail, remedy) from None
     if isinstance(reply, Refusal):
+        if controller.trouble and reply.code == "not-now":
+            raise Problem("unavailable", controller.trouble, reply.remedy)
         raise refused(reply)
     return reply
 

@@ -1,6 +1,8 @@
 """Transfer jobs: ordered, watched, changed, ended."""
 
 import hashlib
+from collections.abc import Awaitable, Callable
+from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query
@@ -19,6 +21,7 @@ from app.fleet.views import view_of_event, view_of_job
 from app.runtime.showing import encode, shown
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
+Find = Callable[[JobId], Awaitable[Job | None]]
 HISTORY = 1000
 """Most events given with one job."""
 
@@ -36,14 +39,14 @@ IdempotencyKey = Annotated[
 
 @router.post("", **gives("Job", 201, "The job; 201 new, 200 the one that was there.", Job=200))
 async def create_job(body: JobIn, controller: Ctl, actor: Who, key: IdempotencyKey = None) -> Response:
-    """Order a transfer."""
-    return await create(body, controller, actor, key)
+    """Order a transfer. (Declared here; ``app.api.orders`` answers before the routes are looked at.)"""
+    return await create(body, controller, actor, key, partial(read, controller.reader.job))
 
 
-async def create(body: JobIn, controller: Controller, actor: Actor, key: str | None) -> Response:
+async def create(body: JobIn, controller: Controller, actor: Actor, key: str | None, lookup: Find) -> Response:
     """Create the job or find it. Raises Problem: refused, or another body under the same id or key."""
     mark = fingerprint(body)
-    known = await _known(controller, body.job_id, key)
+    known = await _known(controller, body.job_id, key, lookup)
     if known is not None:
         if known.fingerprint != mark:
             name = f"Job id {body.job_id}" if body.job_id else f"Idempotency-Key {key}"
@@ -71,9 +74,9 @@ def fingerprint(body: JobIn) -> str:
     return hashlib.blake2b(body.model_dump_json().encode(), digest_size=16).hexdigest()
 
 
-async def _known(controller: Controller, job: str | None, key: str | None) -> Job | None:
+async def _known(controller: Controller, job: str | None, key: str | None, lookup: Find) -> Job | None:
     if job is not None:
-        return await read(controller.reader.job, JobId(job))
+        return await lookup(JobId(job))
     if key is not None:
         return await read(controller.reader.job_by_key, key)
     return None

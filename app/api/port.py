@@ -19,6 +19,10 @@ class Reader(Protocol):
         """Return one job, ended or not."""
         ...
 
+    def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
+        """Return those of the named jobs that there are, ended or not, in any order."""
+        ...
+
     def job_by_key(self, key: str) -> Job | None:
         """Return the job first accepted under that idempotency key within its life of 7 days."""
         ...

@@ -84,6 +84,12 @@ def refused(refusal: Refusal) -> Problem:
     return Problem(code, refusal.reason, refusal.remedy, refusal.field)
 
 
+def ours(error: HoistwayError) -> Problem:
+    """Return an error of our own as a problem."""
+    code = error.code if error.code in CODES else "internal"
+    return Problem(code, error.message, error.remedy)
+
+
 def install(app: FastAPI) -> None:
     """Make every error of the application a problem."""
     app.add_exception_handler(Problem, _own)
@@ -100,8 +106,7 @@ async def _own(_request: Request, error: Exception) -> Response:
 
 async def _ours(_request: Request, error: Exception) -> Response:
     assert isinstance(error, HoistwayError)
-    code = error.code if error.code in CODES else "internal"
-    return Problem(code, error.message, error.remedy).response()
+    return ours(error).response()
 
 
 async def _defect(_request: Request, _error: Exception) -> Response:

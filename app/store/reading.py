@@ -1,6 +1,6 @@
 """The reading side: what is committed, on connections of its own. Never waits for the writer and never makes it wait."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import sqlalchemy as sa
@@ -43,6 +43,10 @@ class Reader:
     def job(self, job: JobId) -> Job | None:
         """Return a job, ended or not."""
         return self._first(sa.select(jobs).where(jobs.c.id == job), rows.job)
+
+    def jobs_named(self, names: Sequence[JobId]) -> list[Job]:
+        """Return those of the named jobs that there are, ended or not, in any order."""
+        return self._list(sa.select(jobs).where(jobs.c.id.in_(names)), rows.job)
 
     def job_by_key(self, key: str) -> Job | None:
         """Return the job accepted under this idempotency key within the last 7 days; the newest, if there are several."""

@@ -60,6 +60,9 @@ class MemoryReader:
     def job(self, job: JobId) -> Job | None:
         return self.kept.get(job)
 
+    def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
+        return [self.kept[name] for name in names if name in self.kept]
+
     def job_by_key(self, key: str) -> Job | None:
         return next((job for job in self.kept.values() if job.idempotency_key == key), None)
 

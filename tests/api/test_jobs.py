@@ -1,10 +1,16 @@
 """Jobs over REST."""
 
+import asyncio
+from collections.abc import Sequence
+
 import httpx
 import pytest
 
+from app.api import calls
 from app.domain import requests as r
-from app.domain.errors import PlantHeld, Refusal
+from app.domain.errors import PlantHeld, Refusal, StoreError
+from app.domain.ids import JobId
+from app.domain.job import Job
 from tests.api.scripted import Scripted
 
 pytestmark = pytest.mark.anyio
@@ -133,3 +139,61 @@ async def test_the_caller_without_a_name_is_known_by_address(client: httpx.Async
     named = await client.post("/jobs", json=ORDER | {"job_id": "B"}, headers={b"X-Actor": "김철수".encode()})
     assert named.json()["actor"] == "김철수"
     assert [request.actor for request in controller.seen] == ["anonymous@127.0.0.1", "김철수"]
+
+
+async def test_many_orders_at_once_are_looked_up_together(
+    client: httpx.AsyncClient, controller: Scripted, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[int] = []
+    lookup = controller.reader.jobs_named
+
+    def counted(names: Sequence[JobId]) -> Sequence[Job]:
+        asked.append(len(names))
+        return lookup(names)
+
+    monkeypatch.setattr(controller.reader, "jobs_named", counted)
+    answers = await asyncio.gather(*(client.post("/jobs", json=ORDER | {"job_id": f"L{n}"}) for n in range(20)))
+    assert [answer.status_code for answer in answers] == [201] * 20
+    assert sum(asked) == 20
+    assert len(asked) < 20
+
+
+async def test_a_store_that_cannot_be_read_is_a_503(
+    client: httpx.AsyncClient, controller: Scripted, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(_names: Sequence[JobId]) -> Sequence[Job]:
+        raise StoreError("The disk has gone.")
+
+    monkeypatch.setattr(controller.reader, "jobs_named", broken)
+    answer = await client.post("/jobs", json=ORDER)
+    assert (answer.status_code, answer.json()["detail"]) == (503, "The disk has gone.")
+    assert not controller.seen
+
+
+async def test_a_controller_that_has_stopped_is_a_503_not_a_conflict(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    controller.refusal = Refusal("not-now", "It has stopped.", "Start it.")
+    controller.trouble = "The lease ran out."
+    answer = await client.post("/jobs", json=ORDER)
+    assert (answer.status_code, answer.json()["code"]) == (503, "unavailable")
+
+
+async def test_no_answer_in_time_is_a_503_that_says_how_to_go_on(
+    client: httpx.AsyncClient, controller: Scripted, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def never(_request: r.Request) -> r.Reply:
+        await asyncio.Event().wait()
+        raise AssertionError
+
+    monkeypatch.setattr(calls, "ANSWER_WITHIN", 0.0)
+    monkeypatch.setattr(controller, "ask", never)
+    answer = await client.post("/jobs", json=ORDER)
+    assert answer.status_code == 503
+    assert "same id or key" in answer.json()["remedy"]
+
+
+@pytest.mark.parametrize("key", ["a" * 129, "a b", "\x7f", ""])
+async def test_an_idempotency_key_is_bounded(client: httpx.AsyncClient, key: str) -> None:
+    answer = await client.post("/jobs", json=ORDER, headers={"Idempotency-Key": key})
+    assert (answer.status_code, answer.json()["field"]) == (422, "Idempotency-Key")
