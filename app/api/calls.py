@@ -3,8 +3,7 @@
 import asyncio
 import unicodedata
 import zlib
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 from typing import Annotated, Any, NoReturn, TypeVar
 
 from fastapi import Depends, Header
@@ -155,14 +154,3 @@ def version_expected(request: Request) -> int | None:
     if not (text.isascii() and text.isdigit() and len(text) < 10):
         raise Problem("invalid", 'If-Match is the ETag of what was read, such as "3".', field="If-Match")
     return int(text)
-
-
-@contextmanager
-def changed_meanwhile(expected: int | None) -> Iterator[None]:
-    """Turn a conflict into 412, as If-Match asks for, where the caller named a version."""
-    try:
-        yield
-    except Problem as problem:
-        if expected is not None and problem.code == "conflict":
-            problem.code = "changed"
-        raise

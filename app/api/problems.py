@@ -24,7 +24,7 @@ CODES: dict[str, tuple[int, str]] = {
     "method": (405, "The path does not have this method"),
     "conflict": (409, "It contradicts what is there"),
     "not-now": (409, "Not possible in the present state"),
-    "changed": (412, "Somebody else changed it meanwhile"),
+    "stale": (412, "Somebody else changed it meanwhile"),
     "too-large": (413, "The body is too large"),
     "media-type": (415, "The body is not JSON"),
     "misdirected": (421, "This server does not answer to that host name"),

@@ -225,7 +225,7 @@ class Scripted:
         if isinstance(request, r.WriteDest):
             version = len(self.reader.dests(request.station))
             if request.expected not in (None, version):
-                return Refusal("conflict", f"It is version {version} now.", "Read it again.")
+                return Refusal("stale", f"It is version {version} now.", "Read it again.")
             row = StationDest(request.station, version + 1, request.pulses, request.actor, "host", NOW)
             self.reader.pulses.append(row)
         else:

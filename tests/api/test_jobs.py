@@ -75,7 +75,8 @@ async def test_a_refusal_says_why_where_and_what_would_help(client: httpx.AsyncC
 
 
 @pytest.mark.parametrize(
-    ("code", "status"), [("not-found", 404), ("conflict", 409), ("not-now", 409), ("no-route", 422), ("??", 422)]
+    ("code", "status"),
+    [("not-found", 404), ("conflict", 409), ("stale", 412), ("not-now", 409), ("no-route", 422), ("??", 422)],
 )
 async def test_each_refusal_has_its_status(
     client: httpx.AsyncClient, controller: Scripted, code: str, status: int

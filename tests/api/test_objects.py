@@ -189,7 +189,7 @@ async def test_two_people_do_not_overwrite_each_others_pulses(client: httpx.Asyn
     first = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"0"'})
     assert first.status_code == 200
     late = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"0"'})
-    assert (late.status_code, late.json()["code"]) == (412, "changed")
+    assert (late.status_code, late.json()["code"]) == (412, "stale")
     assert (await client.put("/stations/P1/dest", json=pulses)).status_code == 200
     assert (await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": "*"})).status_code == 200
     wrong = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"x"'})
