@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator, Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query
-from starlette.requests import Request
+from starlette.requests import HTTPConnection, Request
 from starlette.responses import Response, StreamingResponse
 
 from app.api.calls import Ctl, items, read
@@ -32,9 +32,9 @@ def replay_of(controller: Controller) -> Replay:
     return replay
 
 
-def watch(request: Request, controller: Controller) -> None:
-    """Raises Problem: too many watch already."""
-    if controller.hub.watchers >= request.app.state.settings.watchers:
+def admit(connection: HTTPConnection, controller: Controller) -> None:
+    """Let one more watch. Raises Problem: too many do already."""
+    if controller.hub.watchers >= connection.app.state.settings.watchers:
         raise Problem("too-many", f"{controller.hub.watchers} watch already.", "Close a page, or raise `watchers`.")
 
 
@@ -65,7 +65,7 @@ async def stream_events(
     request: Request, controller: Ctl, after: From = None, last_event_id: LastId = None
 ) -> StreamingResponse:
     """Follow events: ``curl -N .../events/stream``. None is left out; a client that reconnects resumes by itself."""
-    watch(request, controller)
+    admit(request, controller)
     start = int(last_event_id) if last_event_id else after
     subscription = controller.hub.subscribe([Topic.EVENTS], after=start, replay=replay_of(controller))
     headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}

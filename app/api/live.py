@@ -11,7 +11,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.calls import Ctl, answer_of
 from app.api.declared import gives
-from app.api.events import replay_of
+from app.api.events import admit, replay_of
 from app.api.guard import TICKET_LIFE, Tickets
 from app.api.port import Controller
 from app.api.problems import Problem
@@ -50,8 +50,7 @@ def topics_of(names: Iterable[str]) -> frozenset[Topic]:
 
 
 def _started(socket: WebSocket, controller: Controller) -> Subscription:
-    if controller.hub.watchers >= socket.app.state.settings.watchers:
-        raise Problem("too-many", f"{controller.hub.watchers} watch already.", "Close a page, or raise `watchers`.")
+    admit(socket, controller)
     topics = topics_of(socket.query_params.get("topics", "").split(","))
     text = socket.query_params.get("after")
     if text is not None and not (text.isascii() and text.isdigit() and len(text) <= 15):

@@ -43,25 +43,29 @@ class Lookup:
         return await future
 
     async def _run(self) -> None:
-        loop = asyncio.get_running_loop()
-        while self._waiting:
-            batch, self._waiting = self._waiting[:BATCH], self._waiting[BATCH:]
-            try:
-                found = await loop.run_in_executor(None, self.reader.jobs_named, [job for job, _ in batch])
-            except HoistwayError as error:
-                _fail(batch, error)
-                continue
-            jobs = {job.id: job for job in found}
-            for name, future in batch:
+        batch: list[tuple[JobId, asyncio.Future[Job | None]]] = []
+        try:
+            while self._waiting:
+                batch, self._waiting = self._waiting[:BATCH], self._waiting[BATCH:]
+                await self._answer(batch)
+        finally:
+            self._running = None
+            for _, future in batch:
+                future.cancel()
+
+    async def _answer(self, batch: Sequence[tuple[JobId, asyncio.Future[Job | None]]]) -> None:
+        names = [name for name, _ in batch]
+        try:
+            found = await asyncio.get_running_loop().run_in_executor(None, self.reader.jobs_named, names)
+        except HoistwayError as error:
+            for _, future in batch:
                 if not future.done():
-                    future.set_result(jobs.get(name))
-        self._running = None
-
-
-def _fail(batch: Sequence[tuple[JobId, asyncio.Future[Job | None]]], error: HoistwayError) -> None:
-    for _, future in batch:
-        if not future.done():
-            future.set_exception(error)
+                    future.set_exception(error)
+            return
+        jobs = {job.id: job for job in found}
+        for name, future in batch:
+            if not future.done():
+                future.set_result(jobs.get(name))
 
 
 class Orders:

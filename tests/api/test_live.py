@@ -6,7 +6,7 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from app.api import application
+from app.api import application, events
 from app.domain import requests as r
 from app.settings import Settings
 from tests.api.scripted import ACTOR, Scripted
@@ -163,3 +163,21 @@ async def test_events_are_listed_in_pages_by_job_and_vehicle(client: httpx.Async
     assert ([e["seq"] for e in rest["items"]], rest["next"]) == ([3], None)
     some = (await client.get("/events", params={"job": "J1", "vehicle": "V001"})).json()
     assert [e["seq"] for e in some["items"]] == [2]
+
+
+async def test_a_silent_stream_of_events_shows_that_it_is_alive(
+    app: FastAPI, controller: Scripted, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(events, "HEARTBEAT", 0.0)
+    assert await _stream(app, controller, {}) == [": events\n\n", ": alive\n\n"]
+
+
+async def test_too_many_streams_of_events_are_refused(app: FastAPI) -> None:
+    async with Socket(app) as one, Socket(app) as two:
+        await one.accepted()
+        await two.accepted()
+        await two.frame()
+        transport = httpx.ASGITransport(app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
+            answer = await client.get("/api/v1/events/stream")
+            assert (answer.status_code, answer.json()["code"]) == (429, "too-many")
