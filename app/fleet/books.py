@@ -119,6 +119,8 @@ class Books:
             if station.dest:
                 self.keep_dest(StationDest(station.id, 1, station.dest, SYSTEM, "plant file", self.utc))
         for spec in self.plant.vehicles:
+            if not spec.in_service:
+                self.save_vehicle(self.vehicles[spec.id], out_of_service="by the plant file")
             if spec.offset:
                 self.keep_offset(VehicleOffset(spec.id, 1, spec.offset, SYSTEM, "plant file", self.utc))
 

@@ -54,7 +54,8 @@ from app.fleet.dispatch import Dispatch
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
 from app.fleet.motion import Motion, OffPath
-from app.fleet.orders import PlantOrders, VehicleOrders
+from app.fleet.orders import VehicleOrders
+from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
 from app.fleet.vehicle import Stage, VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
@@ -63,6 +64,8 @@ SHOW_EVERY = Seconds(0.1)
 """A vehicle is shown at most so often, unless something is decided (QUALITY 1: live frames at 10 Hz)."""
 THINK_EVERY = Seconds(1.0)
 """Dispatch, and a look at everything that waits, at least so often; sooner when something changed (our choice)."""
+THINK_AT_MOST_EVERY = Seconds(0.1)
+"""Dispatch runs at most so often: a burst of orders costs one assignment (our choice)."""
 GIVE_BACK_AFTER = Seconds(10.0)
 """A vehicle that cannot go on to its source for so long loses the job to another (our choice)."""
 
@@ -94,7 +97,7 @@ class Fleet:
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
-        self._next_thought = now
+        self._next_thought = self._last_thought = now
         self._start()
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -132,11 +135,12 @@ class Fleet:
         self.books.now = now
         if now < self._next_thought:
             return
-        self._next_thought = Seconds(now + THINK_EVERY)
+        self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         for vehicle in self.books.vehicles.values():
             self.recovery.tick(vehicle)
             self._give_back_if_unfit(vehicle)
             self.books.wake(vehicle.id)
+        self._dispatch.run()
         self._go_on()
 
     def _give_back_if_unfit(self, vehicle: VehicleNow) -> None:
@@ -192,8 +196,14 @@ class Fleet:
         )
         self.books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         self.books.effects.replies.append((ticket, reply))
-        self._next_thought = now
+        self._think_soon()
         self._go_on()
+
+    def _think_soon(self) -> None:
+        """Something changed that dispatch should see; many changes together cost one assignment."""
+        self._next_thought = min(
+            self._next_thought, Seconds(max(self.books.now, self._last_thought + THINK_AT_MOST_EVERY))
+        )
 
     def _answer(self, request: Request) -> Reply:
         match request:
@@ -431,8 +441,8 @@ class Fleet:
     def _go_on(self) -> None:
         """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
         books = self.books
-        if books.now >= self._next_thought or any(self._wants_dispatch(name) for name in books.woken):
-            self._dispatch.run()
+        if any(self._wants_dispatch(name) for name in books.woken):
+            self._think_soon()
         while books.woken:
             name = next(iter(books.woken))
             del books.woken[name]

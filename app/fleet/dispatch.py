@@ -98,6 +98,10 @@ class Dispatch:
             return f"{job.source} is empty"
         if job.carrier and record.carrier and record.carrier != job.carrier:
             return f"{job.source} holds {record.carrier}, not {job.carrier}"
+        if record.present is None and job.carrier in books.carriers:
+            place = books.carriers[job.carrier].place
+            if place is not None and place != job.source:
+                return f"{job.carrier} is at {place}, not at {job.source}"
         return ""
 
     def _say(self, job: Job, why: str) -> None:
@@ -146,11 +150,13 @@ class Dispatch:
         books = self._books
         aboard = job.source == vehicle.id
         first = job.assigned is None
+        there = books.stations.get(StationId(job.source))
         job = replace(
             job.after(JobStep.ASSIGNED),
             vehicle=vehicle.id,
             leg=Leg.TO_DESTINATION if aboard else Leg.TO_SOURCE,
             assigned=job.assigned or books.utc,
+            carrier=job.carrier or (there.carrier if there else None),
             reason="",
         )
         if aboard:
