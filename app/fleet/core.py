@@ -178,6 +178,8 @@ class Fleet:
                 self._taught(vehicle, event)
             case Garbled():
                 self.books.touch(vehicle)
+        if any(self._wants_dispatch(name) for name in self.books.woken):
+            self._think_soon()
         self._go_on()
 
     def ask(self, request: Request, ticket: int, now: Seconds) -> None:
@@ -441,8 +443,6 @@ class Fleet:
     def _go_on(self) -> None:
         """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
         books = self.books
-        if any(self._wants_dispatch(name) for name in books.woken):
-            self._think_soon()
         while books.woken:
             name = next(iter(books.woken))
             del books.woken[name]
