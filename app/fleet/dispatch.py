@@ -1,4 +1,4 @@
-"""Which vehicle does which job: one assignment over all idle vehicles and all jobs that can begin (DOMAIN section 6)."""
+"""Which vehicle does which job: one assignment over all vehicles that carry nothing and all jobs not picked up (DOMAIN 6)."""
 
 from dataclasses import replace
 
@@ -10,15 +10,20 @@ from app.domain.records import ControllerState
 from app.domain.units import Barcode
 from app.fleet.books import Books
 from app.fleet.missions import Missions
+from app.fleet.obstacles import against_picking_up, against_putting_down
 from app.fleet.vehicle import VehicleNow
-from app.planning.dispatch import assign, cost
+from app.planning.dispatch import SWITCH, assign, cost
 
 AT_MOST = 500
 """So many jobs are looked at in one assignment, the most urgent and oldest first (DOMAIN section 6, TRAFFIC section 6)."""
+MOST_PAIRS = 20_000
+"""With more pairs of vehicle and job than this, assignments once made are not thought over (our choice: about 50 ms)."""
+CANDIDATES_NAMED = 5
+"""So many vehicles are named with the assignment (our choice)."""
 
 
 class Dispatch:
-    """Gives queued jobs to idle vehicles."""
+    """Gives jobs to vehicles, and other ones where that saves more than a switch costs."""
 
     def __init__(self, books: Books, missions: Missions) -> None:
         self._books = books
@@ -28,20 +33,17 @@ class Dispatch:
         """Assign what can be assigned now; a job that cannot begin says why."""
         books = self._books
         queued = [job for job in books.jobs.values() if job.state is JobState.QUEUED]
-        if not queued or books.controller.state is not ControllerState.AUTO:
-            return
         queued.sort(key=lambda job: (-job.priority, job.order))
-        ready = self._that_can_begin(queued)[:AT_MOST]
-        carriers = [v for v in books.vehicles.values() if v.available]
-        vehicles = [v for v in carriers if not self.loaded(v)]
-        stations = [job for job in ready if job.source in books.specs]
-        pairs = assign(self._costs(vehicles, stations)) if vehicles and stations else []
-        for row, column in pairs:
-            self._assign(vehicles[row], stations[column])
+        if books.controller.state is not ControllerState.AUTO:
+            for job in queued:
+                self._say(job, f"the controller is {books.controller.state.value}")
+            return
+        ready = self._that_can_begin(queued)
         for job in ready:
             holder = books.vehicles.get(VehicleId(job.source))
-            if holder in carriers:
+            if holder and holder.available:
                 self._assign(holder, job)
+        self._fetch([job for job in ready if job.source in books.specs][:AT_MOST])
         self._explain(ready)
 
     def loaded(self, vehicle: VehicleNow) -> bool:
@@ -52,12 +54,19 @@ class Dispatch:
 
     def _that_can_begin(self, queued: list[Job]) -> list[Job]:
         """Return the jobs whose source is full and destination free, as far as is known, one job per station end."""
-        active = [job for job in self._books.jobs.values() if job.state is not JobState.QUEUED]
+        if not queued:
+            return []
+        live = self._books.jobs.values()
+        active = [job for job in live if job.state is not JobState.QUEUED]
         sources: set[str] = {job.source for job in active if job.leg in {Leg.TO_SOURCE, Leg.ACQUIRING}}
+        emptied: set[str] = {job.source for job in active if job.leg is Leg.ACQUIRING}
         destinations = {job.destination: job for job in active}
+        bringing: dict[str, Job] = {}
+        for job in sorted(live, key=lambda job: -job.order):
+            bringing[job.destination] = job
         ready = []
         for job in queued:
-            why = self._obstacle(job, sources, destinations)
+            why = self._taken(job, sources, destinations, bringing) or self._obstacle(job, emptied)
             if why:
                 self._say(job, why)
                 continue
@@ -66,43 +75,26 @@ class Dispatch:
             ready.append(job)
         return ready
 
-    def _obstacle(self, job: Job, sources: set[str], destinations: dict[StationId, Job]) -> str:
-        """Return why a job cannot begin yet (it is not refused: hosts order ahead, DOMAIN section 2)."""
+    def _taken(self, job: Job, sources: set[str], destinations: dict[StationId, Job], bringing: dict[str, Job]) -> str:
+        """Return which other job comes first at one of its ends. ``bringing``: the earliest job to each destination."""
         if job.destination in destinations:
             return f"{job.destination} is the destination of {destinations[job.destination].id} already"
         if job.source in sources:
             return f"another job is being fetched from {job.source}"
-        if why := self._source_obstacle(job):
-            return why
-        blocked = self._missions.obstacle_at(job.destination, job.id)
-        if (
-            blocked
-            and not self._being_emptied(job.destination)
-            and not any(f in self._books.specs and not self._missions.obstacle_at(f, job.id) for f in job.fallbacks)
-        ):
-            return blocked
+        first = bringing.get(job.source)
+        known = job.source in self._books.stations and self._books.stations[StationId(job.source)].present
+        if first and first.order < job.order and not known:
+            return f"{first.id} brings a carrier to {job.source} first"
         return ""
 
-    def _being_emptied(self, station: StationId) -> bool:
-        return any(job.source == station and job.leg is Leg.ACQUIRING for job in self._books.jobs.values())
-
-    def _source_obstacle(self, job: Job) -> str:
+    def _obstacle(self, job: Job, emptied: set[str]) -> str:
+        """Return why a job cannot begin yet (it is not refused: hosts order ahead, DOMAIN section 2)."""
         books = self._books
-        if job.source in books.vehicles:
-            aboard = books.vehicles[VehicleId(job.source)].record
-            return "" if aboard.believed_loaded else f"nothing is aboard {job.source}"
-        record = books.stations[StationId(job.source)]
-        if record.out_of_service:
-            return f"{job.source} is out of service: {record.out_of_service}"
-        if record.present is False:
-            return f"{job.source} is empty"
-        if job.carrier and record.carrier and record.carrier != job.carrier:
-            return f"{job.source} holds {record.carrier}, not {job.carrier}"
-        if record.present is None and job.carrier in books.carriers:
-            place = books.carriers[job.carrier].place
-            if place is not None and place != job.source:
-                return f"{job.carrier} is at {place}, not at {job.source}"
-        return ""
+        if why := against_picking_up(books, job):
+            return why
+        blocked = against_putting_down(books, job.destination, job.id)
+        elsewhere = any(f in books.specs and not against_putting_down(books, f, job.id) for f in job.fallbacks)
+        return "" if job.destination in emptied or elsewhere else blocked
 
     def _say(self, job: Job, why: str) -> None:
         if job.reason != why:
@@ -113,24 +105,83 @@ class Dispatch:
         for job in ready:
             now = self._books.jobs.get(job.id)
             if now and now.state is JobState.QUEUED:
-                wish = f" ({job.wish} is asked for)" if job.wish else ""
-                self._say(now, f"no vehicle is free{wish}")
+                self._say(now, self._nobody(now))
+
+    def _nobody(self, job: Job) -> str:
+        """Return why no vehicle does this job now. The words change only when the cause does: they are kept."""
+        vehicles = self._books.vehicles
+        only = vehicles.get(VehicleId(job.source)) or (vehicles.get(job.wish) if job.wish else None)
+        if only:
+            asked = "has the carrier aboard" if only.id == job.source else "is asked for"
+            return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only)}"
+        if not any(self._able(vehicle, job) for vehicle in vehicles.values()):
+            return "no vehicle can serve both stations: see their DEST, OFFSET and limits"
+        return "no vehicle is free"
+
+    def _engaged(self, vehicle: VehicleNow) -> str:
+        states = (
+            (vehicle.barred, f"is {vehicle.barred}"),
+            (not vehicle.linked, "is not connected"),
+            (vehicle.job, f"is on job {vehicle.job}"),
+            (not vehicle.fit, "is not ready"),
+            (self.loaded(vehicle), "is loaded"),
+        )
+        return next((words for applies, words in states if applies), "cannot take it now")
 
     # -- which vehicle ------------------------------------------------------------------------------------------------
 
-    def _costs(self, vehicles: list[VehicleNow], jobs: list[Job]) -> list[list[float]]:
-        """Return the cost of each vehicle (row) for each job (column); infinite where it cannot do it."""
+    def _fetch(self, queued: list[Job]) -> None:
+        """Assign vehicles to jobs at stations, and think over every assignment whose carrier is not picked up yet."""
         books = self._books
-        starts = [self._start(v) for v in vehicles]
+        vehicles = [v for v in books.vehicles.values() if v.available and not self.loaded(v)]
+        engaged = [v for v in books.vehicles.values() if self._can_switch(v)]
+        jobs = queued
+        if len(vehicles) + len(engaged) and (len(vehicles) + len(engaged)) * (len(queued) + len(engaged)) <= MOST_PAIRS:
+            vehicles = vehicles + engaged
+            jobs = queued + [books.jobs[v.job] for v in engaged if v.job]
+        if not vehicles or not jobs:
+            return
+        times = self._times(vehicles, jobs)
+        pairs = [(vehicles[row], jobs[column], column) for row, column in assign(self._costs(vehicles, jobs, times))]
+        new = [(vehicle, job, column) for vehicle, job, column in pairs if job.vehicle != vehicle.id]
+        for vehicle, job, _ in new:
+            self._missions.give_back(vehicle, f"{vehicle.id} does {job.id} first")
+            if job.vehicle:
+                self._missions.give_back(books.vehicles[job.vehicle], f"{vehicle.id} is nearer than {job.vehicle}")
+        for vehicle, job, column in new:
+            why = self._candidates(vehicles, [row[column] for row in times])
+            self._assign(vehicle, books.jobs[job.id], why)
+
+    def _can_switch(self, vehicle: VehicleNow) -> bool:
+        """Whether the vehicle is only on its way to fetch a carrier."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        return job is not None and job.state is JobState.WAITING and vehicle.fit and not vehicle.handling
+
+    def _times(self, vehicles: list[VehicleNow], jobs: list[Job]) -> list[list[float]]:
+        """Return the driving time of each vehicle (row) to each job's source (column); infinite: it cannot do the job."""
+        books = self._books
         goals = [books.specs[StationId(job.source)].barcode for job in jobs]
-        times = books.router.times(starts, goals)
+        times = books.router.times([self._start(v) for v in vehicles], goals)
+        return [
+            [time if self._able(vehicle, job) else float("inf") for time, job in zip(row, jobs, strict=True)]
+            for vehicle, row in zip(vehicles, times, strict=True)
+        ]
+
+    def _costs(self, vehicles: list[VehicleNow], jobs: list[Job], times: list[list[float]]) -> list[list[float]]:
+        now = self._books.utc
+        worth = [cost(0.0, now - job.created, job.priority) for job in jobs]
         return [
             [
-                cost(time, books.utc - job.created, job.priority) if self._able(vehicle, job) else float("inf")
-                for time, job in zip(row, jobs, strict=True)
+                time + bonus + SWITCH * (job.vehicle != vehicle.id and bool(job.vehicle or vehicle.job))
+                for time, job, bonus in zip(row, jobs, worth, strict=True)
             ]
             for vehicle, row in zip(vehicles, times, strict=True)
         ]
+
+    def _candidates(self, vehicles: list[VehicleNow], times: list[float]) -> str:
+        """Return the nearest vehicles that could do a job, with their way to it: why this vehicle (DOMAIN section 6)."""
+        able = sorted((time, vehicle.id) for time, vehicle in zip(times, vehicles, strict=True) if time < float("inf"))
+        return "to the source: " + ", ".join(f"{name} {time:.0f} s" for time, name in able[:CANDIDATES_NAMED])
 
     def _start(self, vehicle: VehicleNow) -> Barcode:
         start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
@@ -146,7 +197,7 @@ class Dispatch:
         ports = [s for s in ends if s.kind is StationKind.PORT]
         return not any(isinstance(self._missions.target(vehicle, port), Refusal) for port in ports)
 
-    def _assign(self, vehicle: VehicleNow, job: Job) -> None:
+    def _assign(self, vehicle: VehicleNow, job: Job, why: str = "") -> None:
         books = self._books
         aboard = job.source == vehicle.id
         first = job.assigned is None
@@ -165,7 +216,7 @@ class Dispatch:
         books.save_job(job)
         if first:
             books.event(JobEvent.TRANSFER_INITIATED, job=job)
-        books.event(JobEvent.VEHICLE_ASSIGNED, job=job)
+        books.event(JobEvent.VEHICLE_ASSIGNED, job=job, detail=why)
         if aboard:
             books.event(JobEvent.TRANSFERRING, job=job)
         self._missions.proceed(vehicle)
