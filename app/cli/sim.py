@@ -16,7 +16,7 @@ from app.cli.plainly import plainly, refuse
 if TYPE_CHECKING:
     from app.domain.layout import Plant, VehicleSpec
     from app.domain.units import Seconds
-    from app.protocols.itsc.simulator import SimulatedVehicle
+    from app.protocols.itsc.simulator import Options, SimulatedVehicle
     from app.runtime.lines import Line
     from app.runtime.transports import DeviceServer, Dialler
     from app.sim.oracle import Oracle
@@ -36,6 +36,9 @@ def sim(
         str | None, typer.Option(help="serve at this address instead of each vehicle's own (0.0.0.0: all)")
     ] = None,
     controller: Annotated[str, typer.Option(help="host that vehicles which dial in themselves dial")] = "127.0.0.1",
+    haste: Annotated[
+        float, typer.Option(help="steps of a pick-up or place, and of homing, are so many times as quick")
+    ] = 1.0,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
     ] = False,
@@ -48,7 +51,7 @@ def sim(
     with plainly():
         found = main.plant_of(plant)
         try:
-            code = main.run(_Floor(found, journal, host, controller).run(with_parent))
+            code = main.run(_Floor(found, journal, host, controller, haste).run(with_parent))
         except OSError as wrong:
             refuse(f"cannot simulate {found.name}: {main.said(wrong)}", "Is it simulated already?")
     raise typer.Exit(code)
@@ -57,7 +60,8 @@ def sim(
 class _Floor:
     """The simulated plant on real sockets, watched by the oracle."""
 
-    def __init__(self, plant: Plant, journal: Path | None, host: str | None, controller: str) -> None:
+    def __init__(self, plant: Plant, journal: Path | None, host: str | None, controller: str, haste: float) -> None:
+        self._haste = haste
         self._plant = plant
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
@@ -73,7 +77,8 @@ class _Floor:
 
         now = Clock().now
         stop = main.stop_signal()
-        floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), now=now())
+        options = _hasty(self._haste)
+        floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
         oracle = Oracle(self._plant, floor.truth)
         parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
         try:
@@ -140,6 +145,19 @@ class _Floor:
         if self._journal:
             self._journal.write(json.dumps({"at": round(time.time(), 3), **happening}) + "\n")
             self._journal.flush()
+
+
+def _hasty(times: float) -> Options:
+    from app.domain.units import Seconds
+    from app.protocols.itsc.simulator import Options
+
+    usual = Options()
+    return Options(
+        step_time=Seconds(usual.step_time / times),
+        servo_time=Seconds(usual.servo_time / times),
+        search_home_time=Seconds(usual.search_home_time / times),
+        go_home_time=Seconds(usual.go_home_time / times),
+    )
 
 
 async def _stop_with_parent(stop: asyncio.Event) -> None:

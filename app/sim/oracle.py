@@ -84,7 +84,7 @@ class LineWatch:
             seqs = [element.seq for element in frame.body.path]
             if seqs != list(range(seqs[0], seqs[0] + len(seqs))):
                 self._oracle.note(f"{self._spec.id} was sent a path whose SEQ does not rise by one: {seqs}", now)
-            if frame.body.path[-1].action is Action.RUN:
+            if frame.body.path[-1].action == Action.RUN:
                 self._oracle.note(f"{self._spec.id} was sent a path that does not end in a stop", now)
         elif frame.code not in _MOTION:
             return

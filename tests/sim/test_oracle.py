@@ -1,0 +1,147 @@
+from dataclasses import replace
+
+from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
+from app.domain.job import Job, JobEvent, JobState
+from app.domain.layout import StationKind
+from app.domain.records import HistoryEvent, Intent, IntentState, Record
+from app.domain.units import Barcode, Timestamp
+from app.protocols.itsc.codec import Codec
+from app.protocols.itsc.dialects import DEFAULT
+from app.protocols.itsc.messages import NOTHING, Action, Code, Element, Enq, Etb, Move, Sbuf
+from app.sim.oracle import Books, LineWatch, Oracle
+from app.sim.truth import Truth
+from tests.sim.plants import line
+
+V1 = VehicleId("V1")
+CODEC = Codec(DEFAULT)
+JOB = Job(
+    id=JobId("J"),
+    order=1,
+    carrier=None,
+    source=StationId("P1"),
+    destination=StationId("L"),
+    priority=50,
+    created=Timestamp(0.0),
+    actor=Actor("test"),
+    fingerprint="",
+)
+
+
+class Court:
+    """An oracle over the line plant, and everything that reports to it."""
+
+    def __init__(self) -> None:
+        plant = line()
+        self.truth = Truth(plant, lambda act: self.oracle.act(act, 1.0))
+        self.oracle = Oracle(plant, self.truth)
+        self.books = Books(self.oracle)
+        self.watch = LineWatch(plant.vehicles[0], CODEC, self.books, self.oracle)
+
+    @property
+    def verdict(self) -> list[str]:
+        return self.oracle.violations
+
+    def kept(self, *records: Record) -> None:
+        self.books.committed(records, 1.0)
+
+    def sent(self, code: Code, body: Move | Sbuf | None, cmd_id: int = 5) -> None:
+        kind = Etb if isinstance(body, Move) else Enq
+        self.watch.sent(CODEC.encode(kind(1, cmd_id, int(code), body or NOTHING), strict=False), 1.0)
+
+
+def intent(cmd_id: int, vehicle: VehicleId = V1) -> Intent:
+    return Intent(CmdId(cmd_id), vehicle, "move", IntentState.OPEN, Timestamp(0.0), Actor("test"))
+
+
+def event(seq: int) -> HistoryEvent:
+    return HistoryEvent(seq, Timestamp(0.0), JobEvent.TRANSFERRING, 0)
+
+
+def path(*steps: tuple[int, Action]) -> Move:
+    return Move([Element(1000 + seq, seq, 0, action, 100) for seq, action in steps])
+
+
+def test_nothing_wrong_is_nothing_said() -> None:
+    court = Court()
+    court.kept(intent(5), JOB, event(1), replace(JOB, state=JobState.WAITING), event(2))
+    court.sent(Code.MOVE, path((0, Action.RUN), (1, Action.STOP)))
+    court.sent(Code.STATUS, None, 6)
+    court.oracle.look({V1: (Barcode("a"), 0.0, None)}, {V1: False}, 1.0)
+    assert court.verdict == []
+    assert court.books.open == ["J"]
+    assert court.books.count(JobState.WAITING) == 1
+
+
+def test_a_pick_up_of_nothing_is_a_violation() -> None:
+    court = Court()
+    court.truth.take(V1, Barcode("d"), StationKind.SBFL, None)
+    assert court.verdict == ["at 1.000 s: V1 picked up at L where it could not"]
+
+
+def test_a_place_without_a_carrier_is_a_violation() -> None:
+    court = Court()
+    court.truth.put(V1, Barcode("d"), StationKind.SBFL, None)
+    assert court.verdict == ["at 1.000 s: V1 placed at L where it could not"]
+
+
+def test_a_carrier_that_vanishes_is_a_violation() -> None:
+    court = Court()
+    court.truth.total = 2
+    court.truth.take(V1, Barcode("b"), StationKind.PORT, None)
+    assert court.verdict == ["at 1.000 s: 1 carriers, of which 1 differ; there must be 2"]
+    assert court.oracle.takes == 1
+
+
+def test_a_sensor_that_disagrees_with_the_truth_is_a_violation() -> None:
+    court = Court()
+    court.oracle.look({}, {V1: True}, 2.0)
+    assert court.verdict == ["at 2.000 s: V1 says F=1, aboard is None"]
+
+
+def test_a_meeting_is_told_once() -> None:
+    court = Court()
+    places = {V1: (Barcode("c"), 0.0, None), VehicleId("V2"): (Barcode("c"), 0.0, None)}
+    court.oracle.look(places, {}, 2.0)
+    court.oracle.look(places, {}, 3.0)
+    assert court.verdict == ["at 2.000 s: V1 and V2 both cover barcode c"]
+
+
+def test_a_move_without_a_durable_intent_is_a_violation() -> None:
+    court = Court()
+    court.sent(Code.MOVE, path((0, Action.STOP)))
+    assert court.verdict == ["at 1.000 s: V1 was sent 1044 without a durable intent"]
+
+
+def test_a_pick_up_without_a_durable_intent_is_a_violation() -> None:
+    court = Court()
+    court.sent(Code.PICKUP_FROM_SBFL, Sbuf(50))
+    assert court.verdict == ["at 1.000 s: V1 was sent 1048 without a durable intent"]
+
+
+def test_a_path_that_ends_in_a_run_or_skips_a_number_is_a_violation() -> None:
+    court = Court()
+    court.kept(intent(5))
+    court.sent(Code.MOVE, path((0, Action.RUN), (2, Action.RUN)))
+    assert court.verdict == [
+        "at 1.000 s: V1 was sent a path whose SEQ does not rise by one: [0, 2]",
+        "at 1.000 s: V1 was sent a path that does not end in a stop",
+    ]
+
+
+def test_a_job_that_leaves_the_state_table_is_a_violation() -> None:
+    court = Court()
+    court.kept(JOB, replace(JOB, state=JobState.WAITING), replace(JOB, state=JobState.CANCELLED))
+    court.kept(replace(JOB, state=JobState.WAITING))
+    assert court.verdict == ["at 1.000 s: job J went from cancelled to waiting"]
+
+
+def test_a_gap_in_history_is_a_violation() -> None:
+    court = Court()
+    court.kept(event(1), event(3))
+    assert court.verdict == ["at 1.000 s: event 3 follows event 1"]
+
+
+def test_a_cmd_id_for_two_vehicles_is_a_violation() -> None:
+    court = Court()
+    court.kept(intent(5), intent(5, VehicleId("V2")))
+    assert court.verdict == ["at 1.000 s: CMD_ID 0000000000000005 was used for two vehicles"]

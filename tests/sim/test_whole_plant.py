@@ -1,0 +1,74 @@
+"""The demo plant under load in virtual time: the real controller, real bytes, simulated vehicles, one seed."""
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from app.domain.layout import Plant
+from app.plant import read
+from app.sim.run import run
+from app.sim.world import Result
+
+PLANTS = Path(__file__).parents[2] / "plants"
+TWO_HOURS = 7200.0
+AGAIN = """
+import json, sys
+from dataclasses import asdict
+from pathlib import Path
+from app.plant import read
+from app.sim.run import run
+
+file, seconds = Path(sys.argv[1]), float(sys.argv[2])
+plant, _ = read(file.read_text(encoding="utf-8"), file.name)
+print(json.dumps(asdict(run(plant, 1, seconds, keep_open=8))))
+"""
+
+
+def plant_of(name: str) -> Plant:
+    plant, _ = read((PLANTS / f"{name}.yaml").read_text(encoding="utf-8"), name)
+    return plant
+
+
+def begun_elsewhere(name: str, seconds: float, hash_seed: str) -> subprocess.Popen[str]:
+    """Begin the same run in another process, whose sets and dictionaries hash otherwise."""
+    return subprocess.Popen(
+        [sys.executable, "-c", AGAIN, str(PLANTS / f"{name}.yaml"), str(seconds)],
+        env={**os.environ, "PYTHONHASHSEED": hash_seed},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+
+
+def plain(result: Result) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(json.dumps(asdict(result)))
+    return found
+
+
+def test_two_hours_under_load_end_every_job_break_no_rule_and_are_the_same_in_every_process() -> None:
+    elsewhere = begun_elsewhere("demo", TWO_HOURS, "4711")
+    here = run(plant_of("demo"), 1, TWO_HOURS, keep_open=8)
+    there, _ = elsewhere.communicate()
+    assert here.violations == ()
+    assert here.open == ()
+    assert here.completed == here.ended == here.takes == here.puts
+    assert here.completed > 500
+    assert json.loads(there) == plain(here)
+
+
+def test_another_seed_is_another_run() -> None:
+    plant = plant_of("small")
+    one, same, other = (run(plant, seed, 120.0, keep_open=2) for seed in (1, 1, 2))
+    assert one == same
+    assert one.trace != other.trace
+
+
+def test_a_controller_killed_at_random_moments_loses_no_job_and_breaks_no_rule() -> None:
+    for seed in range(3):
+        result = run(plant_of("demo"), seed, 240.0, keep_open=8, kills=8)
+        assert result.violations == (), f"seed {seed}"
+        assert result.open == (), f"seed {seed}"
+        assert result.takes == result.puts == result.completed
