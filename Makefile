@@ -1,0 +1,29 @@
+# Everything a newcomer types. Each target is one line that you could type yourself.
+PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do $$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+BIN := .venv/bin
+READY := .venv/.ready
+UV := $(BIN)/uv pip compile pyproject.toml --universal --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
+
+.PHONY: setup run test check bench lock
+.DELETE_ON_ERROR:
+
+setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
+
+$(READY): requirements/dev.txt pyproject.toml
+	@test -n "$(PYTHON)" || { echo "Hoistway needs Python 3.11 or newer: install it, or say make setup PYTHON=/path/to/python3"; exit 1; }
+	$(PYTHON) -m venv .venv && $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements/dev.txt && $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable . && touch $(READY)
+
+run: $(READY)  ## simulate the demo plant, control it, print where to look
+	@$(BIN)/hoistway demo
+
+test: $(READY)  ## all tests
+	$(BIN)/pytest
+
+check: $(READY)  ## format, lint, types, import contracts; no tests
+	$(BIN)/ruff format --check . && $(BIN)/ruff check . && $(BIN)/mypy && $(BIN)/lint-imports
+
+bench: $(READY)  ## all benchmarks, each against its floor in the same run
+	$(BIN)/python -m tests.bench
+
+lock:  ## pin every dependency with hashes, for all Python versions and systems
+	$(UV) -o requirements/runtime.txt && $(UV) --group dev -o requirements/dev.txt
