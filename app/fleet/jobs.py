@@ -10,9 +10,8 @@ from app.domain.requests import AbortJob, Accepted, CancelJob, ChangeJob, Create
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.missions import Missions
+from app.fleet.plant_orders import unfit_name
 
-DISPLAY_BYTES = 16
-"""FOUP ID, SOURCE and DESTINATION on the vehicle's display (PROTOCOLS 1.6)."""
 OUR_NAMES = "HW-"
 """Jobs without a name from the host are called HW-1, HW-2 ...; hosts may not use the prefix."""
 
@@ -79,8 +78,8 @@ class Jobs:
             return Refusal("invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle")
         if request.source in books.vehicles and request.vehicle not in {None, request.source}:
             return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
-        if request.carrier and (len(request.carrier) > DISPLAY_BYTES or not request.carrier.isascii()):
-            return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} ASCII characters", "", "carrier")
+        if request.carrier and (refusal := unfit_name(request.carrier)):
+            return refusal
         return self._untaught(request.source, request.destination) or self._no_route(
             request.source, request.destination
         )

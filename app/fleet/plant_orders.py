@@ -29,6 +29,16 @@ from app.fleet.books import Books
 from app.fleet.orders import no_station, no_vehicle
 from app.fleet.vehicle import VehicleNow
 
+DISPLAY_BYTES = 16
+"""FOUP ID, SOURCE and DESTINATION on the vehicle's display (PROTOCOLS 1.6)."""
+
+
+def unfit_name(carrier: str) -> Refusal | None:
+    """Refusal for a carrier's name that the vehicles' display cannot show (DOMAIN section 2)."""
+    if len(carrier) <= DISPLAY_BYTES and carrier.isascii() and carrier.isprintable():
+        return None
+    return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} printable ASCII characters", "", "carrier")
+
 
 class PlantOrders:
     """Answers requests about stations, carriers, taught values and the controller."""
@@ -46,21 +56,24 @@ class PlantOrders:
         present = request.present if request.present is not None else (True if request.carrier else record.present)
         if request.carrier and request.present is False:
             return Refusal("invalid", "a carrier cannot be at a station where nothing is present", "", "carrier")
+        if request.carrier and (refusal := unfit_name(request.carrier)):
+            return refusal
         if present is False:
             carrier = None
-        if carrier and carrier != record.carrier:
-            books.put_carrier(carrier, request.station, self._provenance(by_person=request.by_person))
-            record = books.stations[request.station]
-        elif record.carrier and carrier != record.carrier:
+        if record.carrier and carrier != record.carrier:
             self._lose(record, by_person=request.by_person)
+        if carrier and carrier != record.carrier:
+            self._leave_vehicle(carrier)
+            books.put_carrier(carrier, request.station, self._provenance(by_person=request.by_person))
+        seen = request.present is not None or request.carrier is not None
         changed = replace(
             record,
             present=present,
             carrier=carrier,
             reserved=record.reserved if request.reserved is None else request.reserved,
             out_of_service=record.out_of_service if request.out_of_service is None else request.out_of_service,
-            provenance=self._provenance(by_person=request.by_person),
-            at=books.utc,
+            provenance=self._provenance(by_person=request.by_person) if seen else record.provenance,
+            at=books.utc if seen else record.at,
         )
         books.save_station(changed)
         books.event(JobEvent.PORT_CHANGED, destination=request.station, carrier=carrier, detail=self._words(changed))
@@ -86,6 +99,8 @@ class PlantOrders:
         before = books.carriers.get(request.carrier)
         if request.place is None:
             return self._remove(request)
+        if refusal := unfit_name(request.carrier):
+            return refusal
         if request.place in books.vehicles:
             return self._carrier_aboard(request, books.vehicles[VehicleId(request.place)])
         if request.place not in books.specs:
@@ -105,6 +120,10 @@ class PlantOrders:
     def _carrier_aboard(self, request: WriteCarrier, vehicle: VehicleNow) -> Reply:
         if vehicle.record.carrier and vehicle.record.carrier != request.carrier:
             return Refusal("conflict", f"{vehicle.id} carries {vehicle.record.carrier}", "", "place")
+        if vehicle.linked and vehicle.loaded is False:
+            return Refusal("conflict", f"{vehicle.id} says that nothing is aboard (FOUP bit 0)", "", "place")
+        if vehicle.record.carrier != request.carrier:
+            self._leave_vehicle(request.carrier)
         created = request.carrier not in self._books.carriers
         self._books.put_carrier(request.carrier, vehicle.id, self._provenance(by_person=request.by_person))
         self._books.save_vehicle(vehicle, carrier=request.carrier)

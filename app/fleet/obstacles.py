@@ -1,0 +1,58 @@
+"""What stands against picking up or putting down now, as a clause for people; empty if nothing does (DOMAIN section 2)."""
+
+from app.domain.ids import JobId, StationId, VehicleId
+from app.domain.job import Job
+from app.domain.layout import StationKind
+from app.domain.records import Provenance, StationRecord
+from app.fleet.books import Books
+
+PLACED_COUNTS_FOR = 3600.0
+"""Seconds after which "we placed it there" says nothing about a port any more: equipment takes carriers unseen (our choice)."""
+
+
+def against_picking_up(books: Books, job: Job) -> str:
+    """Return why the job's carrier cannot be fetched from its source, as far as is known."""
+    if job.source in books.vehicles:
+        return _against_taking_over(books, job)
+    record = books.stations[StationId(job.source)]
+    if record.out_of_service:
+        return f"{job.source} is out of service: {record.out_of_service}"
+    if record.present is False:
+        return f"{job.source} is empty"
+    if job.carrier and record.carrier and record.carrier != job.carrier:
+        return f"{job.source} holds {record.carrier}, not {job.carrier}"
+    if record.present is None and job.carrier in books.carriers:
+        place = books.carriers[job.carrier].place
+        if place is not None and place != job.source:
+            return f"{job.carrier} is at {place}, not at {job.source}"
+    return ""
+
+
+def _against_taking_over(books: Books, job: Job) -> str:
+    aboard = books.vehicles[VehicleId(job.source)].record
+    if not aboard.believed_loaded:
+        return f"nothing is aboard {job.source}"
+    if job.carrier and aboard.carrier and aboard.carrier != job.carrier:
+        return f"{job.source} carries {aboard.carrier}, not {job.carrier}"
+    return ""
+
+
+def against_putting_down(books: Books, station: StationId, job: JobId | None) -> str:
+    """Return why nothing can be put down at a station, as far as is known."""
+    record = books.stations[station]
+    if record.out_of_service:
+        return f"{station} is out of service: {record.out_of_service}"
+    if record.reserved and record.reserved != job:
+        return f"{station} is reserved: {record.reserved}"
+    if record.present and not _expired(books, record):
+        return f"{station} is occupied by {record.carrier or 'a carrier'}"
+    return ""
+
+
+def _expired(books: Books, record: StationRecord) -> bool:
+    """Whether all we know is that we once placed something at a port, long ago."""
+    return (
+        record.provenance is Provenance.PLACED
+        and books.specs[record.station].kind is StationKind.PORT
+        and books.utc - record.at > PLACED_COUNTS_FOR
+    )
