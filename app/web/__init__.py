@@ -1,4 +1,4 @@
-"""The operator page as built from ``web/``: ``index.html`` and ``assets`` beside it; ``manifest.json`` says from which sources."""
+"""The operator page as built from ``web/``: ``index.html`` with ``assets``; ``manifest.json`` says from which sources."""
 
 from pathlib import Path
 

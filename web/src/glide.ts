@@ -18,6 +18,8 @@ const RUN_ON = 1.2;
 const CATCH_UP = 2.5;
 /** A gap longer than this is not driven but jumped, mm. */
 const JUMP = 12_000;
+/** Track kept behind the front, so that the hull bends with the rail, mm. */
+const TAIL = 1500;
 
 export class Glide {
   private path: string[] = [];
@@ -42,23 +44,25 @@ export class Glide {
     }
     const ahead = this.connected(barcode, report.granted);
     const reached = this.reach(barcode, ahead);
-    const offset = reached === null ? 0 : this.lengthTo(reached);
+    let offset = this.lengthTo(reached ?? 0);
     if (reached === null) {
-      this.path = ahead;
-      this.s = 0;
+      const tail = this.tail(barcode);
+      this.path = [...tail, ...ahead];
+      offset = this.lengthTo(tail.length);
     }
     const at = offset + Math.max(0, report.dist ?? 0);
     if (reached === null) this.s = Math.min(at, this.lengthTo(this.path.length - 1));
-    this.learn(reached === null ? 0 : at - this.reported, now - this.since, report.moving && reached !== null);
+    const travelled = reached === null ? 0 : at - this.reported;
+    this.moving = report.moving;
+    if (!report.moving || reached === null) this.pace = 0;
+    else if (travelled < 1) return;
+    else this.learn(travelled, now - this.since);
     this.reported = at;
     this.since = now;
-    this.moving = report.moving;
   }
 
-  /** Drive on to `now` (s) and say where it is; null while its place is not known. `still`: draw reports as they come. */
-  spot(now: number, still = false): Spot | null {
-    const first = this.path[0];
-    if (first === undefined) return null;
+  /** Drive on to `now` (s). `still`: jump to where the report says. */
+  drive(now: number, still = false): this {
     const dt = Math.min(Math.max(now - this.last, 0), 0.25);
     this.last = now;
     const end = this.lengthTo(this.path.length - 1);
@@ -71,23 +75,26 @@ export class Glide {
       this.s = Math.min(goal, this.s + Math.max(pace, 150) * dt);
     } else if (!this.moving) this.s = Math.max(goal, this.s + Math.min(-150, gap * CATCH_UP) * dt);
     this.trim();
-    return this.place();
+    return this;
+  }
+
+  /** Where the point lies that is `back` mm behind its front; null while its place is not known. */
+  middle(back = 0): Spot | null {
+    let rest = this.s - back;
+    for (let i = 0; i + 1 < this.path.length; i++) {
+      const way = this.track.way(this.path[i] as string, this.path[i + 1] as string);
+      if (!way) break;
+      if (rest <= way.edge.length || i + 2 === this.path.length) return behind(this.track.along(way, rest), -rest);
+      rest -= way.edge.length;
+    }
+    const first = this.path[0];
+    const spot = first === undefined ? undefined : this.track.spot(first);
+    return spot ? behind(spot, back - this.s) : null;
   }
 
   /** Whether the drawn place still differs from the reported one. */
   get busy(): boolean {
     return this.moving || Math.abs(this.reported - this.s) > 5;
-  }
-
-  private place(): Spot | null {
-    let rest = this.s;
-    for (let i = 0; i + 1 < this.path.length; i++) {
-      const way = this.track.way(this.path[i] as string, this.path[i + 1] as string);
-      if (!way) break;
-      if (rest <= way.edge.length || i + 2 === this.path.length) return this.track.along(way, rest);
-      rest -= way.edge.length;
-    }
-    return this.track.spot(this.path[0] as string) ?? null;
   }
 
   /** The report's own path, as far as edges join it; at least one edge on, to have a heading and room for `dist`. */
@@ -112,20 +119,31 @@ export class Glide {
       this.path = [...this.path.slice(0, known), ...ahead];
       return known;
     }
-    const here = this.path[0] as string;
-    const way = this.track.path(here, barcode);
+    const from = this.index();
+    const way = this.track.path(this.path[from] as string, barcode);
     if (!way) return null;
-    this.path = [...way.slice(0, -1), ...ahead];
-    if (this.lengthTo(way.length - 1) - this.s > JUMP) return null;
-    return way.length - 1;
+    const path = [...this.path.slice(0, from), ...way];
+    this.path = [...path.slice(0, -1), ...ahead];
+    return this.lengthTo(path.length - 1) - this.s > JUMP ? null : path.length - 1;
   }
 
-  private learn(travelled: number, took: number, moving: boolean): void {
-    if (!moving) this.pace = 0;
-    else if (took > 0.02 && travelled >= 0) {
-      const measured = Math.min(travelled / took, this.topSpeed);
-      this.pace = this.pace === 0 ? measured : this.pace * 0.5 + measured * 0.5;
+  private learn(travelled: number, took: number): void {
+    if (took < 0.02) return;
+    const measured = Math.min(travelled / took, this.topSpeed);
+    this.pace = this.pace === 0 ? measured : this.pace * 0.5 + measured * 0.5;
+  }
+
+  /** The barcodes before one, as long as there is only one way to have come. */
+  private tail(barcode: string): string[] {
+    const path: string[] = [];
+    for (let length = 0, here = barcode; length < TAIL; ) {
+      const [edge, other] = this.track.before.get(here) ?? [];
+      if (!edge || other || path.includes(edge.start)) break;
+      path.unshift(edge.start);
+      length += edge.length;
+      here = edge.start;
     }
+    return path;
   }
 
   private lengthTo(index: number): number {
@@ -136,13 +154,26 @@ export class Glide {
     return sum;
   }
 
+  /** Which edge of the path the drawn front is on. */
+  private index(): number {
+    let i = 0;
+    while (i + 2 < this.path.length && this.lengthTo(i + 1) <= this.s) i++;
+    return i;
+  }
+
   private trim(): void {
     while (this.path.length > 2) {
       const length = this.track.way(this.path[0] as string, this.path[1] as string)?.edge.length ?? 0;
-      if (this.s < length || this.reported < length) return;
+      if (this.s < length + TAIL || this.reported < length) return;
       this.path.shift();
       this.s -= length;
       this.reported -= length;
     }
   }
+}
+
+/** Straight back from a place, for as long as there is no track known behind it. */
+function behind(spot: Spot, mm: number): Spot {
+  const more = Math.max(0, mm);
+  return { x: spot.x - Math.cos(spot.angle) * more, y: spot.y - Math.sin(spot.angle) * more, angle: spot.angle };
 }

@@ -3,7 +3,7 @@ import { type Cluster, MARK, type Mark } from "./places";
 import { LOOKS, type Look, lookOf } from "./shows";
 import type { Spot, Track, Way } from "./track";
 import type { Layout, Station, Vehicle } from "./types";
-import type { View } from "./view";
+import type { Box, View } from "./view";
 
 export const INK = {
   ground: "#0a1017",
@@ -19,7 +19,7 @@ export const INK = {
   closed: "#ff5c5c",
   picked: "#ffffff",
 };
-const FONT = '"Inter", "Noto Sans KR", "Malgun Gothic", system-ui, sans-serif';
+const FONT = '"Segoe UI", Roboto, "Noto Sans KR", "Malgun Gothic", Arial, system-ui, sans-serif';
 
 type Ctx = CanvasRenderingContext2D;
 
@@ -30,6 +30,7 @@ export interface Scene {
   clusters: Cluster[];
 }
 
+/** A vehicle to draw; `spot` is the middle of its hull. */
 export interface Body {
   vehicle: Vehicle;
   spot: Spot;
@@ -126,25 +127,25 @@ function paintStations(
   picked: string | null,
 ): void {
   const size = Math.max(7, MARK * view.scale);
-  const drawn: { x0: number; y0: number; x1: number; y1: number }[] = [];
-  for (const cluster of scene.clusters) {
-    paintFrame(ctx, view, cluster, size);
-    for (const mark of cluster.marks) {
-      paintMark(ctx, view, mark, size, station(mark.id), mark.id === picked);
-    }
-    paintName(ctx, view, cluster, size, drawn);
-  }
+  const taken = scene.clusters.map((cluster) => frameOf(view, cluster, size));
+  scene.clusters.forEach((cluster, i) => {
+    paintFrame(ctx, taken[i] as Box, cluster);
+    for (const mark of cluster.marks) paintMark(ctx, view, mark, size, station(mark.id), mark.id === picked);
+  });
+  if (view.scale < 0.012) return;
+  scene.clusters.forEach((cluster, i) => paintName(ctx, view, cluster, taken[i] as Box, taken));
 }
 
-function paintFrame(ctx: Ctx, view: View, cluster: Cluster, size: number): void {
-  const first = cluster.marks[0] as Mark;
+function frameOf(view: View, cluster: Cluster, size: number): Box {
   const [xs, ys] = [cluster.marks.map((m) => view.px(m.x)), cluster.marks.map((m) => view.py(m.y))];
   const pad = size * 0.5 + Math.max(3, size * 0.3);
-  const [x0, y0] = [Math.min(...xs) - pad, Math.min(...ys) - pad];
+  return { x0: Math.min(...xs) - pad, y0: Math.min(...ys) - pad, x1: Math.max(...xs) + pad, y1: Math.max(...ys) + pad };
+}
+
+function paintFrame(ctx: Ctx, box: Box, cluster: Cluster): void {
   ctx.fillStyle = INK.frame;
   ctx.beginPath();
-  const round = first.kind === "port" ? 3 : pad;
-  ctx.roundRect(x0, y0, Math.max(...xs) + pad - x0, Math.max(...ys) + pad - y0, Math.min(round, 12));
+  ctx.roundRect(box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0, cluster.marks[0]?.kind === "port" ? 3 : 12);
   ctx.fill();
 }
 
@@ -164,7 +165,7 @@ function paintMark(ctx: Ctx, view: View, mark: Mark, size: number, now: Station 
     const s = size * 0.54;
     ctx.fillRect(-s / 2, -s / 2, s, s);
   } else if (now && now.present === null) {
-    text(ctx, "?", 0, size * 0.26, INK.text, `700 ${Math.round(size * 0.75)}px ${FONT}`);
+    text(ctx, "?", 0, size * 0.26, "#6b8196", `700 ${Math.round(size * 0.75)}px ${FONT}`);
   }
   if (now?.out_of_service) {
     ctx.beginPath();
@@ -191,29 +192,28 @@ function shape(ctx: Ctx, kind: string, size: number): void {
   else ctx.arc(0, 0, size * 0.52, 0, 7);
 }
 
-function paintName(
-  ctx: Ctx,
-  view: View,
-  cluster: Cluster,
-  size: number,
-  drawn: { x0: number; y0: number; x1: number; y1: number }[],
-): void {
-  if (view.scale < 0.012) return;
-  const first = cluster.marks[0] as Mark;
-  const count = cluster.marks.length;
-  const x = cluster.marks.reduce((sum, m) => sum + view.px(m.x), 0) / count;
-  const y = cluster.marks.reduce((sum, m) => sum + view.py(m.y), 0) / count;
+/** The name goes away from the track if there is room, else to another side of the frame, else nowhere. */
+function paintName(ctx: Ctx, view: View, cluster: Cluster, frame: Box, taken: Box[]): void {
   const font = `600 ${view.scale > 0.045 ? 12 : 10.5}px ${FONT}`;
   ctx.font = font;
-  const width = ctx.measureText(cluster.name).width;
-  const gap = size + (view.scale > 0.055 ? 16 : 6);
-  const across = Math.abs(first.nx) > Math.abs(first.ny);
-  const cx = across ? x + Math.sign(first.nx) * (gap + width / 2) : x;
-  const cy = across ? y + 4 : y + Math.sign(first.ny) * gap + (first.ny > 0 ? 8 : 0);
-  const box = { x0: cx - width / 2 - 2, x1: cx + width / 2 + 2, y0: cy - 10, y1: cy + 3 };
-  if (drawn.some((b) => b.x0 < box.x1 && b.x1 > box.x0 && b.y0 < box.y1 && b.y1 > box.y0)) return;
-  drawn.push(box);
-  text(ctx, cluster.name, cx, cy, INK.text, font);
+  const half = ctx.measureText(cluster.name).width / 2;
+  const more = view.scale > 0.055 && cluster.marks.some((mark) => mark.short) ? 13 : 0;
+  const { nx, ny } = cluster.marks[0] as Mark;
+  const [mx, my] = [(frame.x0 + frame.x1) / 2, (frame.y0 + frame.y1) / 2];
+  const above = { x: mx, y: frame.y0 - 5 - (ny < -0.5 ? more : 0) };
+  const below = { x: mx, y: frame.y1 + 12 + (ny > 0.5 ? more : 0) };
+  const left = { x: frame.x0 - 5 - half - (nx < -0.5 ? more : 0), y: my + 4 };
+  const right = { x: frame.x1 + 5 + half + (nx > 0.5 ? more : 0), y: my + 4 };
+  const flat = Math.abs(ny) > Math.abs(nx);
+  const first = flat ? (ny < 0 ? above : below) : nx < 0 ? left : right;
+  const others = flat ? [left, right] : [above, below];
+  for (const { x, y } of [first, ...others]) {
+    const box = { x0: x - half - 2, x1: x + half + 2, y0: y - 10, y1: y + 3 };
+    if (taken.some((b) => b.x0 < box.x1 && b.x1 > box.x0 && b.y0 < box.y1 && b.y1 > box.y0)) continue;
+    taken.push(box);
+    text(ctx, cluster.name, x, y, INK.text, font);
+    return;
+  }
 }
 
 function text(ctx: Ctx, words: string, x: number, y: number, colour: string, font: string): void {
@@ -243,7 +243,7 @@ export function paintVehicle(ctx: Ctx, view: View, body: Body, picked: boolean, 
   const colour = LOOKS[look];
   const length = Math.max(17, body.length * 0.82 * view.scale);
   const width = Math.max(11, 560 * view.scale);
-  const [px, py] = middle(view, body);
+  const [px, py] = [view.px(spot.x), view.py(spot.y)];
   ctx.save();
   ctx.translate(px, py);
   if (look === "alarm") ring(ctx, length * (0.75 + 0.25 * pulse), colour, 0.8 - 0.6 * pulse);
@@ -324,11 +324,4 @@ function paintSign(
   ctx.roundRect(x - w / 2, y - 7.5, w, 15, 4);
   ctx.fill();
   text(ctx, label, x, y + 4, colour, font);
-}
-
-/** The middle of its hull on the screen: it reports where its front end is. */
-export function middle(view: View, body: Body): [number, number] {
-  const back = body.length * 0.41;
-  const { x, y, angle } = body.spot;
-  return [view.px(x - Math.cos(angle) * back), view.py(y - Math.sin(angle) * back)];
 }

@@ -1,5 +1,5 @@
 /** Where the marks of stations lie beside the track, and what is written at them. Pure. */
-import type { Track } from "./track";
+import type { Spot, Track } from "./track";
 import type { Layout } from "./types";
 
 export interface Mark {
@@ -23,53 +23,62 @@ export interface Cluster {
 
 export const MARK = 460;
 const OFFSET = { port: 720, side: 640 };
-const NEAR = 1700;
+const NEAR = 2200;
 
-export function marksOf(layout: Layout, track: Track): Mark[] {
-  const taken = new Set(layout.stations.filter((s) => s.kind !== "port").map((s) => `${s.barcode}/${s.kind}`));
-  return layout.stations.flatMap((station) => {
-    const spot = track.spot(station.barcode);
-    if (!spot) return [];
-    const left = { x: Math.sin(spot.angle), y: -Math.cos(spot.angle) };
-    const goesLeft = station.kind === "sbfl" || (station.kind === "port" && portLeft(station.barcode, spot, left));
-    const side = goesLeft ? left : { x: -left.x, y: -left.y };
-    const offset = station.kind === "port" ? OFFSET.port : OFFSET.side;
-    const short = station.id.includes("-") ? station.id.slice(station.id.lastIndexOf("-") + 1) : "";
-    const { id, kind, barcode } = station;
-    const at = { x: spot.x + side.x * offset, y: spot.y + side.y * offset };
-    return [{ id, kind, barcode, ...at, angle: spot.angle, nx: side.x, ny: side.y, short }];
-  });
-
-  function portLeft(barcode: string, spot: { x: number; y: number }, left: { x: number; y: number }): boolean {
-    const [onLeft, onRight] = [taken.has(`${barcode}/sbfl`), taken.has(`${barcode}/sbfr`)];
-    if (onLeft !== onRight) return onRight;
-    return room(track, spot, left) > room(track, spot, { x: -left.x, y: -left.y }) + 1;
-  }
+interface Stand {
+  id: string;
+  kind: string;
+  barcode: string;
+  spot: Spot;
 }
 
-/** How far the nearest other track is on that side, mm; bounded. */
-function room(track: Track, spot: { x: number; y: number }, side: { x: number; y: number }): number {
+/** Stations with the same first part of the name, of one kind, next to each other, on one side of the track. */
+export function clustersOf(layout: Layout, track: Track): Cluster[] {
+  const groups: { name: string; stands: Stand[] }[] = [];
+  for (const { id, kind, barcode } of layout.stations) {
+    const spot = track.spot(barcode);
+    if (!spot) continue;
+    const cut = id.lastIndexOf("-");
+    const name = cut > 0 ? id.slice(0, cut) : id;
+    const near = (s: Stand): boolean => s.kind === kind && Math.hypot(s.spot.x - spot.x, s.spot.y - spot.y) < NEAR;
+    const mates = groups.find((group) => group.name === name && group.stands.some(near));
+    if (mates) mates.stands.push({ id, kind, barcode, spot });
+    else groups.push({ name, stands: [{ id, kind, barcode, spot }] });
+  }
+  return groups.map(({ name, stands }) => ({ name, marks: beside(stands, layout, track) }));
+}
+
+function beside(stands: Stand[], layout: Layout, track: Track): Mark[] {
+  const left = onLeft(stands, layout, track);
+  return stands.map(({ id, kind, barcode, spot }) => {
+    const sign = left ? 1 : -1;
+    const [nx, ny] = [Math.sin(spot.angle) * sign, -Math.cos(spot.angle) * sign];
+    const offset = kind === "port" ? OFFSET.port : OFFSET.side;
+    const short = id.includes("-") ? id.slice(id.lastIndexOf("-") + 1) : "";
+    return { id, kind, barcode, x: spot.x + nx * offset, y: spot.y + ny * offset, angle: spot.angle, nx, ny, short };
+  });
+}
+
+/** Side buffers have their side; ports lie below the track and are drawn where there is more room. */
+function onLeft(stands: Stand[], layout: Layout, track: Track): boolean {
+  const kind = stands[0]?.kind;
+  if (kind !== "port") return kind === "sbfl";
+  const here = new Set(stands.map((stand) => stand.barcode));
+  const taken = (side: string): boolean => layout.stations.some((s) => s.kind === side && here.has(s.barcode));
+  if (taken("sbfl") !== taken("sbfr")) return taken("sbfr");
+  const least = (sign: number): number => Math.min(...stands.map(({ spot }) => room(track, spot, sign)));
+  return least(1) > least(-1) + 1;
+}
+
+/** How far the nearest other track is on that side (1 left, -1 right), mm; bounded. */
+function room(track: Track, spot: Spot, sign: number): number {
+  const [nx, ny] = [Math.sin(spot.angle) * sign, -Math.cos(spot.angle) * sign];
   let least = 4000;
   for (const point of track.points.values()) {
     const [dx, dy] = [point.x - spot.x, point.y - spot.y];
-    const across = dx * side.x + dy * side.y;
-    const along = Math.abs(dx * side.y - dy * side.x);
+    const across = dx * nx + dy * ny;
+    const along = Math.abs(dx * ny - dy * nx);
     if (across > 300 && across < least && along < 1500) least = across;
   }
   return least;
-}
-
-export function clustersOf(marks: Mark[]): Cluster[] {
-  const clusters: Cluster[] = [];
-  for (const mark of marks) {
-    const name = mark.short ? mark.id.slice(0, mark.id.lastIndexOf("-")) : mark.id;
-    const mate = clusters.find(
-      (cluster) =>
-        cluster.name === name &&
-        cluster.marks.some((m) => m.kind === mark.kind && Math.hypot(m.x - mark.x, m.y - mark.y) < NEAR),
-    );
-    if (mate) mate.marks.push(mark);
-    else clusters.push({ name, marks: [mark] });
-  }
-  return clusters;
 }

@@ -19,13 +19,13 @@ export function App() {
           <VehicleStrip />
           <div class="stage">
             <TrackMap />
-            {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
-            {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
           </div>
           <Events />
         </section>
-        <aside>
+        <aside class={pick ? "telling" : ""}>
           <Transfer />
+          {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
+          {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
           <Jobs />
         </aside>
       </main>

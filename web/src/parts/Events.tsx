@@ -4,8 +4,8 @@ import { happenings, selected } from "../store";
 import { t } from "../texts";
 import type { Happening } from "../types";
 
-const BAD = /Alarm(Set)|Failed|Held|Removed|Abort/;
-const GOOD = /TransferCompleted|AlarmCleared|Released/;
+const BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
+const GOOD = /TransferCompleted|AlarmCleared|VehicleReleased/;
 const SHOWN = 80;
 
 export function Events() {
@@ -39,7 +39,7 @@ function Line({ event }: { event: Happening }) {
         <span />
       )}
       <span class="more">
-        {[event.job, event.carrier, where, event.result, event.detail].filter(Boolean).join(" · ")}
+        {[...new Set([event.job, event.carrier, where, event.result, event.detail])].filter(Boolean).join(" · ")}
       </span>
     </li>
   );

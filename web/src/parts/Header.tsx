@@ -21,7 +21,7 @@ export function Header() {
       <span class="grow" />
       <Actor />
       <button type="button" class="plain" onClick={() => speak(language.value === "en" ? "ko" : "en")}>
-        {language.value === "en" ? "한국어" : "English"}
+        {language.value === "en" ? "KO" : "EN"}
       </button>
       <LinkState />
     </header>
@@ -64,7 +64,7 @@ function Counts() {
           ),
       )}
       <span>
-        <b>{open}</b> {t("jobs")}
+        <b>{open}</b> {t("open_jobs")}
       </span>
     </span>
   );
@@ -73,14 +73,13 @@ function Counts() {
 function Actor() {
   const name = useSignal(actor());
   return (
-    <label class="actor">
-      <span>{t("your_name")}</span>
-      <input
+    <label class="actor" aria-label={t("your_name")}>
+            <input
         value={name.value}
         maxLength={64}
         autocomplete="name"
         title={t("name_hint")}
-        placeholder="—"
+        placeholder={t("your_name")}
         onInput={(event) => {
           name.value = event.currentTarget.value;
           nameActor(name.value);

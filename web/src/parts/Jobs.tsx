@@ -53,21 +53,21 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
   return (
     <li class={over ? "job over" : "job"} data-job={job.id}>
       <span class={`state ${TONES[job.state] ?? "calm"}`}>{said(job.state)}</span>
-      <span class="route">
-        <Place id={job.source} />
-        <i>→</i>
-        <Place id={job.destination} />
-      </span>
-      <span class="age">{elapsed(job, serverNow())}</span>
       <span class="facts">
         <span title={job.id}>{job.id}</span>
+        {job.priority !== 50 && <span title={t("priority")}>P{job.priority}</span>}
         {job.carrier && <span>{job.carrier}</span>}
-        {job.priority !== 50 && <span>P{job.priority}</span>}
         {job.vehicle && (
           <button type="button" class="text" onClick={() => (selected.value = { kind: "vehicle", id: job.vehicle as string })}>
             {job.vehicle}
           </button>
         )}
+      </span>
+      <span class="age">{elapsed(job, serverNow())}</span>
+      <span class="route">
+        <Place id={job.source} />
+        <i>→</i>
+        <Place id={job.destination} />
       </span>
       <span class="act">
         {CANCELLABLE.has(job.state) && <Sure label={t("cancel")} does={() => ask(job, "cancel")} />}

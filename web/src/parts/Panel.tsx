@@ -1,4 +1,4 @@
-/** The drawer over the map that tells about one thing. */
+/** Tells about one vehicle or station, between the form and the jobs. */
 import type { ComponentChildren } from "preact";
 import { selected } from "../store";
 import { t } from "../texts";

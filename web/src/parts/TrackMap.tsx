@@ -2,15 +2,18 @@
 import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Glide } from "../glide";
-import { type Body, middle, paintGrant, paintPlant, paintVehicle, type Scene } from "../paint";
-import { clustersOf, marksOf } from "../places";
+import { type Body, paintGrant, paintPlant, paintVehicle, type Scene } from "../paint";
+import { clustersOf, MARK } from "../places";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { changes, type Selection, layout, selected, stations, track, vehicles } from "../store";
 import { said, t, type Word } from "../texts";
 import type { Vehicle } from "../types";
-import { View } from "../view";
+import { type Box, View } from "../view";
 
-const MARGIN = { top: 64, side: 84, bottom: 64 };
+/** Room in px beyond the outermost marks: buttons and names. */
+const MARGIN = { top: 66, side: 72, bottom: 30 };
+/** Smooth enough, and half the work where there is no GPU: ms between two pictures. */
+const PERIOD = 30;
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 interface Tip {
@@ -32,6 +35,7 @@ class Painter {
   private front: CanvasRenderingContext2D;
   private stale = true;
   private frame = 0;
+  private painted = 0;
 
   constructor(
     private readonly lower: HTMLCanvasElement,
@@ -56,8 +60,9 @@ class Painter {
 
   load(): void {
     if (!layout.value || !track.value) return;
-    const marks = marksOf(layout.value, track.value);
-    this.scene = { layout: layout.value, track: track.value, marks, clusters: clustersOf(marks) };
+    const clusters = clustersOf(layout.value, track.value);
+    const marks = clusters.flatMap((cluster) => cluster.marks);
+    this.scene = { layout: layout.value, track: track.value, marks, clusters };
     this.glides.clear();
     this.last.clear();
     this.fit();
@@ -65,7 +70,7 @@ class Painter {
   }
 
   fit(): void {
-    if (this.scene) this.view.fit(this.scene.track.box, MARGIN);
+    if (this.scene) this.view.fit(boxOf(this.scene), MARGIN);
     this.redraw();
   }
 
@@ -106,8 +111,7 @@ class Painter {
     let best: Selection = null;
     let least = 20;
     for (const body of this.bodies) {
-      const [x, y] = middle(this.view, body);
-      const away = Math.hypot(x - px, y - py);
+      const away = Math.hypot(this.view.px(body.spot.x) - px, this.view.py(body.spot.y) - py);
       if (away < least) [least, best] = [away, { kind: "vehicle", id: body.vehicle.id }];
     }
     if (best) return best;
@@ -128,6 +132,11 @@ class Painter {
     this.frame = 0;
     const { scene, view } = this;
     if (!scene) return;
+    if (performance.now() - this.painted < PERIOD - 5) {
+      this.wake();
+      return;
+    }
+    this.painted = performance.now();
     const pick = selected.value;
     if (this.stale) {
       this.stale = false;
@@ -150,12 +159,25 @@ class Painter {
   private placed(scene: Scene, now: number): Body[] {
     const bodies: Body[] = [];
     for (const vehicle of this.last.values()) {
-      const spot = vehicle.activity === "off_rail" ? null : this.glides.get(vehicle.id)?.spot(now, STILL.matches);
-      const length = scene.layout.vehicles.find((spec) => spec.id === vehicle.id)?.length ?? 1000;
-      if (spot) bodies.push({ vehicle, spot, length: Math.min(length, 1200) });
+      const length = Math.min(scene.layout.vehicles.find((spec) => spec.id === vehicle.id)?.length ?? 1000, 1200);
+      const glide = vehicle.activity === "off_rail" ? undefined : this.glides.get(vehicle.id);
+      const spot = glide?.drive(now, STILL.matches).middle(length * 0.41);
+      if (spot) bodies.push({ vehicle, spot, length });
     }
     return bodies;
   }
+}
+
+/** What has to be seen: the track, and the marks beside it. */
+function boxOf({ track, marks }: Scene): Box {
+  const box = { ...track.box };
+  for (const { x, y } of marks) {
+    box.x0 = Math.min(box.x0, x - MARK);
+    box.x1 = Math.max(box.x1, x + MARK);
+    box.y0 = Math.min(box.y0, y - MARK);
+    box.y1 = Math.max(box.y1, y + MARK);
+  }
+  return box;
 }
 
 function tipOf(hit: Selection, x: number, y: number): Tip | null {
@@ -228,8 +250,8 @@ export function TrackMap() {
         <button type="button" onClick={() => painter.current?.fit()}>
           {t("fit")}
         </button>
+        <Legend />
       </div>
-      <Legend />
       {tip.value && (
         <div class="tip" style={{ left: `${tip.value.x}px`, top: `${tip.value.y}px` }}>
           <b>{tip.value.title}</b>

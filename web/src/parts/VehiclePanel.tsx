@@ -65,10 +65,10 @@ function Notes({ vehicle }: { vehicle: Vehicle }) {
       )}
       {vehicle.hold && (
         <p class="note held">
-          <b>{t("held")}</b> {vehicle.hold.reason} <em>{vehicle.hold.remedy}</em>
+          <b>{t("held_note")}</b> {vehicle.hold.reason} <em>{vehicle.hold.remedy}</em>
         </p>
       )}
-      {vehicle.waiting && (
+      {vehicle.waiting && !vehicle.hold && (
         <p class="note waits">
           <b>{t("waits")}</b> {vehicle.waiting}
         </p>

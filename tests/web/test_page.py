@@ -1,0 +1,116 @@
+"""The page in a real browser, with the real application behind it."""
+
+from urllib.parse import urlsplit
+
+import pytest
+
+from app.domain.requests import CreateJob
+from tests.web.served import served
+from tools.chromium import Page, browser, installed
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
+]
+
+LIVE = "document.querySelector('.link.live')"
+KEY = "a-key-of-sixteen-or-more-letters"
+
+
+def text_of(selector: str, words: str) -> str:
+    return f"[...document.querySelectorAll({selector!r})].some((e) => e.textContent.includes({words!r}))"
+
+
+def fill(selector: str, value: str, event: str = "input") -> str:
+    return (
+        f"(() => {{ const e = document.querySelector({selector!r}); e.value = {value!r}; "
+        f"e.dispatchEvent(new Event({event!r}, {{ bubbles: true }})); }})()"
+    )
+
+
+def order(page: Page, source: str, destination: str) -> None:
+    page.ask(fill(".transfer label:nth-of-type(1) select", source, "change"))
+    page.ask(fill(".transfer label:nth-of-type(2) select", destination, "change"))
+    page.ask("document.querySelector('.transfer button[type=submit]').click()")
+
+
+def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.until(text_of(".chip", "V001") + " && " + text_of(".chip", "V002"))
+        order(page, "P1", "P2")
+        page.until(text_of(".jobs .job", "P1"))
+        page.until(text_of(".events li", "Transfer initiated"))
+        server.do(lambda: server.controller.end("J1"))
+        page.until(text_of(".job.over", "completed"))
+        assert [request.source for request in server.controller.seen if isinstance(request, CreateJob)] == ["P1"]
+        assert {urlsplit(address).netloc for address in page.requests} == {f"127.0.0.1:{server.port}"}
+        assert page.complaints == []
+
+
+def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        server.place("V001", "1002", activity="waiting", waiting="V001 waits at 1002 for 1003 held by V002")
+        page.ask("document.querySelector('.chip').click()")
+        page.until(text_of(".panel .note", "for 1003 held by V002"))
+        page.until(text_of(".panel .bits th", "MODE") + " && " + text_of(".panel .bits td", "no FOUP"))
+        page.until(text_of(".panel dd", "1002"))
+        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        assert page.complaints == []
+
+
+def drawn(page: Page) -> bool:
+    """Whether anything is on the canvas of what moves."""
+    return bool(
+        page.ask("""new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+          const canvas = document.querySelectorAll('.map canvas')[1];
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          done(data.some((value) => value > 0));
+        })))""")
+    )
+
+
+def test_a_refusal_is_shown_with_its_remedy() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask("document.querySelector('.chip').click()")
+        server.place("V001", "1001", activity="absent")
+        page.until("document.querySelector('.decide select')")
+        page.ask(fill(".decide input", "seen it"))
+        page.ask("document.querySelector('.decide button').click()")
+        page.until(text_of(".problem", "Send the header X-Actor"))
+
+
+def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself() -> None:
+    with browser() as page:
+        with served() as first:
+            port = first.port
+            page.open(first.url)
+            page.until(LIVE)
+        page.until(text_of(".link.lost", "Reconnecting"))
+        with served(port) as second:
+            page.until(LIVE)
+            second.do(lambda: second.controller.happen("AlarmSet", vehicle="V002"))
+            page.until(text_of(".events li", "Alarm set"))
+
+
+def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
+    with served(access_key=KEY) as server, browser() as page:
+        page.open(server.url)
+        page.until("document.querySelector('dialog[open]')")
+        use(page, "not the key of this server")
+        page.until("document.querySelector('dialog[open]')")
+        use(page, KEY)
+        page.until(LIVE)
+        assert page.ask("Object.values(sessionStorage).join()") == KEY
+        assert KEY not in page.ask("Object.values(localStorage).join()")
+        assert not [address for address in page.requests if KEY in address]
+
+
+def use(page: Page, key: str) -> None:
+    page.ask(fill("dialog input", key))
+    page.ask("document.querySelector('dialog form').requestSubmit()")
