@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from app.domain.commands import Display, Move, Send, Simple
 from app.domain.errors import Refusal
 from app.domain.events import (
     Acknowledged,
@@ -17,7 +18,7 @@ from app.domain.events import (
     Unknown,
 )
 from app.domain.ids import CmdIds, VehicleId
-from app.domain.job import JobEvent, JobState, Leg
+from app.domain.job import JobEvent, JobState
 from app.domain.layout import Axis, Plant
 from app.domain.records import Intent, IntentState, Kept, TeachingEvent
 from app.domain.requests import (
@@ -67,7 +68,7 @@ THINK_EVERY = Seconds(1.0)
 THINK_AT_MOST_EVERY = Seconds(0.1)
 """Dispatch runs at most so often: a burst of orders costs one assignment (our choice)."""
 GIVE_BACK_AFTER = Seconds(10.0)
-"""A vehicle that cannot go on to its source for so long loses the job to another (our choice)."""
+"""A vehicle that cannot go on for so long loses its job to another, or its job is paused if picked up (our choice)."""
 
 
 class Fleet:
@@ -138,22 +139,20 @@ class Fleet:
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         for vehicle in self.books.vehicles.values():
             self.recovery.tick(vehicle)
-            self._give_back_if_unfit(vehicle)
+            self._mind_job(vehicle)
             self.books.wake(vehicle.id)
         self._dispatch.run()
         self._go_on()
 
-    def _give_back_if_unfit(self, vehicle: VehicleNow) -> None:
-        """A job not yet picked up does not wait for a vehicle that cannot go on."""
-        job = self.books.jobs.get(vehicle.job) if vehicle.job else None
-        if vehicle.fit or job is None or job.leg is not Leg.TO_SOURCE:
+    def _mind_job(self, vehicle: VehicleNow) -> None:
+        """A job does not wait for a vehicle that cannot go on without saying so."""
+        if vehicle.fit or vehicle.job is None:
             vehicle.unfit_since = None
-            return
-        if vehicle.unfit_since is None:
+        elif vehicle.unfit_since is None:
             vehicle.unfit_since = self.books.now
         elif self.books.now - vehicle.unfit_since >= GIVE_BACK_AFTER:
-            why = vehicle.barred or vehicle.waiting or vehicle.link_reason or "not ready"
-            self.missions.give_back(vehicle, f"given back by {vehicle.id}: {why}")
+            why = vehicle.barred or vehicle.waiting or vehicle.link_reason or "it is not ready"
+            self.missions.interrupt(vehicle, why)
 
     def handle(self, event: Event, now: Seconds) -> None:
         """Take one event of a session."""
@@ -295,7 +294,9 @@ class Fleet:
         drive = vehicle.drive
         if drive and self.motion.completes(vehicle, drive, event.status, event.asked_at):
             self.motion.finish(vehicle, IntentState.DONE, f"STATUS: standing at {event.status.barcode}")
-        self.missions.confirm(vehicle, event.asked_at)
+        elif drive and self.motion.broken_off(drive, event.status, event.asked_at):
+            self.recovery.begin(vehicle)
+        self.missions.confirm(vehicle, event.status, event.asked_at)
         if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (
             vehicle.handling is None and vehicle.loaded is not self.recovery.believed_loaded(vehicle)
         ):
@@ -311,6 +312,8 @@ class Fleet:
             self.books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=f"{is_.code} {name}".rstrip())
         elif was.oper is Oper.ALARM and is_.oper is not Oper.ALARM:
             self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
+        if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
+            self.recovery.widen(vehicle)
         if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:
             self.recovery.begin(vehicle)
 
@@ -318,17 +321,16 @@ class Fleet:
         """Follow the barcodes it reports along what it holds."""
         if vehicle.barcode is None or not status.condition.recognised or status.barcode == vehicle.barcode:
             return
+        if vehicle.trusted:
+            return
         if status.condition.mode is not Mode.AUTO:
             if vehicle.accounted and vehicle.drive is None and status.barcode in self.books.track:
-                self.motion.place(vehicle, status.barcode)
-                self.recovery.widen(vehicle)
+                self.recovery.moved_by_hand(vehicle, status.barcode)
             return
         try:
-            self.motion.report(vehicle, status.barcode)
+            self.motion.report(vehicle, status.barcode, status.seq)
         except OffPath as why:
-            if vehicle.stage is Stage.READY and not vehicle.record.hold:
-                self.recovery.hold(vehicle, str(why), "look where it stands, then release it with verdict go_on")
-                self.recovery.begin(vehicle)
+            self.recovery.doubt(vehicle, str(why))
             return
         self.books.wake(vehicle.id)
 
@@ -362,23 +364,23 @@ class Fleet:
     def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
         """RESP1 brings the place too; a barcode that was not reported before is followed now."""
         if event.condition.recognised and event.barcode in vehicle.ahead:
-            self.motion.report(vehicle, event.barcode)
+            self._follow(vehicle, VehicleStatus(event.condition, event.barcode, event.seq))
 
     def _moved(self, vehicle: VehicleNow, event: Answered) -> None:
         """The MOVE is over. After an abnormal end the vehicle is asked before anything else is sent."""
         if event.ok:
             vehicle.missed = 0
             return
-        vehicle.missed += 1
+        self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
         if vehicle.stage is Stage.READY:
             self.recovery.begin(vehicle)
+
+    def _missed(self, vehicle: VehicleNow, what: str) -> None:
+        """Another MOVE came to nothing: after some in a row a person has to look."""
+        vehicle.missed += 1
         if vehicle.missed >= MAX_MISSES and not vehicle.record.hold:
             vehicle.missed = 0
-            self.recovery.hold(
-                vehicle,
-                f"MOVE ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})",
-                "look at the vehicle and its way, then release it",
-            )
+            self.recovery.hold(vehicle, f"MOVE {what}", "look at the vehicle and its way, then release it")
 
     def _handled(self, vehicle: VehicleNow, event: Answered) -> None:
         handling = vehicle.handling
@@ -417,7 +419,21 @@ class Fleet:
             self.recovery.unanswered(vehicle, event.cmd_id, event.reason)
             return
         if vehicle.linked and vehicle.stage is Stage.READY:
+            if vehicle.fit and isinstance(event.command, Move):
+                self._missed(vehicle, f"could not be sent {MAX_MISSES} times ({event.reason})")
             self.recovery.begin(vehicle)
+
+    def objection(self, send: Send) -> str:
+        """Return why a command must not leave any more now that it is durable, empty if it may.
+
+        While it was being written down the vehicle may have been settled without it, or barred.
+        """
+        vehicle = self.books.vehicles[send.vehicle]
+        if send.cmd_id not in vehicle.opened:
+            return "it was settled before it could be sent"
+        if isinstance(send.command, Simple | Display) or vehicle.fit:
+            return ""
+        return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
 
     def _taught(self, vehicle: VehicleNow, event: Taught) -> None:
         """A teaching event is kept raw before it is acknowledged (DOMAIN section 3)."""

@@ -11,6 +11,7 @@ from app.domain.units import Barcode
 from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.obstacles import against_picking_up, against_putting_down
+from app.fleet.targets import target_for
 from app.fleet.vehicle import VehicleNow
 from app.planning.dispatch import SWITCH, assign, cost
 
@@ -195,7 +196,7 @@ class Dispatch:
             return False
         ends = [self._books.specs[StationId(s)] for s in (job.source, job.destination) if s in self._books.specs]
         ports = [s for s in ends if s.kind is StationKind.PORT]
-        return not any(isinstance(self._missions.target(vehicle, port), Refusal) for port in ports)
+        return not any(isinstance(target_for(self._books, vehicle, port), Refusal) for port in ports)
 
     def _assign(self, vehicle: VehicleNow, job: Job, why: str = "") -> None:
         books = self._books

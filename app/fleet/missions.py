@@ -8,15 +8,19 @@ from dataclasses import replace
 
 from app.domain.commands import Pickup, Place
 from app.domain.errors import NoRoute, Refusal
-from app.domain.ids import JobId, StationId
+from app.domain.ids import StationId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
-from app.domain.layout import NO_OFFSET, Axis, PulseSet, Station, StationKind
-from app.domain.records import IntentState, Provenance
+from app.domain.layout import PulseSet, Station
+from app.domain.records import ControllerState, IntentState, Provenance
 from app.domain.units import Seconds
+from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
+from app.fleet.custody import carrier_moved
 from app.fleet.motion import Motion
+from app.fleet.obstacles import against_picking_up, against_putting_down
 from app.fleet.recovery import Recovery
-from app.fleet.vehicle import ACQUIRING_LEGS, Errand, Handling, Purpose, VehicleNow
+from app.fleet.targets import target_for
+from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
 
 MAX_MISSES = 3
 """So often a handling or a move may end abnormally without an alarm before the vehicle is held (our choice)."""
@@ -36,6 +40,7 @@ class Missions:
         """Take the next step if nothing is under way."""
         if not vehicle.fit or vehicle.handling:
             return
+        self._resume(vehicle)
         if vehicle.drive:
             self._redirect(vehicle)
             return
@@ -51,33 +56,28 @@ class Missions:
     def _redirect(self, vehicle: VehicleNow) -> None:
         """While it drives: its job, or the job's destination, may have changed."""
         job = self._books.jobs.get(vehicle.job) if vehicle.job else None
-        if job is None or job.state is JobState.PAUSED:
+        if job is None:
             return
         if job.leg is Leg.TO_DESTINATION:
             usable = self._usable_destination(vehicle, job)
             if usable:
                 self._head_for(vehicle, usable, pickup=False)
-        elif job.leg is Leg.TO_SOURCE:
+        elif job.leg is Leg.TO_SOURCE and self._usable_source(vehicle, job):
             self._head_for(vehicle, job, pickup=True)
 
-    def _head_for(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> Station:
-        """Make the station of this leg the vehicle's errand, if it is not already."""
+    def _head_for(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> Station | None:
+        """Make the station of this leg the vehicle's errand, if it is not already; None: there is no way."""
         station = self._books.specs[StationId(job.source if pickup else job.destination)]
         purpose = Purpose.SOURCE if pickup else Purpose.DESTINATION
         errand = Errand(station.barcode, station.kind.stop_action, purpose)
         if vehicle.errand != errand:
             self._send(vehicle, job, errand)
-        return station
+        return station if vehicle.errand == errand else None
 
     def _go_on_with(self, vehicle: VehicleNow, job: Job) -> None:
-        match job.state:
-            case JobState.ABORTING:
-                self._end_abort(vehicle, job)
-                return
-            case JobState.PAUSED:
-                return
-            case _:
-                pass
+        if job.state is JobState.ABORTING:
+            self._end_abort(vehicle, job)
+            return
         match job.leg:
             case Leg.NONE:
                 pass
@@ -95,13 +95,19 @@ class Missions:
         if vehicle.loaded is pickup:
             self._cannot(vehicle, job, pickup=pickup)
             return
-        usable = job if pickup else self._usable_destination(vehicle, job)
+        usable = self._usable_source(vehicle, job) if pickup else self._usable_destination(vehicle, job)
         if usable is None:
             return
         station = self._head_for(vehicle, usable, pickup=pickup)
-        if self._motion.arrived(vehicle):
-            self._books.event(JobEvent.VEHICLE_ARRIVED, job=usable, detail=station.id)
+        if station and self._motion.arrived(vehicle) and self._books.controller.state is ControllerState.AUTO:
             self._start_handling(vehicle, usable, station, pickup=pickup)
+
+    def _usable_source(self, vehicle: VehicleNow, job: Job) -> Job | None:
+        """Return the job if its source still has what it wants; else it goes back into the queue."""
+        obstacle = against_picking_up(self._books, job)
+        if obstacle:
+            self.give_back(vehicle, obstacle)
+        return None if obstacle else job
 
     def _cannot(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> None:
         """The load is not what this leg needs; a person has vouched for it, otherwise the vehicle were held."""
@@ -132,68 +138,46 @@ class Missions:
 
     def _usable_destination(self, vehicle: VehicleNow, job: Job) -> Job | None:
         """Return the job with a destination that can be used now; None: it has to wait, and says so."""
-        obstacle = self.obstacle_at(job.destination, job.id)
+        obstacle = against_putting_down(self._books, job.destination, job.id)
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith("its destination") else job
-        spec = self._books.specs[job.destination]
-        for fallback in (*job.fallbacks, *spec.fallbacks):
-            if fallback in self._books.specs and not self.obstacle_at(fallback, job.id):
-                changed = self._books.save_job(replace(job, destination=fallback, reason=""))
-                self._books.event(
-                    JobEvent.TRANSFER_UPDATED, job=changed, detail=f"{obstacle}; going on to the fall-back {fallback}"
-                )
-                return changed
+        fallback = self._fallback(vehicle, job)
+        if fallback:
+            changed = self._books.save_job(replace(job, destination=fallback, reason=""))
+            self._books.event(
+                JobEvent.TRANSFER_UPDATED, job=changed, detail=f"{obstacle}; going on to the fall-back {fallback}"
+            )
+            return changed
         self._wait(job, f"its destination cannot be used: {obstacle}")
-        if vehicle.errand and vehicle.errand.purpose is Purpose.DESTINATION:
+        errand = vehicle.errand
+        if errand and (errand.purpose is Purpose.DESTINATION or self._motion.arrived(vehicle)):
             self._motion.drop(vehicle)
         return None
 
-    def obstacle_at(self, station: StationId, job: JobId | None) -> str:
-        """Return why nothing can be put down at a station now, empty if it can."""
-        record = self._books.stations[station]
-        if record.out_of_service:
-            return f"{station} is out of service: {record.out_of_service}"
-        if record.reserved and record.reserved != job:
-            return f"{station} is reserved: {record.reserved}"
-        if record.present:
-            return f"{station} is occupied by {record.carrier or 'a carrier'}"
-        return ""
+    def _fallback(self, vehicle: VehicleNow, job: Job) -> StationId | None:
+        """Return the first fall-back of the job or the plant that this vehicle can use and no other job is going to."""
+        books = self._books
+        engaged = {other.destination for other in books.jobs.values() if other.vehicle and other.id != job.id}
+        for fallback in (*job.fallbacks, *books.specs[job.destination].fallbacks):
+            spec = books.specs.get(fallback)
+            if spec is None or fallback in engaged or against_putting_down(books, fallback, job.id):
+                continue
+            if not isinstance(target_for(self._books, vehicle, spec), Refusal):
+                return fallback
+        return None
 
     # -- handling -----------------------------------------------------------------------------------------------------
 
-    def target(self, vehicle: VehicleNow, station: Station, given: PulseSet | None = None) -> PulseSet | Refusal | None:
-        """Return DEST + OFFSET for a port (None for a side buffer), or why there is none (DOMAIN section 3)."""
-        if station.kind is not StationKind.PORT:
-            return None
-        dest = self._books.dests.get(station.id)
-        if given is None and dest is None:
-            return Refusal(
-                "not-now",
-                f"{station.id} has no DEST (SHFT, ROTA, LIFT)",
-                f"teach it, or PUT /api/v1/stations/{station.id}/dest",
-            )
-        offset = self._books.offsets.get(vehicle.id)
-        if given is None and offset is None:
-            return Refusal(
-                "not-now", f"{vehicle.id} has no OFFSET (SHFT, ROTA, LIFT)",
-                f"teach it, or PUT /api/v1/vehicles/{vehicle.id}/offset",
-            )  # fmt: skip
-        pulses = given or (dest.pulses if dest else NO_OFFSET).plus(offset.pulses if offset else NO_OFFSET)
-        for axis in Axis:
-            low, high = vehicle.spec.limits.of(axis)
-            if not low <= pulses.of(axis) <= high:
-                return Refusal(
-                    "invalid",
-                    f"{axis.name} {pulses.of(axis)} for {station.id} is outside {low}..{high} of {vehicle.id}",
-                    "correct the DEST of the station, the OFFSET of the vehicle, or the limits in the plant file",
-                )
-        return pulses
-
     def _start_handling(self, vehicle: VehicleNow, job: Job, station: Station, *, pickup: bool) -> None:
-        target = self.target(vehicle, station)
+        target = target_for(self._books, vehicle, station)
         if isinstance(target, Refusal):
-            self._wait(job, f"{vehicle.id} cannot {'pick up' if pickup else 'put down'}: {target.reason}")
+            why = f"{vehicle.id} cannot {'pick up' if pickup else 'put down'}: {target.reason}"
+            if pickup:
+                self.give_back(vehicle, why)
+            else:
+                self._wait(job, why)
             return
+        self._books.event(JobEvent.VEHICLE_ARRIVED, job=job, detail=station.id)
         leg = Leg.ACQUIRING if pickup else Leg.DEPOSITING
         if pickup:
             job = job.after(JobStep.ACQUIRING) if job.allows(JobStep.ACQUIRING) else job
@@ -206,6 +190,7 @@ class Missions:
         self, vehicle: VehicleNow, station: Station, target: PulseSet | None, job: Job | None, *, pickup: bool
     ) -> None:
         books = self._books
+        vehicle.failed_handling = ""
         actor = job.actor if job else vehicle.order.actor if vehicle.order else SYSTEM
         make = Pickup if pickup else Place
         dest, offset = books.dests.get(station.id), books.offsets.get(vehicle.id)
@@ -220,19 +205,26 @@ class Missions:
         intent = books.open_intent(vehicle, kind, command, actor, job=job.id if job else None, body=body)
         vehicle.handling = Handling(intent.cmd_id, intent, pickup, station.id, job.id if job else None, books.now)
 
-    def confirm(self, vehicle: VehicleNow, asked_at: Seconds) -> None:
-        """A polled STATUS after RESULT 0: done if F agrees, else an alarm of ours (PROTOCOLS 6.2)."""
-        handling = vehicle.handling
-        if handling is None or handling.answered is None or asked_at < handling.answered or vehicle.loaded is None:
+    def confirm(self, vehicle: VehicleNow, status: VehicleStatus, asked_at: Seconds) -> None:
+        """A polled STATUS after RESULT 0: done if F agrees, else an alarm of ours (PROTOCOLS 6.2).
+
+        A vehicle that answers on acceptance (I19) is still at it then: F counts once it is at rest.
+        """
+        handling, condition = vehicle.handling, status.condition
+        if handling is None or handling.answered is None or asked_at < handling.answered:
             return
-        if vehicle.loaded is handling.pickup:
+        if condition.oper is not Oper.IDLE or not (condition.at_rest and condition.homed):
+            if condition.oper is Oper.IDLE:
+                self._recovery.begin(vehicle)
+            return
+        if condition.loaded is handling.pickup:
             self.close_handling(vehicle, IntentState.DONE, "RESULT 0 and F agrees")
             return
         what = "PICKUP" if handling.pickup else "PLACE"
-        self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(vehicle.loaded)}")
+        self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(condition.loaded)}")
         self._recovery.hold(
             vehicle,
-            f"{what} at {handling.station} was answered RESULT 0, but the FOUP bit is {int(vehicle.loaded)}",
+            f"{what} at {handling.station} was answered RESULT 0, but the FOUP bit is {int(condition.loaded)}",
             "look whether the carrier is aboard or at the station, correct it, then release the vehicle",
         )
 
@@ -245,7 +237,7 @@ class Missions:
         self._books.close_intent(vehicle, handling.cmd_id, state, outcome)
         if state in {IntentState.DONE, IntentState.SETTLED_DONE}:
             vehicle.missed = 0
-            self.carrier_moved(vehicle, handling.station, handling.job, pickup=handling.pickup)
+            carrier_moved(self._books, vehicle, handling.station, handling.job, pickup=handling.pickup)
         vehicle.order = None
         self._books.wake(vehicle.id)
 
@@ -259,30 +251,6 @@ class Missions:
             done = vehicle.loaded is pickup
             state = IntentState.SETTLED_DONE if done else IntentState.SETTLED_NOT_DONE
             self.close_handling(vehicle, state, f"by STATUS: F = {int(bool(vehicle.loaded))}")
-
-    def carrier_moved(self, vehicle: VehicleNow, station: StationId, job_id: JobId | None, *, pickup: bool) -> None:
-        """A carrier went from station to vehicle, or back: by F, not by belief."""
-        books = self._books
-        job = books.jobs.get(job_id) if job_id else None
-        record = books.stations[station]
-        if pickup:
-            carrier = (job.carrier if job else None) or record.carrier
-            books.save_station(replace(record, present=False, carrier=None, provenance=Provenance.PICKED, at=books.utc))
-            books.save_vehicle(vehicle, carrier=carrier, believed_loaded=True)
-            if carrier:
-                books.put_carrier(carrier, vehicle.id, Provenance.PICKED)
-            if job:
-                job = books.save_job(replace(job, carrier=carrier, picked=books.utc))
-            books.event(JobEvent.CARRIER_INSTALLED, job=job, vehicle=vehicle.id, carrier=carrier, source=station)
-            return
-        carrier = vehicle.record.carrier
-        books.save_station(
-            replace(record, present=True, carrier=carrier, reserved="", provenance=Provenance.PLACED, at=books.utc)
-        )
-        books.save_vehicle(vehicle, carrier=None, believed_loaded=False)
-        if carrier:
-            books.put_carrier(carrier, station, Provenance.PLACED)
-        books.event(JobEvent.CARRIER_REMOVED, job=job, vehicle=vehicle.id, carrier=carrier, destination=station)
 
     def _after_acquiring(self, vehicle: VehicleNow, job: Job) -> None:
         """The pick-up of this job is settled: F says what came of it."""
@@ -347,21 +315,47 @@ class Missions:
         self._books.event(JobEvent.VEHICLE_UNASSIGNED, job=job, vehicle=vehicle.id)
 
     def give_back(self, vehicle: VehicleNow, why: str) -> None:
-        """The vehicle cannot fetch its job's carrier: the job goes back into the queue (waiting -> queued)."""
+        """The vehicle cannot fetch its job's carrier: the job goes back into the queue (waiting -> queued).
+
+        One that was tried already (transferring) has no way back there: it fails, or is aborted if that was asked for.
+        """
         job = self._books.jobs.get(vehicle.job) if vehicle.job else None
-        if job is None or job.leg is not Leg.TO_SOURCE or not job.allows(JobStep.UNASSIGNED):
+        if job is None or job.leg is not Leg.TO_SOURCE:
             return
-        self.unassign(vehicle, job)
-        self._books.save_job(replace(job.after(JobStep.UNASSIGNED), leg=Leg.NONE, vehicle=None, reason=why))
+        if job.allows(JobStep.UNASSIGNED):
+            self.unassign(vehicle, job)
+            self._books.save_job(replace(job.after(JobStep.UNASSIGNED), leg=Leg.NONE, vehicle=None, reason=why))
+        elif job.state is JobState.ABORTING:
+            self._end_abort(vehicle, job)
+        else:
+            self.end(vehicle, job, JobStep.FAIL, why, JobEvent.TRANSFER_COMPLETED)
+
+    def interrupt(self, vehicle: VehicleNow, why: str) -> None:
+        """The vehicle cannot go on for long: its job goes to another, or, once the pick-up began, is paused and says why."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job is None:
+            return
+        if job.leg is Leg.TO_SOURCE:
+            self.give_back(vehicle, f"given back by {vehicle.id}: {why}")
+        elif job.allows(JobStep.PAUSE):
+            job = self._books.save_job(replace(job.after(JobStep.PAUSE), reason=f"{vehicle.id} cannot go on: {why}"))
+            self._books.event(JobEvent.TRANSFER_PAUSED, job=job, detail=job.reason)
+
+    def _resume(self, vehicle: VehicleNow) -> None:
+        """The vehicle can go on again, and its job with it."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job and job.allows(JobStep.RESUME):
+            job = self._books.save_job(replace(job.after(JobStep.RESUME), reason=""))
+            self._books.event(JobEvent.TRANSFER_RESUMED, job=job)
 
     def _end_abort(self, vehicle: VehicleNow, job: Job) -> None:
         """An abort was asked for while a handling was under way, which is settled now (COMMANDS section 4)."""
         if job.leg is Leg.DEPOSITING and not vehicle.loaded:
+            job = self._books.save_job(job.after(JobStep.ABORT_FAILED))
+            self._books.event(JobEvent.TRANSFER_ABORT_FAILED, job=job, detail="the carrier was put down already")
             self._after_depositing(vehicle, job)
             return
-        aboard = "the carrier is aboard" if vehicle.loaded else "nothing is aboard"
-        if job.leg not in ACQUIRING_LEGS:
-            aboard = f"{aboard}: order vehicle -> place for it"
+        aboard = "the carrier is aboard: order vehicle -> place for it" if vehicle.loaded else "nothing is aboard"
         self.end(vehicle, job, JobStep.ABORT_DONE, f"aborted; {aboard}", JobEvent.TRANSFER_ABORT_COMPLETED)
 
     # -- one-shots ----------------------------------------------------------------------------------------------------
@@ -371,7 +365,7 @@ class Missions:
         if order is None:
             return
         station = self._books.specs[order.station]
-        target = self.target(vehicle, station, order.target)
+        target = target_for(self._books, vehicle, station, order.target)
         if isinstance(target, Refusal):
             vehicle.order = None
             return

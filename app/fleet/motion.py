@@ -16,7 +16,7 @@ from app.domain.layout import StopAction
 from app.domain.records import ControllerState, IntentState
 from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
-from app.domain.vehicle import Mode, VehicleStatus
+from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
@@ -47,8 +47,9 @@ class Motion:
         """
         books = self._books
         before = books.traffic.held(vehicle.id)
-        vehicle.barcode = barcode
         vehicle.trail = self._covered(vehicle, barcode)
+        if vehicle.barcode != barcode:
+            vehicle.barcode, vehicle.stopped = barcode, None
         vehicle.ahead, vehicle.rest = [], []
         books.traffic.release(vehicle.id, [b for b in before if b not in vehicle.trail])
         clashes = books.traffic.hold(vehicle.id, tuple(reversed(vehicle.trail)))
@@ -77,15 +78,20 @@ class Motion:
             covered[behind] = length
         return covered
 
-    def report(self, vehicle: VehicleNow, barcode: Barcode) -> None:
+    def report(self, vehicle: VehicleNow, barcode: Barcode, seq: int) -> None:
         """The vehicle has read a barcode: it goes on along what it holds, and what it has left is free.
 
-        Raises OffPath: the barcode is neither where it was nor ahead on its path.
+        Raises OffPath: the barcode is neither where it was nor ahead on its path, or not the one that its path has at
+        this SEQ (misread, or another path).
         """
         if barcode in vehicle.trail:
             return
         if barcode not in vehicle.ahead:
             raise OffPath(f"{vehicle.id} reports barcode {barcode}, which is not on the track it holds")
+        numbered = self._numbered(vehicle, seq)
+        if numbered and barcode not in numbered:
+            named = " or ".join(sorted(numbered))
+            raise OffPath(f"{vehicle.id} reports barcode {barcode} at SEQ {seq}, where its path has {named}")
         count = vehicle.ahead.index(barcode) + 1
         passed = [b for b in (vehicle.barcode, *vehicle.ahead[:count]) if b is not None]
         gone = self._books.track.distance(passed)
@@ -95,11 +101,19 @@ class Motion:
             trail[end] = gone
         length = vehicle.spec.length
         vehicle.trail = dict(sorted(((b, d) for b, d in trail.items() if d <= length), key=lambda item: item[1]))
-        left = [b for b in trail if b not in vehicle.trail]
         vehicle.barcode, vehicle.stopped = barcode, None
         del vehicle.ahead[:count]
+        left = [b for b in trail if b not in vehicle.trail and b not in vehicle.ahead]
         self._books.traffic.release(vehicle.id, left)
         self._wake_waiters(left)
+
+    def _numbered(self, vehicle: VehicleNow, seq: int) -> set[Barcode]:
+        """Return the barcodes that the open MOVE, amended or not, has at this SEQ; 0 may be a reset counter's."""
+        drive = vehicle.drive
+        if drive is None or seq == 0:
+            return set()
+        amended = drive.amendment.path if drive.amendment else ()
+        return {element.barcode for element in (*drive.path, *amended) if element.seq == seq}
 
     def shrink_ahead(self, vehicle: VehicleNow) -> None:
         """Give back what is granted ahead of a standing vehicle that has no MOVE open."""
@@ -317,8 +331,14 @@ class Motion:
             and not condition.travelling
             and condition.recognised
             and condition.mode is Mode.AUTO
-            and condition.oper.name == "IDLE"
+            and condition.oper is Oper.IDLE
         )
+
+    def broken_off(self, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
+        """Whether a MOVE that was answered on acceptance (I19) has ended without a word: idle, and not at its end."""
+        condition = status.condition
+        started = drive.answered and drive.acknowledged is not None and asked_at > drive.acknowledged
+        return started and condition.oper is Oper.IDLE and not condition.travelling
 
     def finish(self, vehicle: VehicleNow, state: IntentState, outcome: str) -> None:
         """The MOVE is over, and the vehicle stands where it last said."""

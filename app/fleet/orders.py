@@ -31,6 +31,7 @@ from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.recovery import Recovery
+from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, HandleOrder, Purpose, Stage, VehicleNow
 
 HARMLESS = frozenset({Plain.STATUS, Plain.STOP, Plain.STOP_BY_HOST})
@@ -199,7 +200,7 @@ class VehicleOrders:
             )
         if vehicle.loaded is request.pickup:
             return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
-        target = self._missions.target(vehicle, station, request.target)
+        target = target_for(self._books, vehicle, station, request.target)
         if isinstance(target, Refusal):
             return target
         vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)

@@ -3,9 +3,9 @@
 from app.domain.commands import Plain, Simple
 from app.domain.events import Answered, Unknown
 from app.domain.ids import Actor, CmdId
-from app.domain.job import Job, JobEvent, Leg
+from app.domain.job import Job, JobEvent
 from app.domain.records import Hold, Intent, IntentState, Provenance
-from app.domain.units import Seconds
+from app.domain.units import Barcode, Seconds
 from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
 from app.fleet.books import Books
 from app.fleet.motion import Motion
@@ -15,8 +15,7 @@ QUIESCE = Seconds(1.0)
 """Waited before the first STATUS that counts: longer than the longest delay of a link (our choice)."""
 RECOVERY_PATIENCE = Seconds(60.0)
 """After so long without the STATUS it needs, an alarm recovery gives up (our choice)."""
-LOADED_LEGS = frozenset({Leg.TO_DESTINATION, Leg.DEPOSITING})
-HOMING = frozenset({Plain.SERVO_ON, Plain.SEARCH_HOME, Plain.GO_HOME, Plain.AUTO})
+LOOK = "look where it stands, bring it to a barcode it reads, then release it with verdict go_on"
 
 
 class Recovery:
@@ -60,7 +59,7 @@ class Recovery:
             (not condition.servos_on, "has its servos off: send SERVO ON, SEARCH HOME, AUTO"),
             (not condition.home_known, "has not found its home position: send SEARCH HOME"),
             (not (condition.at_rest and condition.homed), "has an axis that is not at home"),
-            (not condition.recognised, "reads no barcode"),
+            (not condition.recognised, "reads no barcode: bring it to one by hand"),
             (status.barcode not in self._books.track, self._strange(status)),
         )
         return next((f"{vehicle.id} {words}" for applies, words in checks if applies), "")
@@ -84,13 +83,16 @@ class Recovery:
     def _settle(self, vehicle: VehicleNow, status: VehicleStatus) -> bool:
         """Two STATUS agree, and the vehicle is at rest. Decide what was open; hold on a contradiction."""
         trusted, vehicle.trusted = vehicle.trusted, False
-        if not trusted and (contradiction := self._contradiction(vehicle, status)):
-            self.hold(vehicle, *contradiction)
+        if not trusted and (strange := self._strange_place(vehicle, status)):
+            self.hold(vehicle, *strange)
             return False
-        if vehicle.record.hold and not trusted:
-            self._account(vehicle, status)
-            return False
+        vehicle.doubt = ""
         self._account(vehicle, status)
+        if not trusted and (strange := self._strange_load(vehicle, status.condition)):
+            self.hold(vehicle, *strange)
+            return False
+        if not trusted and vehicle.record.hold:
+            return False
         self._close_moves(vehicle, status)
         if trusted:
             self._believe(vehicle, status.condition)
@@ -102,14 +104,18 @@ class Recovery:
         held = self._books.traffic.held(vehicle.id)
         return not held or status.barcode in held or status.barcode == vehicle.barcode
 
-    def _contradiction(self, vehicle: VehicleNow, status: VehicleStatus) -> tuple[str, str] | None:
-        """Return reason and remedy if what it reports does not fit what we know (COMMANDS 3.4)."""
-        record, condition = vehicle.record, status.condition
+    def _strange_place(self, vehicle: VehicleNow, status: VehicleStatus) -> tuple[str, str] | None:
+        """Return reason and remedy if it cannot be where it reports to be (COMMANDS 3.4)."""
+        record = vehicle.record
         if record.off_rail:
             return (
                 f"it was said to be off the rail ({record.off_rail}), and reports from barcode {status.barcode}",
                 "release it with verdict go_on if it stands on the rail again",
             )
+        if vehicle.doubt:
+            return vehicle.doubt, LOOK
+        if misplaced := self._misplaced(vehicle, status):
+            return misplaced, LOOK
         if not self._plausible(vehicle, status):
             return (
                 (
@@ -118,13 +124,22 @@ class Recovery:
                 ),
                 "look where it stands; release it with verdict go_on if the barcode is right",
             )
-        pickup = next((i for i in vehicle.opened.values() if i.kind == "pickup"), None)
-        place = next((i for i in vehicle.opened.values() if i.kind == "place"), None)
-        if pickup or place:
-            return None
-        return self._strange_load(vehicle, condition)
+        return None
+
+    def _misplaced(self, vehicle: VehicleNow, status: VehicleStatus) -> str:
+        """Return why its barcode does not fit its SEQ on the MOVE that is open, empty if it does (COMMANDS 3.3)."""
+        moves = [i for i in vehicle.opened.values() if i.path]
+        if status.seq == 0 or status.barcode in {vehicle.barcode, *(i.path[0] for i in moves)}:
+            return ""
+        at = {i.path[n] for i in moves if 0 <= (n := status.seq - _first_seq(i)) < len(i.path)}
+        if not at or status.barcode in at:
+            return ""
+        return f"it reports barcode {status.barcode} at SEQ {status.seq}, where its path has {' or '.join(sorted(at))}"
 
     def _strange_load(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
+        """Return reason and remedy if its FOUP bit is not what no open PICKUP or PLACE can explain."""
+        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
+            return None
         believed = self.believed_loaded(vehicle)
         if condition.loaded and not believed:
             return (
@@ -155,7 +170,9 @@ class Recovery:
     def _account(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
         """Its place is known: it holds what it covers there (in MANT, all it can reach by itself)."""
         clashes = self._motion.place(vehicle, status.barcode)
-        if status.condition.mode is Mode.MANT:
+        if not status.condition.at_tag:
+            vehicle.stopped = None
+        if status.condition.mode is not Mode.AUTO:
             self.widen(vehicle)
         if clashes:
             others = sorted({o for b in clashes for o in self._books.traffic.holders(b)} - {vehicle.id})
@@ -164,14 +181,32 @@ class Recovery:
         self._strike_off(vehicle)
 
     def widen(self, vehicle: VehicleNow) -> None:
-        """In MANT it can be moved without us: hold what it can reach, both ways, as far as nobody else has it."""
+        """Out of AUTO it can be moved without us: hold what it can reach, both ways, as far as nobody else has it."""
         books = self._books
         if vehicle.barcode is None:
             return
         reach = books.track.reach(vehicle.barcode, vehicle.spec.reach)
         free = sorted(b for b in reach if not books.traffic.holders(b))
-        books.traffic.hold(vehicle.id, free)
-        books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*free, *reversed(vehicle.trail)))
+        held = (*free, *books.traffic.held(vehicle.id))
+        books.traffic.hold(vehicle.id, held)
+        books.save_vehicle(vehicle, barcode=vehicle.barcode, held=held)
+
+    def moved_by_hand(self, vehicle: VehicleNow, barcode: Barcode) -> None:
+        """Out of AUTO it reads another barcode: believed as far as it could be moved there from where it was."""
+        if barcode not in self._books.traffic.held(vehicle.id):
+            self._books.traffic.hold(vehicle.id, [barcode])
+            came = f"{vehicle.id} reports barcode {barcode}, which it could not be moved to from {vehicle.barcode}"
+            self.doubt(vehicle, came)
+            return
+        self._motion.place(vehicle, barcode)
+        self.widen(vehicle)
+
+    def doubt(self, vehicle: VehicleNow, why: str) -> None:
+        """Its reported place is not believed: it keeps all it holds until a named person vouches for the place."""
+        vehicle.doubt = why
+        self.hold(vehicle, why, LOOK)
+        if vehicle.stage is Stage.READY:
+            self.begin(vehicle)
 
     def _strike_off(self, vehicle: VehicleNow) -> None:
         """The roll-call no longer waits for it, once its place is known."""
@@ -183,7 +218,7 @@ class Recovery:
 
     def strike_off(self, vehicle: VehicleNow) -> None:
         """A named person has said where it is."""
-        vehicle.accounted = True
+        vehicle.accounted, vehicle.doubt = True, ""
         self._strike_off(vehicle)
 
     def _close_moves(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
@@ -263,6 +298,8 @@ class Recovery:
         recovery = vehicle.recovery
         if recovery is None or recovery.waiting is not None or asked_at < recovery.since:
             return
+        if status.condition.oper is Oper.RUN:
+            return
         what = self._next_command(status)
         if what is None:
             self._end_alarm_recovery(vehicle, "")
@@ -277,7 +314,8 @@ class Recovery:
     def _next_command(self, status: VehicleStatus) -> Plain | None:
         condition = status.condition
         if condition.mode is Mode.AUTO:
-            return Plain.STOP if condition.oper is Oper.ALARM else None
+            fine = condition.servos_on and condition.home_known and condition.all_home
+            return None if fine and condition.oper is not Oper.ALARM else Plain.STOP
         if condition.mode is not Mode.MANT:
             return Plain.STOP
         needed = (
@@ -309,7 +347,7 @@ class Recovery:
         """Give an alarm recovery up that hears nothing."""
         recovery = vehicle.recovery
         if recovery and recovery.waiting is None and self._books.now > recovery.since + RECOVERY_PATIENCE:
-            self._end_alarm_recovery(vehicle, "no STATUS came")
+            self._end_alarm_recovery(vehicle, f"nothing came of it for {RECOVERY_PATIENCE:.0f} s")
 
     def _end_alarm_recovery(self, vehicle: VehicleNow, failure: str) -> None:
         recovery, vehicle.recovery = vehicle.recovery, None
@@ -324,8 +362,9 @@ class Recovery:
             self.begin(vehicle)
             return
         self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=f"recovered by {recovery.actor}")
-        hold = vehicle.record.hold
-        if hold:
+        if vehicle.doubt:
+            self.hold(vehicle, vehicle.doubt, LOOK)
+        elif vehicle.record.hold:
             self._books.save_vehicle(vehicle, hold=None)
             self._books.event(
                 JobEvent.VEHICLE_RELEASED, vehicle=vehicle.id, detail=f"{recovery.actor}: alarm recovered"
@@ -343,9 +382,7 @@ class Recovery:
             )
         vehicle.linked, vehicle.link_reason, vehicle.link_since = False, reason, self._books.now
         vehicle.stage, vehicle.stage_since = Stage.ABSENT, self._books.now
-        vehicle.agreed = None
-        if vehicle.waiting:
-            vehicle.waiting = ""
+        vehicle.agreed, vehicle.trusted, vehicle.waiting = None, False, ""
         self._books.touch(vehicle)
 
     def note_failure(self, vehicle: VehicleNow, answer: Answered) -> None:
@@ -353,3 +390,9 @@ class Recovery:
         if answer.condition.oper is Oper.ALARM:
             name = self._books.plant.alarm_codes.get(answer.condition.code, "")
             vehicle.failed_handling = f"alarm {answer.condition.code} {name}".rstrip()
+
+
+def _first_seq(intent: Intent) -> int:
+    """SEQ of the first element of a MOVE or XMOVE."""
+    first = intent.body.get("first_seq", 0)
+    return first if isinstance(first, int) else 0

@@ -114,7 +114,8 @@ class VehicleNow:
     ``trail`` maps each barcode it covers to its distance behind the present one (mm; the present one 0); ``ahead`` are the
     barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
-    agree. ``missed`` counts handlings or moves in a row that ended abnormally.
+    agree. ``doubt`` says why its reported place is not believed until a named person vouches for it (``trusted``).
+    ``missed`` counts handlings or moves in a row that ended abnormally.
     """
 
     spec: VehicleSpec
@@ -141,6 +142,7 @@ class VehicleNow:
     agreed: VehicleStatus | None = None
     quiet_until: Seconds = Seconds(0.0)
     trusted: bool = False
+    doubt: str = ""
     accounted: bool = False
     failed_handling: str = ""
     missed: int = 0
