@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from app.control.lines import VehicleLine
+from app.domain.events import NotSent
 from app.domain.ids import CmdIds, VehicleId
 from app.domain.layout import Plant
 from app.domain.ports import Endpoint
@@ -160,8 +161,11 @@ class Control:
             self._lines[name].session.stored(receipt, now)
             self._dirty[name] = None
         for send in effects.sends:
-            self._lines[send.vehicle].session.send(send, now)
             self._dirty[send.vehicle] = None
+            if objection := self.fleet.objection(send):
+                self.fleet.handle(NotSent(send.vehicle, send.cmd_id, send.command, objection), now)
+            else:
+                self._lines[send.vehicle].session.send(send, now)
         for name in effects.polls:
             self._lines[name].session.ask(now)
             self._dirty[name] = None

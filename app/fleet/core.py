@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from app.domain.commands import Display, Move, Send, Simple
+from app.domain.commands import Display, Move, Send, Simple
 from app.domain.errors import Refusal
 from app.domain.events import (
     Acknowledged,
@@ -314,6 +315,8 @@ class Fleet:
             self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
         if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
             self.recovery.widen(vehicle)
+        if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
+            self.recovery.widen(vehicle)
         if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:
             self.recovery.begin(vehicle)
 
@@ -323,6 +326,11 @@ class Fleet:
             return
         if vehicle.trusted:
             return
+        if vehicle.trusted:
+            return
+        if vehicle.doubt:
+            self.recovery.doubt(vehicle, status.barcode, vehicle.doubt)
+            return
         if status.condition.mode is not Mode.AUTO:
             if vehicle.accounted and vehicle.drive is None and status.barcode in self.books.track:
                 self.recovery.moved_by_hand(vehicle, status.barcode)
@@ -330,7 +338,7 @@ class Fleet:
         try:
             self.motion.report(vehicle, status.barcode, status.seq)
         except OffPath as why:
-            self.recovery.doubt(vehicle, str(why))
+            self.recovery.doubt(vehicle, status.barcode, str(why))
             return
         self.books.wake(vehicle.id)
 
@@ -390,8 +398,9 @@ class Fleet:
             handling.answered = self.books.now
             self.books.effects.polls.append(vehicle.id)
             return
+        # Broken off after the gripper moved, it is done all the same: F decides once the vehicle is at rest.
         self.recovery.note_failure(vehicle, event)
-        self.missions.close_handling(vehicle, IntentState.FAILED, event.reason or "RESULT 1")
+        self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.reason or "RESULT 1")
         self.recovery.begin(vehicle)
 
     def _unanswered(self, vehicle: VehicleNow, event: Unanswered) -> None:

@@ -14,6 +14,7 @@ from app.domain.layout import PulseSet, Station
 from app.domain.records import ControllerState, IntentState, Provenance
 from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
+from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.custody import carrier_moved
 from app.fleet.motion import Motion
@@ -250,7 +251,8 @@ class Missions:
                 vehicle.handling = Handling(intent.cmd_id, intent, pickup, station, intent.job, self._books.now)
             done = vehicle.loaded is pickup
             state = IntentState.SETTLED_DONE if done else IntentState.SETTLED_NOT_DONE
-            self.close_handling(vehicle, state, f"by STATUS: F = {int(bool(vehicle.loaded))}")
+            before = f"{intent.outcome}; " if intent.outcome else ""
+            self.close_handling(vehicle, state, f"{before}by STATUS: F = {int(bool(vehicle.loaded))}")
 
     def _after_acquiring(self, vehicle: VehicleNow, job: Job) -> None:
         """The pick-up of this job is settled: F says what came of it."""

@@ -70,7 +70,7 @@ class Recovery:
     def _alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
         code = status.condition.code
         name = self._books.plant.alarm_codes.get(code, "")
-        if vehicle.handling or (vehicle.job and not vehicle.failed_handling):
+        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
             vehicle.failed_handling = f"alarm {code} {name}".rstrip()
         self.hold(
             vehicle,
@@ -138,8 +138,9 @@ class Recovery:
 
     def _strange_load(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
         """Return reason and remedy if its FOUP bit is not what no open PICKUP or PLACE can explain."""
-        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
-            return None
+        handlings = {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}
+        if handlings:
+            return self._strange_drop(vehicle, condition) if "place" in handlings else None
         believed = self.believed_loaded(vehicle)
         if condition.loaded and not believed:
             return (
@@ -152,6 +153,24 @@ class Recovery:
                 "find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)",
             )
         return None
+
+    def _strange_drop(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
+        """A PLACE that ended in an alarm with F = 0: put down, or fallen? F cannot tell."""
+        if condition.loaded or not vehicle.failed_handling:
+            return None
+        return (
+            f"its PLACE ended in {vehicle.failed_handling}, and its FOUP bit is 0",
+            "see that the carrier stands where it should, then release the vehicle with verdict go_on",
+        )
+
+    def _strange_drop(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
+        """A PLACE that ended in an alarm with F = 0: put down, or fallen? F cannot tell."""
+        if condition.loaded or not vehicle.failed_handling:
+            return None
+        return (
+            f"its PLACE ended in {vehicle.failed_handling}, and its FOUP bit is 0",
+            "see that the carrier stands where it should, then release the vehicle with verdict go_on",
+        )
 
     def _believe(self, vehicle: VehicleNow, condition: Condition) -> None:
         """A person vouched for what the vehicle reports: its FOUP bit counts, our books follow."""
@@ -194,16 +213,19 @@ class Recovery:
     def moved_by_hand(self, vehicle: VehicleNow, barcode: Barcode) -> None:
         """Out of AUTO it reads another barcode: believed as far as it could be moved there from where it was."""
         if barcode not in self._books.traffic.held(vehicle.id):
-            self._books.traffic.hold(vehicle.id, [barcode])
             came = f"{vehicle.id} reports barcode {barcode}, which it could not be moved to from {vehicle.barcode}"
-            self.doubt(vehicle, came)
+            self.doubt(vehicle, barcode, came)
             return
         self._motion.place(vehicle, barcode)
         self.widen(vehicle)
 
-    def doubt(self, vehicle: VehicleNow, why: str) -> None:
-        """Its reported place is not believed: it keeps all it holds until a named person vouches for the place."""
+    def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:
+        """Its place is not believed: it holds what it held and where it says to be, until a person vouches for the place."""
         vehicle.doubt = why
+        books = self._books
+        if barcode in books.track:
+            books.traffic.hold(vehicle.id, [barcode])
+            books.save_vehicle(vehicle, held=books.traffic.held(vehicle.id))
         self.hold(vehicle, why, LOOK)
         if vehicle.stage is Stage.READY:
             self.begin(vehicle)
@@ -304,6 +326,8 @@ class Recovery:
         if what is None:
             self._end_alarm_recovery(vehicle, "")
             return
+        if what is recovery.done:
+            return
         unsafe = "" if recovery.confirmed else self.unsafe_to_home(status)
         if what in {Plain.SEARCH_HOME, Plain.GO_HOME} and unsafe:
             self._end_alarm_recovery(vehicle, f"not homed, because {unsafe}; let a person look, and confirm")
@@ -336,6 +360,8 @@ class Recovery:
             what = answer.command.what.value if isinstance(answer.command, Simple) else "the command"
             self._end_alarm_recovery(vehicle, f"{what} ended abnormally ({answer.reason or 'no reason given'})")
             return
+        recovery.done = answer.command.what if isinstance(answer.command, Simple) else None
+        recovery.done = answer.command.what if isinstance(answer.command, Simple) else None
         self._books.effects.polls.append(vehicle.id)
 
     def unanswered(self, vehicle: VehicleNow, cmd_id: CmdId, why: Unknown | str) -> None:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.commands import Plain
 from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
 from app.domain.job import Leg
 from app.domain.layout import PulseSet, StopAction, VehicleSpec
@@ -88,13 +89,16 @@ class Handling:
 
 @dataclass(slots=True)
 class AlarmRecovery:
-    """The sequence of PROTOCOLS 6.2 on its way: the command under way, or None while a fresh STATUS is awaited."""
+    """The sequence of PROTOCOLS 6.2 on its way: the command under way, or None while a fresh STATUS is awaited.
+
+    ``done`` is the last command answered RESULT 0: where that comes on acceptance (I19), its effect may still be awaited.
+    """
 
     actor: Actor
     confirmed: bool
     since: Seconds
     waiting: CmdId | None = None
-    asked: Seconds = Seconds(0.0)
+    done: Plain | None = None
 
 
 @dataclass(slots=True)
@@ -142,6 +146,7 @@ class VehicleNow:
     agreed: VehicleStatus | None = None
     quiet_until: Seconds = Seconds(0.0)
     trusted: bool = False
+    doubt: str = ""
     doubt: str = ""
     accounted: bool = False
     failed_handling: str = ""
