@@ -66,8 +66,8 @@ class LockoutView:
 @dataclass(frozen=True, slots=True)
 class VehicleView:
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting, settling,
-    absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may drive, ``covered`` what it
-    holds at and behind its place. Mode and everything from STATUS is None before its first STATUS.
+    absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may drive,
+    ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS.
     """
 
     id: str
@@ -126,8 +126,8 @@ class JobView:
 
 @dataclass(frozen=True, slots=True)
 class StationView:
-    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it; ``verified`` is true
-    only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only.
+    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it; ``verified`` is
+    true only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only.
     """
 
     id: str
