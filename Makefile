@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 UV := $(BIN)/uv pip compile pyproject.toml --universal --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
 
-.PHONY: setup run test check bench lock
+.PHONY: setup run test check bench lock web
 .DELETE_ON_ERROR:
 
 setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
@@ -27,3 +27,6 @@ bench: $(READY)  ## all benchmarks, each against its floor in the same run
 
 lock:  ## pin every dependency with hashes, for all Python versions and systems
 	$(UV) -o requirements/runtime.txt && $(UV) --group dev -o requirements/dev.txt
+
+web:  ## build the operator page from web/ into app/web (needs Node 20 or newer; nothing else here does)
+	cd web && npm ci && npm run build && npm test

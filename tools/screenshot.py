@@ -1,6 +1,6 @@
 """Takes the README's picture: starts the demo with work to do, opens the page, waits until it is busy.
 
-``python -m tools.screenshot [--out FILE] [--size 1440x900] [--url URL]``; with ``--url`` of a server that runs already.
+``python -m tools.screenshot [--out FILE] [--size 1680x1050] [--url URL]``; with ``--url`` of a server that runs already.
 """
 
 import argparse
@@ -79,7 +79,7 @@ def main() -> None:
     """Take the picture."""
     parser = argparse.ArgumentParser(description="Take the README's picture of the operator page.")
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "screenshot.png")
-    parser.add_argument("--size", default="1440x900", help="width and height in pixels")
+    parser.add_argument("--size", default="1680x1050", help="width and height in pixels")
     parser.add_argument("--url", help="a server that runs already; without it the demo is started")
     given = parser.parse_args()
     width, height = map(int, given.size.split("x"))

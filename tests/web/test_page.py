@@ -85,17 +85,20 @@ def test_a_refusal_is_shown_with_its_remedy() -> None:
         page.until(text_of(".problem", "Send the header X-Actor"))
 
 
-def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself() -> None:
+def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history() -> None:
     with browser() as page:
         with served() as first:
             port = first.port
             page.open(first.url)
             page.until(LIVE)
+            first.do(lambda: [first.controller.happen("VehicleDeparted", vehicle="V001") for _ in range(5)])
+            page.until(text_of(".events li", "#5"))
         page.until(text_of(".link.lost", "Reconnecting"))
         with served(port) as second:
             page.until(LIVE)
             second.do(lambda: second.controller.happen("AlarmSet", vehicle="V002"))
             page.until(text_of(".events li", "Alarm set"))
+            assert not page.ask(text_of(".events li", "Vehicle departed"))
 
 
 def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:

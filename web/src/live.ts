@@ -9,6 +9,8 @@ export interface Sink {
   change(topic: string, key: string, value: unknown): void;
   changed(): void;
   events(events: Happening[]): void;
+  /** The events so far belong to another history (another database). */
+  forget(): void;
   problem(text: string): void;
 }
 
@@ -22,7 +24,10 @@ interface Frame {
   problem?: { detail?: string };
 }
 
-/** Takes frames in order; tells when a number is missing. */
+/** What to do about a message: say something, or connect afresh. */
+export type Answer = { say: string } | "reconnect" | null;
+
+/** Takes frames in order; tells when a number is missing, or when the server has begun another history. */
 export class Stream {
   private seq: number | null = null;
   /** Number of the last event taken, null before the first snapshot. */
@@ -35,15 +40,12 @@ export class Stream {
     this.seq = null;
   }
 
-  /** Takes a message; returns what to answer, or null. */
-  take(text: string): string | null {
+  /** Takes a message; returns what to do about it. */
+  take(text: string): Answer {
     const frame = JSON.parse(text) as Frame;
     switch (frame.type) {
       case "snapshot":
-        this.seq = frame.seq ?? 0;
-        this.sink.snapshot(frame.objects ?? {}, frame.last_event ?? 0);
-        this.lastEvent ??= frame.last_event ?? 0;
-        return null;
+        return this.snapshot(frame);
       case "change":
         return this.change(frame);
       case "event":
@@ -60,11 +62,21 @@ export class Stream {
     }
   }
 
-  private change(frame: Frame): string | null {
+  private snapshot(frame: Frame): Answer {
+    const last = frame.last_event ?? 0;
+    const anew = this.lastEvent !== null && last < this.lastEvent;
+    if (anew) this.sink.forget();
+    this.seq = frame.seq ?? 0;
+    this.sink.snapshot(frame.objects ?? {}, last);
+    if (anew || this.lastEvent === null) this.lastEvent = last;
+    return anew ? "reconnect" : null;
+  }
+
+  private change(frame: Frame): Answer {
     if (this.seq === null) return null;
     if (frame.seq !== this.seq + 1) {
       this.seq = null;
-      return JSON.stringify({ resync: true });
+      return { say: JSON.stringify({ resync: true }) };
     }
     this.seq = frame.seq;
     for (const { topic, key, value } of frame.changes ?? []) this.sink.change(topic, key, value);
@@ -133,7 +145,13 @@ export class Watcher {
     this.heard = Date.now();
     this.failures = 0;
     const answer = this.stream.take(text);
-    if (answer) socket.send(answer);
+    if (answer === "reconnect") {
+      this.socket = null;
+      socket.close();
+      this.again(0);
+      return;
+    }
+    if (answer) socket.send(answer.say);
     this.door.state("live");
   }
 

@@ -102,6 +102,9 @@ const sink: Sink = {
   },
   changed: flush,
   events: remember,
+  forget() {
+    happenings.value = [];
+  },
   problem(text) {
     notice.value = text;
   },

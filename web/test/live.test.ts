@@ -9,6 +9,7 @@ function heard() {
     change: (topic, key, value) => said.push(`${topic}/${key}=${JSON.stringify(value)}`),
     changed: () => said.push("changed"),
     events: (events) => said.push(`events ${events.map((event) => event.seq).join()}`),
+    forget: () => said.push("forget"),
     problem: (text) => said.push(`problem ${text}`),
   };
   return { said, stream: new Stream(sink) };
@@ -32,7 +33,7 @@ describe("the stream", () => {
   test("asks for a resync when a number is missing, and ignores changes until the snapshot", () => {
     const { said, stream } = heard();
     stream.take(snapshot(4));
-    expect(stream.take(change(6))).toBe('{"resync":true}');
+    expect(stream.take(change(6))).toEqual({ say: '{"resync":true}' });
     expect(stream.take(change(7))).toBeNull();
     stream.take(frame({ type: "resync" }));
     stream.take(snapshot(9));
@@ -57,6 +58,15 @@ describe("the stream", () => {
     stream.restart();
     stream.take(snapshot(0, 12));
     expect(stream.lastEvent).toBe(7);
+  });
+
+  test("begins anew where the server has another history", () => {
+    const { said, stream } = heard();
+    stream.take(snapshot(0, 500));
+    stream.restart();
+    expect(stream.take(snapshot(0, 3))).toBe("reconnect");
+    expect(stream.lastEvent).toBe(3);
+    expect(said).toContain("forget");
   });
 
   test("tells what the server refused", () => {

@@ -73,10 +73,11 @@ function Counts() {
 function Actor() {
   const name = useSignal(actor());
   return (
-    <label class="actor" aria-label={t("your_name")}>
+    <span class="actor">
             <input
         value={name.value}
         maxLength={64}
+        aria-label={t("your_name")}
         autocomplete="name"
         title={t("name_hint")}
         placeholder={t("your_name")}
@@ -85,7 +86,7 @@ function Actor() {
           nameActor(name.value);
         }}
       />
-    </label>
+    </span>
   );
 }
 

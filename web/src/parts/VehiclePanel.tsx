@@ -1,6 +1,6 @@
 /** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { actor, get, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { selected, tick, vehicleNow } from "../store";
@@ -127,9 +127,12 @@ function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
 
 function Frames({ id }: { id: string }) {
   const list = useSignal<Traffic[] | null>(null);
+  const box = useRef<HTMLElement>(null);
   useEffect(() => {
     let here = true;
     const read = async (): Promise<void> => {
+      // Nothing moves away under somebody who reads a frame.
+      if (box.current?.querySelector("details[open]")) return;
       try {
         const { items } = await get<{ items: Traffic[] }>(
           `/vehicles/${encodeURIComponent(id)}/frames?lang=${language.value}`,
@@ -147,11 +150,11 @@ function Frames({ id }: { id: string }) {
     };
   }, [id, language.value]);
   return (
-    <section class="frames">
+    <section class="frames" ref={box}>
       <h3>{t("last_frames")}</h3>
       {list.value?.length === 0 && <p class="nothing">{t("no_frames")}</p>}
-      {list.value?.map((traffic, i) => (
-        <Frame key={`${traffic.at}${traffic.hex}${i}`} traffic={traffic} />
+      {list.value?.map((traffic) => (
+        <Frame key={`${traffic.at}${traffic.direction}${traffic.hex}`} traffic={traffic} />
       ))}
     </section>
   );
