@@ -3,7 +3,6 @@
 from collections.abc import Callable
 
 from app.domain.commands import Display, Move, Send, Simple
-from app.domain.commands import Display, Move, Send, Simple
 from app.domain.errors import Refusal
 from app.domain.events import (
     Acknowledged,
@@ -315,16 +314,12 @@ class Fleet:
             self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
         if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
             self.recovery.widen(vehicle)
-        if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
-            self.recovery.widen(vehicle)
         if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:
             self.recovery.begin(vehicle)
 
     def _follow(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
         """Follow the barcodes it reports along what it holds."""
         if vehicle.barcode is None or not status.condition.recognised or status.barcode == vehicle.barcode:
-            return
-        if vehicle.trusted:
             return
         if vehicle.trusted:
             return

@@ -14,7 +14,6 @@ from app.domain.layout import PulseSet, Station
 from app.domain.records import ControllerState, IntentState, Provenance
 from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
-from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.custody import carrier_moved
 from app.fleet.motion import Motion

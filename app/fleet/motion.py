@@ -115,14 +115,6 @@ class Motion:
         amended = drive.amendment.path if drive.amendment else ()
         return {element.barcode for element in (*drive.path, *amended) if element.seq == seq}
 
-    def _numbered(self, vehicle: VehicleNow, seq: int) -> set[Barcode]:
-        """Return the barcodes that the open MOVE, amended or not, has at this SEQ; 0 may be a reset counter's."""
-        drive = vehicle.drive
-        if drive is None or seq == 0:
-            return set()
-        amended = drive.amendment.path if drive.amendment else ()
-        return {element.barcode for element in (*drive.path, *amended) if element.seq == seq}
-
     def shrink_ahead(self, vehicle: VehicleNow) -> None:
         """Give back what is granted ahead of a standing vehicle that has no MOVE open."""
         if vehicle.drive is None and vehicle.ahead:
@@ -341,12 +333,6 @@ class Motion:
             and condition.mode is Mode.AUTO
             and condition.oper is Oper.IDLE
         )
-
-    def broken_off(self, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
-        """Whether a MOVE that was answered on acceptance (I19) has ended without a word: idle, and not at its end."""
-        condition = status.condition
-        started = drive.answered and drive.acknowledged is not None and asked_at > drive.acknowledged
-        return started and condition.oper is Oper.IDLE and not condition.travelling
 
     def broken_off(self, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
         """Whether a MOVE that was answered on acceptance (I19) has ended without a word: idle, and not at its end."""

@@ -163,15 +163,6 @@ class Recovery:
             "see that the carrier stands where it should, then release the vehicle with verdict go_on",
         )
 
-    def _strange_drop(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
-        """A PLACE that ended in an alarm with F = 0: put down, or fallen? F cannot tell."""
-        if condition.loaded or not vehicle.failed_handling:
-            return None
-        return (
-            f"its PLACE ended in {vehicle.failed_handling}, and its FOUP bit is 0",
-            "see that the carrier stands where it should, then release the vehicle with verdict go_on",
-        )
-
     def _believe(self, vehicle: VehicleNow, condition: Condition) -> None:
         """A person vouched for what the vehicle reports: its FOUP bit counts, our books follow."""
         if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
@@ -360,7 +351,6 @@ class Recovery:
             what = answer.command.what.value if isinstance(answer.command, Simple) else "the command"
             self._end_alarm_recovery(vehicle, f"{what} ended abnormally ({answer.reason or 'no reason given'})")
             return
-        recovery.done = answer.command.what if isinstance(answer.command, Simple) else None
         recovery.done = answer.command.what if isinstance(answer.command, Simple) else None
         self._books.effects.polls.append(vehicle.id)
 

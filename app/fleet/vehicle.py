@@ -147,7 +147,6 @@ class VehicleNow:
     quiet_until: Seconds = Seconds(0.0)
     trusted: bool = False
     doubt: str = ""
-    doubt: str = ""
     accounted: bool = False
     failed_handling: str = ""
     missed: int = 0
