@@ -80,11 +80,15 @@ class AuditRow:
 
 @dataclass(frozen=True, slots=True)
 class Hold:
-    """A vehicle that nothing is sent to until a named person decides (COMMANDS section 3.4)."""
+    """A vehicle that nothing is sent to until a named person decides (COMMANDS section 3.4).
+
+    ``doubt`` says why the place that it reports is not believed, empty if it is: a recovered alarm does not lift that.
+    """
 
     reason: str
     remedy: str
     since: Timestamp
+    doubt: str = ""
 
 
 @dataclass(frozen=True, slots=True)

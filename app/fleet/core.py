@@ -324,7 +324,7 @@ class Fleet:
         if vehicle.trusted:
             return
         if vehicle.doubt:
-            self.recovery.doubt(vehicle, status.barcode, vehicle.doubt)
+            self.recovery.claim_too(vehicle, status.barcode)
             return
         if status.condition.mode is not Mode.AUTO:
             if vehicle.accounted and vehicle.drive is None and status.barcode in self.books.track:

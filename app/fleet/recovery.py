@@ -86,7 +86,6 @@ class Recovery:
         if not trusted and (strange := self._strange_place(vehicle, status)):
             self.hold(vehicle, *strange)
             return False
-        vehicle.doubt = ""
         self._account(vehicle, status)
         if not trusted and (strange := self._strange_load(vehicle, status.condition)):
             self.hold(vehicle, *strange)
@@ -212,14 +211,17 @@ class Recovery:
 
     def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:
         """Its place is not believed: it holds what it held and where it says to be, until a person vouches for the place."""
-        vehicle.doubt = why
+        self.claim_too(vehicle, barcode)
+        self.hold(vehicle, why, LOOK, doubt=why)
+        if vehicle.stage is Stage.READY:
+            self.begin(vehicle)
+
+    def claim_too(self, vehicle: VehicleNow, barcode: Barcode) -> None:
+        """It may be there, besides all that it holds."""
         books = self._books
         if barcode in books.track:
             books.traffic.hold(vehicle.id, [barcode])
             books.save_vehicle(vehicle, held=books.traffic.held(vehicle.id))
-        self.hold(vehicle, why, LOOK)
-        if vehicle.stage is Stage.READY:
-            self.begin(vehicle)
 
     def _strike_off(self, vehicle: VehicleNow) -> None:
         """The roll-call no longer waits for it, once its place is known."""
@@ -231,7 +233,7 @@ class Recovery:
 
     def strike_off(self, vehicle: VehicleNow) -> None:
         """A named person has said where it is."""
-        vehicle.accounted, vehicle.doubt = True, ""
+        vehicle.accounted = True
         self._strike_off(vehicle)
 
     def _close_moves(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
@@ -270,11 +272,11 @@ class Recovery:
 
     # -- holds --------------------------------------------------------------------------------------------------------
 
-    def hold(self, vehicle: VehicleNow, reason: str, remedy: str) -> None:
-        """Nothing is sent to the vehicle any more until a named person decides."""
+    def hold(self, vehicle: VehicleNow, reason: str, remedy: str, doubt: str = "") -> None:
+        """Nothing is sent to the vehicle any more until a named person decides; a doubt stays until then."""
         if vehicle.record.hold and vehicle.record.hold.reason == reason:
             return
-        self._books.save_vehicle(vehicle, hold=Hold(reason, remedy, self._books.utc))
+        self._books.save_vehicle(vehicle, hold=Hold(reason, remedy, self._books.utc, doubt or vehicle.doubt))
         self._books.event(
             JobEvent.VEHICLE_HELD, job=self._job(vehicle), vehicle=vehicle.id, detail=f"{reason}; {remedy}"
         )

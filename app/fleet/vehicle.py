@@ -118,7 +118,7 @@ class VehicleNow:
     ``trail`` maps each barcode it covers to its distance behind the present one (mm; the present one 0); ``ahead`` are the
     barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
-    agree. ``doubt`` says why its reported place is not believed until a named person vouches for it (``trusted``).
+    agree; ``trusted``: a named person vouched for what it reports next.
     ``missed`` counts handlings or moves in a row that ended abnormally.
     """
 
@@ -146,7 +146,6 @@ class VehicleNow:
     agreed: VehicleStatus | None = None
     quiet_until: Seconds = Seconds(0.0)
     trusted: bool = False
-    doubt: str = ""
     accounted: bool = False
     failed_handling: str = ""
     missed: int = 0
@@ -173,6 +172,11 @@ class VehicleNow:
     def loaded(self) -> bool | None:
         """FOUP bit of its newest STATUS."""
         return self.status.condition.loaded if self.status else None
+
+    @property
+    def doubt(self) -> str:
+        """Why the place that it reports is not believed, empty if it is."""
+        return self.record.hold.doubt if self.record.hold else ""
 
     @property
     def barred(self) -> str:

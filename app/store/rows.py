@@ -195,7 +195,7 @@ def audit(row: Found) -> AuditRow:
 def _hold(hold: Hold | None) -> str | None:
     if hold is None:
         return None
-    return _json({"reason": hold.reason, "remedy": hold.remedy, "since": hold.since})
+    return _json({"reason": hold.reason, "remedy": hold.remedy, "since": hold.since, "doubt": hold.doubt})
 
 
 def _lockout(lockout: Lockout | None) -> str | None:
