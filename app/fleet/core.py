@@ -112,6 +112,7 @@ class Fleet:
             claim = [*vehicle.record.held, *(b for i in vehicle.opened.values() for b in i.path)]
             books.traffic.hold(vehicle.id, [b for b in dict.fromkeys(claim) if b in books.track])
             books.roll_call[vehicle.id] = None
+        self._jobs.end_impossible()
         for job in books.jobs.values():
             books.show(Topic.JOBS, job.id, view_of_job(job))
         for station in books.specs:
@@ -187,14 +188,8 @@ class Fleet:
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else repr(request)
-        target = next(
-            (
-                str(getattr(request, name))
-                for name in ("job", "vehicle", "station", "carrier")
-                if getattr(request, name, None)
-            ),
-            reply.key if isinstance(reply, Accepted) else "",
-        )
+        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self.books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         self.books.effects.replies.append((ticket, reply))
         self._think_soon()

@@ -5,6 +5,7 @@ from heapq import heappop, heappush
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.layout import StopAction
+from app.domain.records import ControllerState
 from app.domain.units import Barcode
 from app.domain.vehicle import Oper
 from app.fleet.books import Books
@@ -26,7 +27,7 @@ class Courtesy:
     def explain(self, vehicle: VehicleNow, blocked: Blocked | None) -> None:
         """Say what a vehicle waits for, and ask who stands in its way idle to give way."""
         if blocked is None or blocked.why is BlockReason.NO_STOP:
-            reason = ""
+            reason = self._barrier(vehicle)
         else:
             reason = self._sentence(vehicle, blocked)
             if blocked.by:
@@ -37,6 +38,16 @@ class Courtesy:
                 vehicle.waiting_since = self._books.now
             vehicle.waiting = reason
             self._books.touch(vehicle)
+
+    def _barrier(self, vehicle: VehicleNow) -> str:
+        """Return what keeps every vehicle, or all in its area, from moving; empty if nothing does."""
+        if not vehicle.fit or self._motion.arrived(vehicle):
+            return ""
+        state = self._books.controller.state
+        if state is not ControllerState.AUTO:
+            return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
+        missing = ", ".join(self._motion.missing(vehicle))
+        return f"{vehicle.id} waits at {vehicle.barcode}: the roll-call still misses {missing}" if missing else ""
 
     def _sentence(self, vehicle: VehicleNow, blocked: Blocked) -> str:
         what = {
@@ -69,8 +80,7 @@ class Courtesy:
 
     def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
         """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
-        resting = other.job is None or other.errand is None
-        if not other.fit or not other.at_rest or other.order or other.errand or not resting:
+        if not other.fit or not other.at_rest or other.order or other.errand:
             return
         if other.job and not self._stands_by(other):
             return

@@ -23,6 +23,21 @@ class Jobs:
         self._books = books
         self._missions = missions
 
+    def end_impossible(self) -> None:
+        """After a start with another plant file: a job whose places or vehicle are gone cannot go on (our choice: it fails)."""
+        books = self._books
+        for job in list(books.jobs.values()):
+            ends: list[str] = [job.destination]
+            if job.leg in {Leg.NONE, Leg.TO_SOURCE, Leg.ACQUIRING}:
+                ends.append(job.source)
+            gone = [name for name in ends if name not in books.specs and name not in books.vehicles]
+            if job.vehicle and job.vehicle not in books.vehicles:
+                gone.append(job.vehicle)
+            if gone:
+                vehicle = books.vehicles.get(job.vehicle) if job.vehicle else None
+                why = f"{', '.join(gone)} is no longer in the plant"
+                self._missions.end(vehicle, job, JobStep.FAIL, why, JobEvent.TRANSFER_COMPLETED)
+
     # -- create -------------------------------------------------------------------------------------------------------
 
     def create(self, request: CreateJob) -> Reply:
@@ -62,7 +77,7 @@ class Jobs:
             "conflict",
             f"job {known.id} was accepted with another body under this {what}",
             f"use a new {what} for a new job, or GET /api/v1/jobs/{known.id} to see the old one",
-            "job_id",
+            what,
         )
 
     def _fault(self, request: CreateJob) -> Refusal | None:
@@ -175,7 +190,11 @@ class Jobs:
         if job.leg is Leg.TO_DESTINATION:
             told = "aborted; the carrier is aboard: order vehicle -> place for it"
             self._missions.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
-        elif vehicle:
+        elif job.leg is Leg.TO_SOURCE or vehicle is None or vehicle.record.off_rail:
+            none = job.leg is Leg.TO_SOURCE
+            told = "aborted; nothing is aboard" if none else "aborted without its vehicle: look where the carrier is"
+            self._missions.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
+        else:
             self._books.wake(vehicle.id)
         return Accepted(Topic.JOBS, job.id)
 
@@ -209,16 +228,19 @@ class Jobs:
                 return Refusal(
                     "invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle"
                 )
+            if job.source in self._books.vehicles and request.vehicle != job.source:
+                return Refusal("invalid", f"the carrier is aboard {job.source}", "leave vehicle out", "vehicle")
             if job.state not in {JobState.QUEUED, JobState.WAITING}:
                 return Refusal("conflict", f"the carrier is aboard {job.vehicle} or being picked up", "", "vehicle")
         if request.destination is None or request.destination == job.destination:
             return None
         if job.leg is Leg.DEPOSITING:
             return Refusal("conflict", f"the carrier is being put down at {job.destination}", "", "destination")
+        source: str = (job.vehicle or job.source) if job.leg is Leg.TO_DESTINATION else job.source
         return (
-            self._unknown_ends(job.source, request.destination, ())
-            or self._untaught(job.source, request.destination)
-            or self._no_route(job.source, request.destination)
+            self._unknown_ends(source, request.destination, ())
+            or self._untaught(source, request.destination)
+            or self._no_route(source, request.destination)
         )
 
     def _difference(self, before: Job, after: Job) -> str:

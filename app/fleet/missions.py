@@ -331,6 +331,15 @@ class Missions:
         else:
             self.end(vehicle, job, JobStep.FAIL, why, JobEvent.TRANSFER_COMPLETED)
 
+    def abandon(self, vehicle: VehicleNow, why: str) -> None:
+        """The vehicle is gone from the rail: a job it was to fetch goes to another, an abort no longer waits for it."""
+        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        if job and job.state is JobState.ABORTING:
+            told = f"aborted; {why}: look where the carrier is"
+            self.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
+        else:
+            self.give_back(vehicle, why)
+
     def interrupt(self, vehicle: VehicleNow, why: str) -> None:
         """The vehicle cannot go on for long: its job goes to another, or, once the pick-up began, is paused and says why."""
         job = self._books.jobs.get(vehicle.job) if vehicle.job else None

@@ -6,10 +6,8 @@ from app.domain.commands import Display, Plain, Simple
 from app.domain.errors import NoRoute, Refusal
 from app.domain.ids import VehicleId
 from app.domain.job import JobEvent
-from app.domain.layout import StopAction
-from app.domain.records import (
-    Lockout,
-)
+from app.domain.layout import Station, StopAction
+from app.domain.records import ControllerState, Lockout
 from app.domain.requests import (
     Accepted,
     CommandVehicle,
@@ -30,6 +28,7 @@ from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
+from app.fleet.obstacles import against_putting_down
 from app.fleet.recovery import Recovery
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, HandleOrder, Purpose, Stage, VehicleNow
@@ -192,21 +191,33 @@ class VehicleOrders:
             return replace(no_station(request.station), code="invalid", field="station")
         if refusal := self._unfit(vehicle):
             return refusal
-        if vehicle.barcode != station.barcode or not vehicle.at_rest:
-            return Refusal(
-                "not-now",
-                f"{vehicle.id} does not stand at {station.id} (barcode {station.barcode}) but at {vehicle.barcode}",
-                f"send move to {station.barcode} with action {station.kind.stop_action.name.lower()} first",
-            )
-        if vehicle.loaded is request.pickup:
-            return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
+        if refusal := self._misplaced(vehicle, station):
+            return refusal
         target = target_for(self._books, vehicle, station, request.target)
         if isinstance(target, Refusal):
             return target
+        if vehicle.loaded is request.pickup:
+            return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
+        obstacle = "" if request.pickup else against_putting_down(self._books, station.id, None)
+        if obstacle:
+            return Refusal("conflict", obstacle, f"if it is not so, PUT /api/v1/stations/{station.id}", "station")
         vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)
         self._motion.drop(vehicle)
         self._missions.proceed(vehicle)
         return self._accepted(vehicle, vehicle.handling.cmd_id if vehicle.handling else None)
+
+    def _misplaced(self, vehicle: VehicleNow, station: Station) -> Refusal | None:
+        """Return why the vehicle cannot handle at this station from where it is."""
+        if self._books.controller.state is not ControllerState.AUTO:
+            return Refusal("not-now", f"the controller is {self._books.controller.state.value}", "resume it first")
+        tagged = vehicle.status is not None and vehicle.status.condition.at_tag
+        if vehicle.barcode != station.barcode or not vehicle.at_rest or not tagged:
+            return Refusal(
+                "not-now",
+                f"{vehicle.id} is not stopped at {station.id} (barcode {station.barcode}) but at {vehicle.barcode}",
+                f"send move to {station.barcode} with action {station.kind.stop_action.name.lower()} first",
+            )
+        return None
 
     # -- decisions of people ------------------------------------------------------------------------------------------
 
@@ -272,7 +283,7 @@ class VehicleOrders:
                 "switch it off and take it off the rail first",
                 "verdict",
             )
-        self._missions.give_back(vehicle, f"{vehicle.id} was taken off the rail")
+        self._missions.abandon(vehicle, f"{vehicle.id} was taken off the rail")
         self._motion.vacate(vehicle)
         self._books.save_vehicle(
             vehicle, off_rail=f"said by {request.actor}: {request.reason}", hold=None, barcode=None, held=()
