@@ -1,0 +1,104 @@
+from pathlib import Path
+
+import pytest
+
+from app.domain.commands import Plain
+from app.domain.ids import Actor, VehicleId
+from app.domain.layout import Plant
+from app.domain.requests import Accepted, CommandVehicle, PauseController
+from app.domain.units import Timestamp
+from app.plant import read
+from app.sim.world import World
+from app.store.ledger import SqlLedger
+
+V1 = VehicleId("V001")
+ACTOR = Actor("test")
+
+
+def small() -> Plant:
+    file = Path(__file__).parents[2] / "plants" / "small.yaml"
+    plant, _ = read(file.read_text(encoding="utf-8"), file.name)
+    return plant
+
+
+def settled(world: World) -> World:
+    """Let the roll-call end."""
+    world.run(world.now + 5.0)
+    return world
+
+
+def test_requests_are_answered_once_they_are_durable() -> None:
+    world = settled(World(small(), 1))
+    ticket = world.ask(PauseController(ACTOR, "lunch"))
+    assert ticket not in world.replies
+    world.run(world.now + 0.1)
+    assert isinstance(world.replies[ticket], Accepted)
+
+
+def test_what_a_database_keeps_is_enough_for_the_same_work() -> None:
+    ledger = SqlLedger("sqlite://", "small", "test", lambda: Timestamp(1_767_225_600.0))
+    world = World(small(), 1, ledger)
+    world.work(until=60.0, keep_open=2)
+    world.agenda.at(30.0, world.kill)
+    world.run(60.0)
+    assert world.finish(300.0)
+    result = world.result()
+    assert result.violations == ()
+    assert result.completed == result.takes == result.puts > 0
+
+
+def test_lines_that_are_cut_again_and_again_delay_jobs_and_lose_none() -> None:
+    world = World(small(), 2)
+    world.work(until=120.0, keep_open=2)
+    for moment in range(10, 120, 7):
+        vehicle = world.plant.vehicles[moment % 2].id
+        world.agenda.at(float(moment), lambda vehicle=vehicle: world.cut(vehicle))  # type: ignore[misc]
+    world.run(120.0)
+    assert world.finish(600.0)
+    assert world.result().violations == ()
+    assert world.result().completed > 0
+
+
+def test_a_vehicle_that_restarts_is_dialled_until_it_accepts_again() -> None:
+    world = settled(World(small(), 3))
+    world.floor.devices[V1].power_cycle(world.now)
+    world.run(world.now + 1.0)
+    assert world.floor.refuses(V1)
+    world.run(world.now + 30.0)
+    assert not world.floor.refuses(V1)
+    assert world.control.endpoint(V1).deadline is not None
+    ticket = world.ask(CommandVehicle(ACTOR, V1, Plain.STATUS))
+    world.run(world.now + 1.0)
+    assert isinstance(world.replies[ticket], Accepted)
+
+
+def test_a_killed_controller_answers_nothing_until_it_is_back() -> None:
+    world = settled(World(small(), 4))
+    world.kill()
+    world.kill()
+    assert not world.alive
+    with pytest.raises(LookupError):
+        world.ask(PauseController(ACTOR, "lunch"))
+    world.run(world.now + 5.0)
+    assert world.alive
+
+
+def test_a_kill_while_records_are_being_written_keeps_them_or_not_and_never_half() -> None:
+    kept = set()
+    for seed in range(12):
+        world = settled(World(small(), seed))
+        ticket = world.ask(PauseController(ACTOR, "lunch"))
+        world.kill()
+        world.run(world.now + 10.0)
+        assert ticket not in world.replies
+        assert world.result().violations == ()
+        kept.add(world.control.fleet.books.controller.state.value)
+    assert kept == {"auto", "paused"}
+
+
+def test_updates_are_seen_as_they_are_published() -> None:
+    world = World(small(), 5)
+    seen: list[str] = []
+    world.seen = lambda update: seen.append(update.topic)
+    settled(world)
+    assert "vehicles" in seen
