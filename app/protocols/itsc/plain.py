@@ -48,6 +48,10 @@ _BODIES: Mapping[str, type[Any]] = MappingProxyType(
     }
 )
 _FLAGS = {"r": "at_barcode", "h": "all_home", "f": "home_known", "s": "servos_on"}
+_STATUS1 = tuple(field.name for field in fields(Status1))
+_STATUS2 = ("mode", "oper", *_FLAGS, "rsv", "code")
+_TEXTS = frozenset({"foup_id", "source", "destination", "text", "stid"})
+_OPTIONAL = frozenset({"length", "count", "dist"})
 
 
 def to_plain(frame: Frame, codec: Codec) -> Plain:
@@ -116,7 +120,7 @@ def from_plain(plain: Mapping[str, Any]) -> Frame:
 
 
 def _frame_from_plain(plain: Mapping[str, Any]) -> Frame:
-    dev_id, cmd_id = plain["dev_id"], _number(plain["cmd_id"])
+    dev_id, cmd_id = _whole("dev_id", plain["dev_id"]), _number("cmd_id", plain["cmd_id"])
     match plain["type"]:
         case "ACK":
             return Ack(dev_id, cmd_id)
@@ -124,16 +128,22 @@ def _frame_from_plain(plain: Mapping[str, Any]) -> Frame:
             return Nak(dev_id, cmd_id)
         case "ENQ":
             body = body_from_plain(plain["form"], plain["fields"])
-            return Enq(dev_id, cmd_id, _number(plain["code"]), body)
+            return Enq(dev_id, cmd_id, _number("code", plain["code"]), body)
         case "ETB":
             body = body_from_plain(plain["form"], plain["fields"])
-            return Etb(dev_id, cmd_id, _number(plain["code"]), _with_header(body))
+            return Etb(dev_id, cmd_id, _number("code", plain["code"]), _with_header(body))
         case other:
             raise EncodeError(unknown("packet type", str(other), ("ENQ", "ACK", "NAK", "ETB")))
 
 
-def _number(value: Any) -> int:
-    return int(value, 16) if isinstance(value, str) else int(value)
+def _number(name: str, value: Any) -> int:
+    return int(value, 16) if isinstance(value, str) else _whole(name, value)
+
+
+def _whole(name: str, value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise EncodeError(f"{name} {value!r} is no whole number")
+    return value
 
 
 def body_from_plain(form: str, content: Mapping[str, Any]) -> Body:
@@ -142,6 +152,8 @@ def body_from_plain(form: str, content: Mapping[str, Any]) -> Body:
     if cls is None:
         raise EncodeError(unknown("form", str(form), _BODIES))
     if cls is Nothing:
+        if content:
+            raise EncodeError(f"{form} has no fields, but {content!r} is given")
         return NOTHING
     if cls is Raw:
         return Raw(bytes.fromhex(content["data"]))
@@ -150,21 +162,44 @@ def body_from_plain(form: str, content: Mapping[str, Any]) -> Body:
 
 def _value_from_plain(name: str, value: Any) -> Any:
     read = _READERS.get(name)
-    return value if read is None else read(value)
+    if read is not None:
+        return read(value)
+    if name in _TEXTS:
+        if not isinstance(value, str):
+            raise EncodeError(f"{name} {value!r} is no text")
+        return value
+    absent = value is None and name in _OPTIONAL
+    characters = name == "barcode" and isinstance(value, str)
+    return value if absent or characters else _whole(name, value)
 
 
 def _path(elements: Any) -> list[Element]:
-    return [Element(**element) for element in elements]
+    return [Element(**{name: _value_from_plain(name, value) for name, value in e.items()}) for e in elements]
 
 
 def _status1(content: Any) -> Status1:
-    return Status1(**{**content, "foup": bool(content.get("foup", 0))})
+    values = _bits(content, _STATUS1)
+    return Status1(_flag("foup", values.pop("foup")), **values)
 
 
 def _status2(content: Any) -> Status2:
-    flags = {name: bool(content.get(letter, 0)) for letter, name in _FLAGS.items()}
-    mode, oper = Mode(content["mode"]), Oper(content["oper"])
-    return Status2(mode=mode, oper=oper, **flags, rsv=content.get("rsv", 0), code=content.get("code", 0))
+    values = _bits(content, _STATUS2)
+    flags = {name: _flag(letter, values[letter]) for letter, name in _FLAGS.items()}
+    mode, oper = Mode(values["mode"]), Oper(values["oper"])
+    return Status2(mode=mode, oper=oper, **flags, rsv=values["rsv"], code=values["code"])
+
+
+def _bits(content: Any, names: tuple[str, ...]) -> dict[str, int]:
+    for name in content:
+        if name not in names:
+            raise EncodeError(unknown("status field", str(name), names))
+    return {name: _whole(name, content[name]) for name in names}
+
+
+def _flag(name: str, value: int) -> bool:
+    if value not in (0, 1):
+        raise EncodeError(f"{name} {value} is neither 0 nor 1")
+    return bool(value)
 
 
 _READERS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(

@@ -226,6 +226,40 @@ def test_a_code_has_its_message() -> None:
     assert CODEC.message(0x9999) is None
 
 
+STATUS2_PLAIN = {"mode": 3, "oper": 0, "r": 1, "h": 0, "f": 0, "s": 0, "rsv": 0, "code": 0}
+RESP1_PLAIN = {"result": 0, "status2": STATUS2_PLAIN, "barcode": 1, "seq": 0}
+ELEMENT_PLAIN = {"barcode": 1, "seq": 0, "sensor": 0, "action": 1, "speed": 50}
+
+
+@pytest.mark.parametrize(
+    ("changes", "complaint"),
+    [
+        ({"dev_id": "1"}, "dev_id '1' is no whole number"),
+        ({"dev_id": None}, "dev_id None"),
+        ({"cmd_id": 1.5}, "cmd_id 1.5"),
+        ({"cmd_id": None}, "cmd_id None"),
+        ({"code": True}, "code True"),
+        ({"fields": {**RESP1_PLAIN, "result": "0"}}, "result '0'"),
+        ({"fields": {**RESP1_PLAIN, "seq": None}}, "seq None"),
+        ({"fields": {**RESP1_PLAIN, "status2": {**STATUS2_PLAIN, "r": 2}}}, "r 2 is neither 0 nor 1"),
+        ({"fields": {**RESP1_PLAIN, "status2": {**STATUS2_PLAIN, "rr": 1}}}, "did you mean 'r'"),
+        ({"fields": {**RESP1_PLAIN, "status2": {"mode": 3, "oper": 0}}}, "no 'r'"),
+        ({"form": "RESP2", "fields": {**RESP1_PLAIN, "status1": {"foup": 2}}}, "no 'rsv'"),
+        ({"form": "SBUF", "fields": {"spd": 50.0}}, "spd 50.0"),
+        ({"form": "DISP", "fields": {"alarm": 0, "opt": 0, "text": 5}}, "text 5 is no text"),
+        ({"form": "NONE", "fields": {"spd": 50}}, "NONE has no fields"),
+        ({"type": "ETB", "form": "XMOVE", "fields": {"path": [{**ELEMENT_PLAIN, "sensor": "0"}]}}, "sensor '0'"),
+        ({"type": "ETB", "form": "XMOVE", "fields": {"path": [{**ELEMENT_PLAIN, "seq": None}]}}, "seq None"),
+        ({"type": "ETB", "form": "XMOVE", "fields": {"path": [3]}}, "no frame"),
+    ],
+)
+def test_a_dictionary_with_a_value_of_the_wrong_kind_is_refused(changes: dict[str, object], complaint: str) -> None:
+    plain = {"type": "ENQ", "dev_id": 1, "cmd_id": "1", "code": "0x1044", "form": "RESP1", "fields": RESP1_PLAIN}
+    assert Codec().encode(from_plain(plain))
+    with pytest.raises(EncodeError, match=complaint):
+        from_plain({**plain, **changes})
+
+
 @pytest.mark.parametrize(
     ("plain", "complaint"),
     [
