@@ -141,7 +141,7 @@ class Codec:
         readers: dict[int, BodyReader] = {}
         for code, message in self.messages.items():
             asks = message.from_vehicle is (toward is Toward.CONTROLLER)
-            readers[code] = self._reader(message.request if asks else message.answer or Form.NONE)
+            readers[code] = self._reader(message.request if asks else message.answer or Form.RAW)
         return readers
 
     def sub_readers(self) -> dict[int, SubReader]:

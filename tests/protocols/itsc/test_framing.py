@@ -111,6 +111,17 @@ def test_an_unknown_code_is_delivered_raw() -> None:
     assert vehicle().feed(data) == Decoder(CODEC, Toward.CONTROLLER).feed(data) == [frame]
 
 
+@pytest.mark.parametrize(
+    ("code", "toward"),
+    [(Code.LIFT_DEST_TEACHING, Toward.VEHICLE), (Code.SYSTEM_RESET, Toward.CONTROLLER)],
+)
+def test_a_code_that_carries_nothing_this_way_is_delivered_raw_with_a_problem(code: Code, toward: Toward) -> None:
+    frame = Enq(1, 2, code, Raw(bytes(range(16))))
+    data = CODEC.encode(frame, strict=False)
+    assert Decoder(CODEC, toward).feed(data) == [frame]
+    assert "RAW is no format of" in "".join(CODEC.problems(frame))
+
+
 def test_an_acknowledgement_and_a_nak_are_told_apart() -> None:
     assert vehicle().feed(ACK_BYTES + CODEC.encode(Nak(1, 2))) == [ACK, Nak(1, 2)]
 
