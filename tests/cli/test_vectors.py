@@ -6,6 +6,9 @@ import pytest
 import typer
 
 from app.cli.vectors import Malformed, check, load, vectors
+from app.protocols.itsc.codec import Codec
+from app.protocols.itsc.dialects import DIALECTS
+from app.protocols.itsc.messages import Element, Enq, Etb, Raw, Xmove
 
 HERE = Path(__file__).parents[1] / "vectors"
 SAMPLE = load(HERE / "itsc.json")
@@ -48,9 +51,10 @@ WRONG = [
     (altered("i161", object={**BY_ID["i010"]["frames"][0]}), "expected a refusal to send, got 05"),
     (altered("i010", kind="vallid"), "unknown kind 'vallid'; did you mean 'valid'"),
     (altered("i010", dialect="itsc.slide"), "unknown dialect 'itsc.slide'; did you mean 'itsc.slides'"),
-    (altered("i010", hex="0g"), "malformed vector, or refused"),
+    (altered("i010", hex="0g"), 'malformed vector: "0g" is no hexadecimal text'),
     (altered("i010", direction="up"), "malformed vector, or refused"),
     ({key: value for key, value in BY_ID["i010"].items() if key != "hex"}, "malformed vector: no 'hex'"),
+    (altered("i001", hex="0b11"), "a status word has 4 bytes, not 2"),
     (
         altered("i086", kind="concatenated", hex=BY_ID["i086"]["hex"] + "ff", frames=BY_ID["i010"]["frames"]),
         "frames[0]",
@@ -83,9 +87,6 @@ RAW_ETB = {
 
 @pytest.mark.parametrize("data", ["616263", "00000003" + "00" * 12 + "616263"])
 def test_the_raw_data_of_an_etb_may_be_given_with_or_without_its_header(data: str) -> None:
-    from app.protocols.itsc.codec import Codec
-    from app.protocols.itsc.messages import Etb, Raw
-
     written = Codec().encode(Etb(1, 1, 0x1234, Raw(b"", b"abc")), strict=False)
     frame = {
         "type": "ETB",
@@ -97,6 +98,54 @@ def test_the_raw_data_of_an_etb_may_be_given_with_or_without_its_header(data: st
     }
     vector = {**RAW_ETB, "hex": written.hex(), "frames": [{**frame, "fields": {"data": data}}]}
     assert list(check(vector, {})) == []
+
+
+def with_frame(name: str, **changes: Any) -> dict[str, Any]:
+    (frame,) = BY_ID[name]["frames"]
+    return altered(name, frames=[{**frame, **changes}])
+
+
+@pytest.mark.parametrize(
+    "vector",
+    [
+        with_frame("i010", cmd_id=0x100, code=0x7030),
+        with_frame("i010", cmd_id="0x100", code="7030"),
+        altered("i010", hex=BY_ID["i010"]["hex"].upper()),
+        altered("i110", value="0x906E"),
+    ],
+)
+def test_a_number_may_be_spelled_in_another_way(vector: dict[str, Any]) -> None:
+    assert list(check(vector, SAMPLE["dialects"])) == []
+
+
+def test_another_number_is_not_another_spelling() -> None:
+    for wrong in ({"cmd_id": 0x101}, {"cmd_id": "101"}, {"code": "0x7031"}, {"code": None}):
+        assert list(check(with_frame("i010", **wrong), SAMPLE["dialects"]))
+
+
+def framed(written: bytes, dialect: str, kind: str = "valid", **frame: Any) -> dict[str, Any]:
+    common = {"dev_id": 1, "cmd_id": "0000000000000001", "problems": []}
+    vector = {"id": "x", "protocol": "itsc", "dialect": dialect, "kind": kind, "hex": written.hex()}
+    return {**vector, "frames": [{**common, **frame}]}
+
+
+def test_a_barcode_of_characters_may_be_given_as_the_number_they_show() -> None:
+    for text, number in (("001201", 1201), ("1201", 1201)):
+        written = Codec(DIALECTS["ascii-barcode"]).encode(Etb(1, 1, 0x1045, Xmove([Element(text, 0, 1, 1, 50)])))
+        element = {"barcode": number, "seq": 0, "sensor": 1, "action": 1, "speed": 50}
+        fields = {"length": 12, "count": 1, "path": [element]}
+        vector = framed(written, "itsc.ascii-barcode", type="ETB", code="0x1045", form="XMOVE", fields=fields)
+        assert list(check(vector, SAMPLE["dialects"])) == []
+        element["barcode"] = number + 1
+        assert "barcode: expected 1202" in "".join(check(vector, SAMPLE["dialects"]))
+
+
+@pytest.mark.parametrize("problems", [[], ["unknown code"]])
+def test_an_unknown_code_may_be_given_with_or_without_a_problem(problems: list[str]) -> None:
+    written = Codec().encode(Enq(1, 1, 0x9999, Raw(bytes(range(16)))), strict=False)
+    fields = {"data": bytes(range(16)).hex()}
+    vector = framed(written, "itsc.default", type="ENQ", code="0x9999", form="RAW", fields=fields, problems=problems)
+    assert list(check(vector, SAMPLE["dialects"])) == []
 
 
 def test_max_sub_of_a_vector_bounds_its_decoder() -> None:
@@ -142,6 +191,48 @@ def test_a_failure_is_printed_with_its_id_and_the_command_fails(
     ]
 
 
+MALFORMED = [
+    (altered("i010", kind="vallid"), "unknown kind 'vallid'"),
+    (altered("i010", hex=None), "'hex' is null"),
+    (altered("i010", hex="0"), "is no hexadecimal text"),
+    (altered("i010", dialect=["itsc.default"]), "is no name of an object"),
+    (altered("i010", dialect=None), "is no name of an object"),
+    (altered("i010", frames={}), "'frames' is {}"),
+    (altered("i010", frames=[3]), "frames[0] is 3"),
+    (with_frame("i010", problems=3), "frames[0] is"),
+    (altered("i161", object=None), "'object' is null"),
+    (altered("i059", fields=3), "'fields' is 3"),
+    (altered("i107", algorithm=3), "'algorithm' is 3"),
+    ({"id": "d", "protocol": "itsc", "kind": "detect", "frames_hex": ["x"], "answer": []}, "is no hexadecimal text"),
+    ({"id": "d", "protocol": "itsc", "kind": "detect", "frames_hex": [5], "answer": []}, "5 is no hexadecimal text"),
+]
+
+
+@pytest.mark.parametrize(("vector", "complaint"), MALFORMED)
+def test_a_malformed_vector_fails_and_blames_the_file(
+    vector: dict[str, Any], complaint: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "v.json"
+    file.write_text(json.dumps({"dialects": SAMPLE["dialects"], "vectors": [vector, BY_ID["i010"]]}))
+    code, out = run(file, capsys)
+    assert code == 2
+    assert complaint in out
+    assert out.splitlines()[-1] == "1 passed, 1 failed, 0 skipped"
+
+
+def test_a_failure_of_the_build_outweighs_a_malformed_vector(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "v.json"
+    file.write_text(json.dumps({"dialects": SAMPLE["dialects"], "vectors": [MALFORMED[0][0], WRONG[0][0]]}))
+    assert run(file, capsys)[0] == 1
+
+
+def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
+    (tmp_path / "v.json").write_text('{"vectors": []}', encoding="utf-8-sig")
+    assert load(tmp_path / "v.json")["vectors"] == []
+
+
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
@@ -161,6 +252,12 @@ def test_a_file_that_holds_no_vectors_is_refused(
     code, out = run(file, capsys)
     assert code == 2
     assert complaint in out
+
+
+def test_a_file_nested_beyond_all_reason_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "v.json").write_text("[" * 100_000)
+    with pytest.raises(Malformed, match="is nested too deeply"):
+        load(tmp_path / "v.json")
 
 
 def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
