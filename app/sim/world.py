@@ -8,22 +8,23 @@ from hashlib import sha256
 from random import Random
 
 from app.control import Control, Transaction
-from app.domain.ids import Actor, JobId, StationId, VehicleId
+from app.domain.ids import VehicleId
 from app.domain.layout import Plant
 from app.domain.ports import Ledger
 from app.domain.records import Record
-from app.domain.requests import CreateJob, Reply, Request
+from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import Update
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.sim.agenda import Agenda
 from app.sim.cables import Cable
+from app.sim.host import Host
 from app.sim.memory import MemoryLedger, written
 from app.sim.oracle import Books, LineWatch, Oracle
 from app.sim.plantworld import SimulatedPlant
 from app.sim.truth import Act
-from app.sim.workload import Errand, Pace, choose
+from app.sim.workload import Pace
 
 BEGINNING = 1_767_225_600.0
 """UTC at virtual time 0: 2026-01-01. Our choice."""
@@ -147,27 +148,22 @@ class World:
 
     def work(self, *, until: float, per_hour: float | None = None, keep_open: int | None = None) -> None:
         """Order random jobs until that time, once a second."""
-        pace = Pace(self._random("pace"), per_hour=per_hour, keep_open=keep_open)
-        dice = self._random("jobs")
-        stations = [station.id for station in self.plant.stations]
-        errands: dict[str, tuple[StationId, StationId]] = {}
+        host = Host(
+            [station.id for station in self.plant.stations],
+            self._floor.truth.at,
+            self.books.jobs,
+            self.ask,
+            Pace(self._random("pace"), per_hour=per_hour, keep_open=keep_open),
+            self._random("jobs"),
+        )
 
-        def order() -> None:
-            if self.now > until:
-                return
-            for job in [job for job in errands if (state := self.books.jobs.get(job)) is not None and state.terminal]:
-                del errands[job]
-            for _ in range(pace.due(self.now, len(errands)) if self.alive else 0):
-                engaged = {station for pair in errands.values() for station in pair}
-                errand = choose(dice, stations, self._floor.truth.at, engaged)
-                if errand is None:
-                    break
-                job = JobId(f"J{len(self.books.jobs) + len(errands) + 1:06d}-{dice.randrange(1 << 16):04x}")
-                errands[job] = (errand.source, errand.destination)
-                self.ask(_ordered(job, errand))
-            self.agenda.after(1.0, order)
+        def look() -> None:
+            if self.alive:
+                host.look(self.now)
+            if self.now < until:
+                self.agenda.after(1.0, look)
 
-        self.agenda.after(1.0, order)
+        self.agenda.after(1.0, look)
 
     def finish(self, at_most: float) -> bool:
         """Let time pass until every job has ended, for at most so many seconds more; return whether they all have."""
@@ -286,15 +282,3 @@ class World:
 
     def _acted(self, act: Act) -> None:
         self.oracle.act(act, self.now)
-
-
-def _ordered(job: JobId, errand: Errand) -> CreateJob:
-    return CreateJob(
-        actor=Actor("workload"),
-        job=job,
-        source=errand.source,
-        destination=errand.destination,
-        carrier=errand.carrier,
-        priority=50,
-        fingerprint=f"{job}/{errand.source}/{errand.destination}/{errand.carrier}",
-    )
