@@ -98,9 +98,21 @@ class Courtesy:
         return job is not None and bool(job.reason)
 
     def refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:
-        """Return the nearest place off the asker's way, by driving time, preferring parking places; None: there is none."""
+        """Return the nearest place off the asker's way, by driving time, preferring parking places; None: there is none.
+
+        Where the asker's way takes in every place (it goes once round a loop), one off the first half of it, and so on: it
+        will ask again from there.
+        """
+        way = [b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None]
+        while len(way) > 1:
+            if found := self._nearest(other, set(way)):
+                return found
+            way = way[: len(way) // 2]
+        return None
+
+    def _nearest(self, other: VehicleNow, way: set[Barcode]) -> Barcode | None:
+        """Return the nearest place off this way, by driving time, preferring parking places; None: there is none."""
         books, length = self._books, other.spec.length
-        way = {b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None}
         start = other.barcode
         if start is None:
             return None
