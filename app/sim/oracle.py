@@ -1,6 +1,6 @@
 """The oracle: judges a run by physical truth and by the bytes on the lines, never through the controller's code."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from app.domain.ids import VehicleId
 from app.domain.job import JOB_STEPS, Job, JobState
@@ -65,10 +65,19 @@ class Oracle:
 
 
 class LineWatch:
-    """Reads the bytes that the controller sends to one vehicle over one connection."""
+    """Reads the bytes that the controller sends to one vehicle. ``working`` is the command that the vehicle carries out."""
 
-    def __init__(self, spec: VehicleSpec, codec: Codec, books: "Books", oracle: Oracle) -> None:
+    def __init__(
+        self,
+        spec: VehicleSpec,
+        codec: Codec,
+        books: "Books",
+        oracle: Oracle,
+        working: Callable[[], Code | None] = lambda: None,
+    ) -> None:
         self._spec = spec
+        self._working = working
+        self._sent: set[int] = set()
         self._decoder = Decoder(codec, Toward.VEHICLE)
         self._books = books
         self._oracle = oracle
@@ -90,6 +99,10 @@ class LineWatch:
             return
         if frame.cmd_id not in self._books.intents:
             self._oracle.note(f"{self._spec.id} was sent {frame.code:04X} without a durable intent", now)
+        busy = self._working()
+        if busy is not None and frame.code != Code.XMOVE and frame.cmd_id not in self._sent:
+            self._oracle.note(f"{self._spec.id} was sent {frame.code:04X} while it was at {busy:04X}", now)
+        self._sent.add(frame.cmd_id)
 
 
 class Books:

@@ -68,6 +68,9 @@ class World:
         self.ledger = ledger or MemoryLedger()
         self.replies: dict[int, Reply] = {}
         self.seen: Callable[[Update], None] = lambda update: None
+        """Told each update of the read model as it is published."""
+        self.acted: Callable[[Act], None] = lambda act: None
+        """Told each physical act at a station as it happens."""
         self._delays = delays or Delays()
         self._seed = seed
         self._rng = self._random("world")
@@ -193,7 +196,7 @@ class World:
         device = self._floor.devices[vehicle]
         spec = device.spec
         codec = Codec(dialect_of(self.plant, spec.dialect))
-        self._watches[vehicle] = LineWatch(spec, codec, self.books, self.oracle)
+        self._watches[vehicle] = LineWatch(spec, codec, self.books, self.oracle, lambda: device.working)
         name = vehicle.encode()
 
         def wire(direction: str, data: bytes) -> None:
@@ -282,3 +285,4 @@ class World:
 
     def _acted(self, act: Act) -> None:
         self.oracle.act(act, self.now)
+        self.acted(act)

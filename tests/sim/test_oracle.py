@@ -145,3 +145,13 @@ def test_a_cmd_id_for_two_vehicles_is_a_violation() -> None:
     court = Court()
     court.kept(intent(5), intent(5, VehicleId("V2")))
     assert court.verdict == ["at 1.000 s: CMD_ID 0000000000000005 was used for two vehicles"]
+
+
+def test_a_motion_command_while_the_vehicle_carries_one_out_is_a_violation() -> None:
+    court = Court()
+    court.kept(intent(5), intent(6))
+    busy = LineWatch(line().vehicles[0], CODEC, court.books, court.oracle, lambda: Code.PICKUP_FROM_PORT)
+    for cmd_id in (5, 5):
+        busy.sent(CODEC.encode(Etb(1, cmd_id, int(Code.MOVE), path((0, Action.STOP))), strict=False), 1.0)
+    busy.sent(CODEC.encode(Enq(1, 9, int(Code.STATUS), NOTHING)), 1.0)
+    assert court.verdict == ["at 1.000 s: V1 was sent 1044 while it was at 1046"]

@@ -8,6 +8,7 @@ from app.domain.layout import Plant
 from app.domain.requests import Accepted, CommandVehicle, PauseController
 from app.domain.units import Timestamp
 from app.plant import read
+from app.sim.truth import Act, Deed
 from app.sim.world import World
 from app.store.ledger import SqlLedger
 
@@ -102,3 +103,39 @@ def test_updates_are_seen_as_they_are_published() -> None:
     world.seen = lambda update: seen.append(update.topic)
     settled(world)
     assert "vehicles" in seen
+
+
+def test_killed_while_the_lifter_is_down_and_f_has_just_become_1_it_sends_no_move_until_the_axes_are_home() -> None:
+    world = World(small(), 6)
+    killed: list[Act] = []
+
+    def kill(act: Act) -> None:
+        if act.deed is Deed.TAKE and not killed:
+            killed.append(act)
+            world.kill()
+
+    world.acted = kill
+    world.work(until=30.0, keep_open=1)
+    world.run(30.0)
+    assert killed
+    assert world.finish(300.0)
+    assert world.result().violations == ()
+    assert world.result().takes == world.result().completed
+
+
+def test_killed_while_the_gripper_has_just_opened_it_places_nothing_twice() -> None:
+    world = World(small(), 7)
+    kills = 0
+
+    def kill(act: Act) -> None:
+        nonlocal kills
+        if act.deed is Deed.PUT:
+            kills += 1
+            world.kill()
+
+    world.acted = kill
+    world.work(until=60.0, keep_open=1)
+    world.run(60.0)
+    assert world.finish(300.0)
+    assert kills == world.result().puts == world.result().completed > 1
+    assert world.result().violations == ()
