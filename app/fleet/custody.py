@@ -11,7 +11,7 @@ from app.fleet.vehicle import VehicleNow
 
 def carrier_moved(books: Books, vehicle: VehicleNow, station: StationId, job: JobId | None, *, pickup: bool) -> None:
     """Write down that the vehicle has taken a carrier from a station or put it there: by F, not by belief."""
-    order = books.jobs.get(job) if job else None
+    order = (books.jobs.get(job) or books.ended.get(job)) if job else None
     record = books.stations.get(station, StationRecord(station))
     if pickup:
         _taken(books, vehicle, record, order)
@@ -27,7 +27,7 @@ def _taken(books: Books, vehicle: VehicleNow, record: StationRecord, job: Job | 
     books.save_vehicle(vehicle, carrier=carrier, believed_loaded=True)
     if carrier:
         books.put_carrier(carrier, vehicle.id, Provenance.PICKED)
-    if job:
+    if job and not job.state.terminal:
         job = books.save_job(replace(job, carrier=carrier, picked=books.utc))
     books.event(JobEvent.CARRIER_INSTALLED, job=job, vehicle=vehicle.id, carrier=carrier, source=record.station)
 

@@ -287,6 +287,10 @@ class Script:
         """Return the records of a kind since ``forget``."""
         return [r for r in self.records if isinstance(r, kind)]
 
+    def kept_intents(self) -> list[Intent]:
+        """Return the intents saved since ``forget``, every state of each."""
+        return self.kept(Intent)
+
     def intents(self, vehicle: VehicleId) -> Sequence[Intent]:
         """Return the open intents of a vehicle."""
         return self.fleet.open_intents(vehicle)

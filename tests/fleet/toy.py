@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from app.domain.commands import Move, Pickup, Place, Plain, Send, Simple, Xmove
 from app.domain.events import Acknowledged, Answered, LinkUp, Reported
-from app.domain.ids import CarrierId, VehicleId
+from app.domain.ids import CarrierId, VehicleId, epoch_of
 from app.domain.layout import StopAction, VehicleSpec
 from app.domain.route import PathElement
 from app.domain.units import Barcode, Seconds
@@ -36,6 +36,7 @@ class Toy:
     def __init__(self, script: "Script", spec: VehicleSpec, at: Barcode) -> None:
         self.script = script
         self.spec = spec
+        self._stations = script.plant.stations
         self.barcode = at
         self.linked = False
         self.aboard: CarrierId | str | None = None
@@ -185,7 +186,7 @@ class Toy:
 
     def _exchange(self, *, pickup: bool, at: str) -> None:
         world = self.script.world
-        station = next(s.id for s in self.script.plant.stations if s.barcode == self.barcode and s.kind.value == at)
+        station = next(s.id for s in self._stations if s.barcode == self.barcode and s.kind.value == at)
         if pickup:
             if station not in world:
                 self.alarm = 201
@@ -216,11 +217,16 @@ class Toy:
             self.moving = None
 
     def _say(self, say: Callable[[], None]) -> None:
-        self._unsaid.append(say)
+        """Say it at the next step, unless another controller runs by then: a session drops what answers another epoch."""
+        fleet = self.script.fleet
+        self._unsaid.append(lambda: say() if self.script.fleet is fleet else None)
 
     def _answer(self, send: Send, *, ok: bool = True) -> None:
         state, barcode, seq = self.condition, self.barcode, self.seq
-        self._say(lambda: self.script.hear(Answered(self.id, send.cmd_id, send.command, ok, "", state, barcode, seq)))
+        if epoch_of(send.cmd_id) == self.script.fleet.books.epoch:
+            self._say(
+                lambda: self.script.hear(Answered(self.id, send.cmd_id, send.command, ok, "", state, barcode, seq))
+            )
 
     def _report(self, *, polled: bool) -> None:
         status = VehicleStatus(self.condition, self.barcode, self.seq)
