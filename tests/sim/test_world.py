@@ -5,8 +5,8 @@ import pytest
 from app.domain.commands import Plain
 from app.domain.ids import Actor, VehicleId
 from app.domain.layout import Plant
-from app.domain.requests import Accepted, CommandVehicle, PauseController
-from app.domain.units import Timestamp
+from app.domain.requests import Accepted, CommandVehicle, PauseController, ReleaseVehicle, Verdict
+from app.domain.units import Barcode, Timestamp
 from app.plant import read
 from app.sim.truth import Act, Deed
 from app.sim.world import World
@@ -16,10 +16,21 @@ V1 = VehicleId("V001")
 ACTOR = Actor("test")
 
 
-def small() -> Plant:
-    file = Path(__file__).parents[2] / "plants" / "small.yaml"
+def plant_of(name: str) -> Plant:
+    file = Path(__file__).parents[2] / "plants" / f"{name}.yaml"
     plant, _ = read(file.read_text(encoding="utf-8"), file.name)
     return plant
+
+
+def small() -> Plant:
+    return plant_of("small")
+
+
+def behind(plant: Plant, barcode: Barcode, steps: int) -> Barcode:
+    """Return a barcode so many steps back."""
+    for _ in range(steps):
+        barcode = next(edge.start for edge in plant.edges if edge.end == barcode)
+    return barcode
 
 
 def settled(world: World) -> World:
@@ -138,4 +149,24 @@ def test_killed_while_the_gripper_has_just_opened_it_places_nothing_twice() -> N
     world.run(60.0)
     assert world.finish(300.0)
     assert kills == world.result().puts == world.result().completed > 1
+    assert world.result().violations == ()
+
+
+def test_nobody_enters_where_a_vehicle_was_pushed_and_switched_off_until_a_person_says_where_it_stands() -> None:
+    world = settled(World(plant_of("demo"), 8))
+    pushed = world.floor.devices[V1]
+    world.kill()
+    back = behind(world.plant, pushed.place(world.now)[0], 3)
+    pushed.push_to(back, world.now)
+    pushed.power_off(world.now)
+    world.work(until=90.0, keep_open=6)
+    places = world.floor.places(world.now)
+    world.run(60.0)
+    assert world.floor.places(world.now) == places
+    assert world.oracle.takes == 0
+    ticket = world.ask(ReleaseVehicle(ACTOR, V1, Verdict.STANDS_AT, "I have seen it", back))
+    world.run(61.0)
+    assert isinstance(world.replies[ticket], Accepted), world.replies[ticket]
+    world.run(300.0)
+    assert world.oracle.takes > 0
     assert world.result().violations == ()
