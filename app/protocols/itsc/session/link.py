@@ -99,7 +99,7 @@ class Polls:
     def answered(self, cmd_id: int, now: Seconds, interval: Seconds) -> Seconds:
         """Note the answer to an open question; earlier ones are forgotten. Return when it was asked."""
         asked = self.open[cmd_id]
-        for earlier in [each for each, when in self.open.items() if when <= asked]:
+        for earlier in [each for each, when in self.open.items() if when < asked or each == cmd_id]:
             del self.open[earlier]
         if not self.open:
             self.due = Seconds(max(asked + interval, now))
