@@ -268,6 +268,8 @@ class Subscription(AsyncIterator[Frame]):
         if page:
             self._given = self._taken = page[-1].seq
             return _event_frame(page)
+        if self._given > known and not await self._replay(self._given - 1, 1):
+            self._given = known  # a number of another database
         self._given = self._taken = max(self._given, known)
         self._behind = self._hub.model.last_event > known
         return None

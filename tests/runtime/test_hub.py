@@ -197,6 +197,19 @@ def test_events_already_read_from_the_store_do_not_come_a_second_time_from_memor
     run(scene)
 
 
+def test_a_watcher_that_comes_with_a_number_of_another_database_gets_the_next_events() -> None:
+    async def scene() -> None:
+        hub = Hub(ReadModel(last_event=5), Bell().later)
+        watcher = hub.subscribe([Topic.EVENTS], after=9_000, replay=Store(5).replay)
+        assert len(await take(watcher, 1)) == 1
+        assert await waits(watcher)
+        hub.publish([event(6)])
+        hub.flush()
+        assert seqs((await take(watcher, 1))[0]) == [6]
+
+    run(scene)
+
+
 def test_a_watcher_far_behind_on_events_gets_them_from_the_store() -> None:
     async def scene() -> None:
         hub = Hub(ReadModel(), Bell().later)
