@@ -5,6 +5,7 @@ import unicodedata
 import zlib
 from collections.abc import Callable, Iterable
 from typing import Annotated, Any, NoReturn, TypeVar
+from urllib.parse import quote
 
 from fastapi import Depends, Header
 from fastapi.concurrency import run_in_threadpool
@@ -111,6 +112,11 @@ def answer_of(value: object, status: int = 200, headers: dict[str, str] | None =
 def answer_view(view: View, status: int = 200, headers: dict[str, str] | None = None) -> Response:
     """Return one view."""
     return answer(encode(shown(view)), status, headers)
+
+
+def location(*parts: str) -> dict[str, str]:
+    """Return the header that says where an object is; ids may hold letters that no header can."""
+    return {"Location": "/".join(("/api/v1", *(quote(part, safe=":+@") for part in parts)))}
 
 
 def listing(request: Request, page: Page) -> Response:

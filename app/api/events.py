@@ -51,7 +51,12 @@ async def list_events(
 LastId = Annotated[
     str | None, Header(alias="Last-Event-ID", pattern=r"^[0-9]{1,15}$", description="Resume above this number.")
 ]
-From = Annotated[int | None, Query(ge=0, le=(1 << 53) - 1, description="Start above this number; else with the next.")]
+From = Annotated[
+    int | None,
+    Query(
+        ge=0, le=(1 << 53) - 1, description="Start above this number; else (or if it is no event's yet) with the next."
+    ),
+]
 
 
 @router.get(

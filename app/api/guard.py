@@ -67,7 +67,7 @@ class Guard:
             await problem.response()(scope, receive, send)
         else:
             await receive()
-            await send({"type": "websocket.close", "code": 1008, "reason": problem.detail[:120]})
+            await send({"type": "websocket.close", "code": 1008, "reason": problem.brief()})
 
     def _host(self, headers: Headers) -> Problem | None:
         """Without a key, only a name of this machine: a foreign name that resolves to it is DNS rebinding."""

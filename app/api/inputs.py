@@ -11,9 +11,12 @@ from app.domain.layout import PulseSet, StopAction
 from app.domain.requests import Verdict
 from app.domain.units import Pulses
 
-ID_PATTERN = r"^[^\x00-\x20\x7f-\xa0/\\?#%]+$"
-"""Ids travel in URLs: no blanks, control characters, or characters that cut a URL."""
-TEXT_PATTERN = r"^[^\x00-\x1f\x7f-\x9f]*$"
+_HIDDEN = r"\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
+"""Letters that nobody sees, or that turn the others round: two names would look alike."""
+_NOT_IN_IDS = rf"\x00-\x20\x7f-\xa0/\\?#%\u1680\u2000-\u200a\u202f\u205f\u3000{_HIDDEN}"
+ID_PATTERN = rf"^[^.{_NOT_IN_IDS}][^{_NOT_IN_IDS}]*$"
+"""Ids travel in URLs: no blanks, control characters, or characters that cut a URL; a first dot would mean a step there."""
+TEXT_PATTERN = rf"^[^\x00-\x1f\x7f-\x9f{_HIDDEN}]*$"
 ASCII_PATTERN = r"^[\x20-\x7e]*$"
 
 Id = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64, pattern=ID_PATTERN)]

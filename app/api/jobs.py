@@ -8,7 +8,7 @@ from typing import Annotated
 from fastapi import APIRouter, Header, Query
 from starlette.responses import Response
 
-from app.api.calls import Ctl, Who, answer, answer_of, answer_view, ask, items, missing, read
+from app.api.calls import Ctl, Who, answer, answer_of, answer_view, ask, items, location, missing, read
 from app.api.declared import gives
 from app.api.inputs import JobChange, JobIn, Limit, PathId, QueryId, station_ids
 from app.api.port import Controller
@@ -84,12 +84,12 @@ async def _known(controller: Controller, job: str | None, key: str | None, looku
 
 def _found(controller: Controller, known: Job) -> Response:
     raw = controller.model.raw(Topic.JOBS, known.id)
-    return answer(raw or encode(shown(view_of_job(known))), 200, {"Location": f"/api/v1/jobs/{known.id}"})
+    return answer(raw or encode(shown(view_of_job(known))), 200, location("jobs", known.id))
 
 
 async def _present(controller: Controller, job: str, status: int = 200) -> Response:
     """Return the job as it is now, live or ended."""
-    headers = {"Location": f"/api/v1/jobs/{job}"} if status == 201 else None
+    headers = location("jobs", job) if status == 201 else None
     raw = controller.model.raw(Topic.JOBS, job)
     if raw is not None:
         return answer(raw, status, headers)

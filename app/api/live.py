@@ -66,7 +66,7 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
         subscription = _started(socket, controller)
     except Problem as problem:
         await socket.send_text(_error(problem))
-        await socket.close(1008, problem.detail[:120])
+        await socket.close(1008, problem.brief())
         return
     sender = asyncio.create_task(_send(socket, subscription))
     try:

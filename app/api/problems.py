@@ -14,6 +14,7 @@ from app.runtime.showing import encode
 
 MEDIA_TYPE = "application/problem+json"
 TYPE_PREFIX = "/api/v1/problems/"
+REASON_BYTES = 123
 
 CODES: dict[str, tuple[int, str]] = {
     "malformed": (400, "The request cannot be read"),
@@ -72,6 +73,10 @@ class Problem(Exception):
         if self.errors:
             members["errors"] = list(self.errors)
         return members
+
+    def brief(self) -> str:
+        """Return the detail as the reason of a closed WebSocket: at most 123 bytes of UTF-8 (RFC 6455 5.5.1)."""
+        return self.detail.encode()[:REASON_BYTES].decode(errors="ignore")
 
     def response(self) -> Response:
         """Return it as a response."""

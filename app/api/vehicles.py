@@ -16,6 +16,7 @@ from app.api.calls import (
     items,
     listing,
     live_object,
+    location,
     missing,
     read,
     version_expected,
@@ -126,8 +127,8 @@ def _worded(
 async def _taken(controller: Controller, vehicle: str, request: requests.Request) -> Response:
     accepted = await ask(controller, request)
     cmd_id = f"{accepted.cmd_id:016x}" if accepted.cmd_id is not None else None
-    where = f"/api/v1/vehicles/{vehicle}/commands" + (f"/{cmd_id}" if cmd_id else "")
-    return answer_of({"vehicle": vehicle, "cmd_id": cmd_id}, 202, {"Location": where})
+    where = location("vehicles", vehicle, "commands", *([cmd_id] if cmd_id else []))
+    return answer_of({"vehicle": vehicle, "cmd_id": cmd_id}, 202, where)
 
 
 @router.post("/{vehicle}/recover", **gives("Taken", 202, "Under way; Location says where to look."))

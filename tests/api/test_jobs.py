@@ -198,3 +198,23 @@ async def test_no_answer_in_time_is_a_503_that_says_how_to_go_on(
 async def test_an_idempotency_key_is_bounded(client: httpx.AsyncClient, key: str) -> None:
     answer = await client.post("/jobs", json=ORDER, headers={"Idempotency-Key": key})
     assert (answer.status_code, answer.json()["field"]) == (422, "Idempotency-Key")
+
+
+@pytest.mark.parametrize("name", ["\U0001f600", "로트-1", "LÖT"])
+async def test_the_place_of_a_job_is_written_as_a_url(
+    client: httpx.AsyncClient, controller: Scripted, name: str
+) -> None:
+    answer = await client.post("/jobs", json=ORDER | {"job_id": name})
+    assert answer.status_code == 201
+    assert answer.headers["location"].isascii()
+    assert (await client.get(answer.headers["location"].removeprefix("/api/v1"))).json()["id"] == name
+    assert (await client.post("/jobs", json=ORDER | {"job_id": name})).headers["location"].isascii()
+
+
+@pytest.mark.parametrize("name", [".", "..", ".x", "LOT\u202e1", "LOT\u200b1", "LOT\u30001", "LOT\xa01"])
+async def test_an_id_has_no_hidden_letters_and_no_first_dot(
+    client: httpx.AsyncClient, controller: Scripted, name: str
+) -> None:
+    answer = await client.post("/jobs", json=ORDER | {"job_id": name})
+    assert (answer.status_code, answer.json()["field"]) == (422, "job_id")
+    assert not controller.seen

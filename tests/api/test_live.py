@@ -97,6 +97,15 @@ async def test_a_wrong_question_is_answered_and_closed(app: FastAPI, query: str,
         assert (await socket.message())["code"] == 1008
 
 
+async def test_the_reason_of_a_closing_fits_its_frame_in_any_alphabet(app: FastAPI) -> None:
+    async with Socket(app, query="topics=" + "%F0%9F%98%80" * 60) as socket:
+        await socket.accepted()
+        assert (await socket.frame())["problem"]["field"] == "topics"
+        reason = (await socket.message())["reason"]
+        assert len(reason.encode()) <= 123
+        assert reason.endswith("\U0001f600")
+
+
 async def test_only_so_many_may_watch(app: FastAPI) -> None:
     async with Socket(app) as one, Socket(app) as two:
         await one.accepted()
