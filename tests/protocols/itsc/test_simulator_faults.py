@@ -8,7 +8,8 @@ from app.domain.units import Seconds
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.framing import Decoder, Garbled
 from app.protocols.itsc.messages import NOTHING, Ack, Code, Enq, Frame, Toward
-from app.protocols.itsc.simulator.faults import Fault, Faulty, Lane, foreign_dev_id
+from app.protocols.itsc.simulator.faults import Faulty, foreign_dev_id
+from app.wire.faults import Fault, Lane
 from tests.scenarios.rig import DEV_ID, make_rig
 
 CODEC = Codec()
