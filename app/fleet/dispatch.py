@@ -67,7 +67,9 @@ class Dispatch:
             bringing[job.destination] = job
         ready = []
         for job in queued:
-            why = self._taken(job, sources, destinations, bringing) or self._obstacle(job, emptied)
+            why = (
+                self._taken(job, sources, destinations, bringing) or self._obstacle(job, emptied) or self._hopeless(job)
+            )
             if why:
                 self._say(job, why)
                 continue
@@ -87,6 +89,20 @@ class Dispatch:
         if first and first.order < job.order and not known:
             return f"{first.id} brings a carrier to {job.source} first"
         return ""
+
+    def _hopeless(self, job: Job) -> str:
+        """Return why no vehicle will do this job for now; it does not keep its ends from others then."""
+        only = self._only(job)
+        if only:
+            return self._nobody(job) if only.barred or not only.linked or not self._able(only, job) else ""
+        if not any(self._able(vehicle, job) for vehicle in self._books.vehicles.values()):
+            return "no vehicle can serve both stations: see their DEST, OFFSET and limits"
+        return ""
+
+    def _only(self, job: Job) -> VehicleNow | None:
+        """Return the one vehicle that may do this job, if there is just one."""
+        vehicles = self._books.vehicles
+        return vehicles.get(VehicleId(job.source)) or (vehicles.get(job.wish) if job.wish else None)
 
     def _obstacle(self, job: Job, emptied: set[str]) -> str:
         """Return why a job cannot begin yet (it is not refused: hosts order ahead, DOMAIN section 2)."""
@@ -110,14 +126,11 @@ class Dispatch:
 
     def _nobody(self, job: Job) -> str:
         """Return why no vehicle does this job now. The words change only when the cause does: they are kept."""
-        vehicles = self._books.vehicles
-        only = vehicles.get(VehicleId(job.source)) or (vehicles.get(job.wish) if job.wish else None)
-        if only:
-            asked = "has the carrier aboard" if only.id == job.source else "is asked for"
-            return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only)}"
-        if not any(self._able(vehicle, job) for vehicle in vehicles.values()):
-            return "no vehicle can serve both stations: see their DEST, OFFSET and limits"
-        return "no vehicle is free"
+        only = self._only(job)
+        if only is None:
+            return "no vehicle is free"
+        asked = "has the carrier aboard" if only.id == job.source else "is asked for"
+        return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only)}"
 
     def _engaged(self, vehicle: VehicleNow) -> str:
         states = (
@@ -127,7 +140,7 @@ class Dispatch:
             (not vehicle.fit, "is not ready"),
             (self.loaded(vehicle), "is loaded"),
         )
-        return next((words for applies, words in states if applies), "cannot take it now")
+        return next((words for applies, words in states if applies), "cannot serve both stations")
 
     # -- which vehicle ------------------------------------------------------------------------------------------------
 

@@ -1,5 +1,7 @@
 """What must hold of every effect, whatever the test."""
 
+from collections.abc import Collection
+
 from app.domain.ids import CarrierId, StationId
 from app.domain.job import JOB_STEPS, Job, JobState
 from app.domain.records import CarrierGone, CarrierRecord, HistoryEvent, Intent, IntentState, Kept, StationRecord
@@ -31,8 +33,9 @@ class Judge:
         self._carriers: dict[str, CarrierRecord] = {}
         self._next_event = 1
 
-    def restarted(self, kept: Kept) -> None:
-        """A controller has begun with this."""
+    def restarted(self, kept: Kept, stations: Collection[StationId]) -> None:
+        """A controller has begun with this, on a plant with these stations."""
+        self._stations = {name: record for name, record in self._stations.items() if name in stations}
         assert kept.next_event == self._next_event
         for job in kept.jobs:
             assert self._jobs[job.id] == job

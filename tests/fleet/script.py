@@ -81,7 +81,7 @@ class Script:
 
     def _start(self) -> Fleet:
         kept: Kept = self.ledger.load()
-        self.judge.restarted(kept)
+        self.judge.restarted(kept, [station.id for station in self.plant.stations])
         self.model = {topic: {} for topic in Topic}
         self.fleet = Fleet(self.plant, kept, CmdIds(kept.epoch), self.now, Timestamp(UTC + self.now), self._link)
         self._collect()

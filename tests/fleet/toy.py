@@ -46,6 +46,7 @@ class Toy:
         self.refuse = False
         self.paused = False
         self.misgrip = False
+        self.reject_handling = False
         self.seq = 0
         self.path: tuple[PathElement, ...] = ()
         self.moving: Send | None = None
@@ -160,11 +161,12 @@ class Toy:
 
     def _begin_handling(self, send: Send) -> None:
         pickup = isinstance(send.command, Pickup)
+        refuse = self.refuse or self.reject_handling
         at_stop = (
             bool(self.trav & TAGS[send.command.at.stop_action]) if isinstance(send.command, Pickup | Place) else False
         )
         if (
-            self.refuse
+            refuse
             or self.alarm
             or self.mode != 3
             or self.moving
