@@ -365,7 +365,8 @@ class Motion:
         ends = {drive.end.barcode}
         if drive.amendment:
             ends.add(drive.amendment.path[-1].barcode)
-        if answer.barcode not in ends or vehicle.barcode != answer.barcode:
+        there = answer.barcode in ends and vehicle.barcode == answer.barcode
+        if not there or answer.condition.oper is not Oper.IDLE:
             drive.answered = True
             return False
         self.finish(vehicle, IntentState.DONE, "RESULT 0")
