@@ -16,7 +16,7 @@ import typer
 from app.domain.errors import EncodeError, HoistwayError
 from app.wire.names import unknown
 
-ADAPTERS = {"itsc": "app.protocols.itsc.vectors"}
+ADAPTERS = {"itsc": "app.protocols.itsc.vectors", "hi": "app.protocols.hi.vectors"}
 """For each protocol the module whose ``Vectors`` class answers for it; a new protocol is one more line."""
 
 _FRAMED = ("valid", "min", "max", "semantic", "concatenated", "chunked", "noise", "corrupt", "truncated")
