@@ -3,6 +3,7 @@
 import asyncio
 import gc
 import os
+import resource
 import signal
 import socket
 from collections.abc import Callable, Coroutine, Iterator
@@ -13,6 +14,7 @@ from typing import Any
 import uvicorn
 
 from app.api import application
+from app.api.connections import bounded
 from app.domain.errors import HoistwayError
 from app.domain.layout import Plant
 from app.plant import UnusablePlant, read
@@ -21,6 +23,10 @@ from app.settings import Settings
 
 GRACE = 3
 """Seconds for requests under way when the server stops. Our choice."""
+FILES = 1 << 16
+"""Most open files that we ask the system for. Our choice."""
+WORD = 1 << 16
+"""Longest message that a watcher may send before its connection is cut, bytes. Our choice."""
 
 
 class CannotStart(HoistwayError):
@@ -117,6 +123,15 @@ async def serve(
     return 1 if controller.lost.done() else 0
 
 
+def _files() -> int:
+    """Return how many files the process may open, raised as far as it may: a flood of callers must leave some to vehicles."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    most = FILES if hard == resource.RLIM_INFINITY else min(hard, FILES)
+    if soft != resource.RLIM_INFINITY and soft < most:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (most, hard))
+    return most
+
+
 def url_of(host: str, port: int) -> str:
     """Return where a person finds the server."""
     shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)
@@ -127,9 +142,10 @@ def _configured(controller: Controller, settings: Settings) -> uvicorn.Config:
     return uvicorn.Config(
         application(controller, settings),
         loop="none",
-        http="httptools",
+        http=bounded(min(settings.connections, _files() // 2)),
         ws="websockets-sansio",
         ws_per_message_deflate=False,
+        ws_max_size=WORD,
         access_log=False,
         log_config=None,
         log_level="warning",

@@ -45,6 +45,8 @@ class Settings(BaseSettings):
     """Origins, besides the server's own, whose pages may call it (``https://mes.example``)."""
     body_limit: Annotated[int, Field(ge=1024)] = 1 << 20
     """Largest request body, bytes."""
+    connections: Annotated[int, Field(ge=10)] = 2000
+    """Most connections to the server at the same time, live streams among them; at most half the files that may be open."""
     watchers: Annotated[int, Field(ge=1)] = 1000
     """Most live streams at the same time."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
