@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
@@ -12,35 +13,49 @@ from app.wire.names import unknown
 if TYPE_CHECKING:
     from app.protocols.itsc.detect import Variant
 
-_PROTOCOLS = ("itsc",)
-
 
 def detect(
-    protocol: Annotated[str, typer.Argument(help="itsc")],
+    protocol: Annotated[str, typer.Argument(help="itsc or enig")],
     file: Annotated[Path, typer.Argument(help="a capture in hexadecimal: one packet on each line, or a stream")],
 ) -> None:
-    """Try every CRC, coverage and byte order on a capture and print those that fit. ACKs serve best."""
+    """Try every CRC, coverage and byte order on a capture and print those that fit. iTSC: ACKs serve best."""
+    tell = _PROTOCOLS.get(protocol)
+    if tell is None:
+        _refuse(unknown("protocol", protocol, _PROTOCOLS))
+    text, fits = tell(_read(file))
+    print(text)
+    if not fits:
+        raise typer.Exit(1)
+
+
+def _itsc(packets: list[bytes]) -> tuple[str, bool]:
     from app.protocols.itsc.detect import VARIANTS, fits_of_stream, surviving
 
-    if protocol not in _PROTOCOLS:
-        _refuse(unknown("protocol", protocol, _PROTOCOLS))
-    packets = _read(file)
     survivors = surviving(packets)
     if survivors:
-        print(f"{len(packets)} packets, {len(VARIANTS)} variants tried, {len(survivors)} left:")
-        for variant in survivors:
-            print(f"  {_name(variant)}")
+        lines = [f"{len(packets)} packets, {len(VARIANTS)} variants tried, {len(survivors)} left:"]
+        lines += [f"  {_name(variant)}" for variant in survivors]
         if len(survivors) > 1:
-            print("more than one is left: capture more packets (three are proof)")
-        return
+            lines.append("more than one is left: capture more packets (three are proof)")
+        return "\n".join(lines), True
     stream = b"".join(packets)
     fits = fits_of_stream(stream)
     if not fits:
-        print(f"none of the {len(VARIANTS)} variants fits: not iTSC, or a CRC that is not in the list")
-        raise typer.Exit(1)
-    print(f"the lines are not one whole packet each that fits; read as a stream of {len(stream)} bytes:")
+        return f"none of the {len(VARIANTS)} variants fits: not iTSC, or a CRC that is not in the list", False
+    lines = [f"the lines are not one whole packet each that fits; read as a stream of {len(stream)} bytes:"]
     for fit in fits:
-        print(f"  {_name(fit.variant)}: {fit.frames} packets, {fit.covered} bytes fit, {fit.dropped} do not")
+        lines.append(f"  {_name(fit.variant)}: {fit.frames} packets, {fit.covered} bytes fit, {fit.dropped} do not")
+    return "\n".join(lines), True
+
+
+def _enig(packets: list[bytes]) -> tuple[str, bool]:
+    from app.protocols.enig.detect import detected
+
+    return detected(packets)
+
+
+_PROTOCOLS: dict[str, Callable[[list[bytes]], tuple[str, bool]]] = {"itsc": _itsc, "enig": _enig}
+"""What tells of the captured packets of each protocol which variants fit, and whether any does."""
 
 
 def _read(file: Path) -> list[bytes]:

@@ -16,7 +16,11 @@ import typer
 from app.domain.errors import EncodeError, HoistwayError
 from app.wire.names import unknown
 
-ADAPTERS = {"itsc": "app.protocols.itsc.vectors", "hi": "app.protocols.hi.vectors"}
+ADAPTERS = {
+    "itsc": "app.protocols.itsc.vectors",
+    "hi": "app.protocols.hi.vectors",
+    "enig": "app.protocols.enig.vectors",
+}
 """For each protocol the module whose ``Vectors`` class answers for it; a new protocol is one more line."""
 
 _FRAMED = ("valid", "min", "max", "semantic", "concatenated", "chunked", "noise", "corrupt", "truncated")

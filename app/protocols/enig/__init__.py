@@ -1,0 +1,1 @@
+"""ENIG: the controller's talk with AGVs, buffers and doors (PROTOCOLS section 3)."""
