@@ -1,6 +1,7 @@
 """Which vehicle does which job: one assignment over all vehicles that carry nothing and all jobs not picked up (DOMAIN 6)."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from app.domain.errors import Refusal
 from app.domain.ids import StationId, VehicleId
@@ -175,10 +176,11 @@ class Dispatch:
         """Return the driving time of each vehicle (row) to each job's source (column); infinite: it cannot do the job."""
         books = self._books
         goals = [books.specs[StationId(job.source)].barcode for job in jobs]
-        times = books.router.times([self._start(v) for v in vehicles], goals)
+        starts = [self._start(vehicle) for vehicle in vehicles]
+        times = books.router.times([barcode for barcode, _ in starts], goals)
         return [
-            [time if self._able(vehicle, job) else float("inf") for time, job in zip(row, jobs, strict=True)]
-            for vehicle, row in zip(vehicles, times, strict=True)
+            [before + time if self._able(vehicle, job) else float("inf") for time, job in zip(row, jobs, strict=True)]
+            for vehicle, (_, before), row in zip(vehicles, starts, times, strict=True)
         ]
 
     def _costs(self, vehicles: list[VehicleNow], jobs: list[Job], times: list[list[float]]) -> list[list[float]]:
@@ -197,11 +199,13 @@ class Dispatch:
         able = sorted((time, vehicle.id) for time, vehicle in zip(times, vehicles, strict=True) if time < float("inf"))
         return "to the source: " + ", ".join(f"{name} {time:.0f} s" for time, name in able[:CANDIDATES_NAMED])
 
-    def _start(self, vehicle: VehicleNow) -> Barcode:
-        start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
-        if start is None:
+    def _start(self, vehicle: VehicleNow) -> tuple[Barcode, float]:
+        """Return where the vehicle can turn to another goal, the end of what it is granted, and the seconds to there."""
+        if vehicle.barcode is None:
             raise ValueError(f"{vehicle.id} is idle without a place")
-        return start
+        way = [vehicle.barcode, *vehicle.ahead]
+        graph = self._books.track.graph
+        return way[-1], sum(graph.edges[edge]["time"] for edge in pairwise(way))
 
     def _able(self, vehicle: VehicleNow, job: Job) -> bool:
         """Whether this vehicle may and can serve both ends."""
