@@ -93,13 +93,19 @@ class _Server(uvicorn.Server):
 
 
 async def serve(
-    plant: Plant, settings: Settings, listening: socket.socket, stop: asyncio.Event, ready: Callable[[str], None]
+    plant: Plant,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+    *,
+    restored: bool = False,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
     ``ready`` is told the URL once requests are answered. Raises CannotStart, PlantHeld, StoreError.
     """
-    controller = Controller(plant, settings.database)
+    controller = Controller(plant, settings.database, restored=restored)
     try:
         await controller.start()
     except OSError as wrong:

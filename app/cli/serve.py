@@ -19,6 +19,8 @@ def serve(
     host: Annotated[str | None, typer.Option(help="address to listen at")] = None,
     port: Annotated[int | None, typer.Option(help="port to listen at")] = None,
     config: Annotated[Path | None, typer.Option(help="settings file, TOML or YAML")] = None,
+    *,
+    restored: Annotated[bool, typer.Option(help="the database is a backup put back: hold every vehicle")] = False,
 ) -> None:
     """Control a plant and serve REST, live stream and page, until Ctrl-C."""
     from app.settings import load
@@ -27,11 +29,11 @@ def serve(
         settings = load(config, plant=plant, database=database, host=host, port=port)
         if settings.plant is None:
             refuse("which plant?", "Say --plant FILE, or set HOISTWAY_PLANT.")
-        code = _serve(settings, settings.plant)
+        code = _serve(settings, settings.plant, restored=restored)
     raise typer.Exit(code)
 
 
-def _serve(settings: Settings, file: Path) -> int:
+def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     from app import main
     from app.runtime.telemetry import set_up
 
@@ -40,7 +42,7 @@ def _serve(settings: Settings, file: Path) -> int:
     listening = main.bound(settings.host, settings.port)
 
     async def run() -> int:
-        return await main.serve(plant, settings, listening, main.stop_signal(), ready)
+        return await main.serve(plant, settings, listening, main.stop_signal(), ready, restored=restored)
 
     def ready(url: str) -> None:
         print(f"hoistway controls {plant.name}: {url}", flush=True)

@@ -254,5 +254,7 @@ class Kept:
     controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
     next_event: int = 1
     next_order: int = 1
+    restored: bool = False
+    """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True
     """True when this database has never run this plant: initial carriers and teaching come from the plant file."""

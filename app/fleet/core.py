@@ -99,19 +99,21 @@ class Fleet:
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
         self._next_thought = self._last_thought = now
-        self._start()
+        self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
 
-    def _start(self) -> None:
-        """Claim what every vehicle may be on, call the roll, and show all there is (COMMANDS sections 3.1, 3.6)."""
+    def _start(self, *, restored: bool) -> None:
+        """Claim what every vehicle may be on, call the roll, and show all there is (COMMANDS sections 3.1, 3.6, 3.8)."""
         books = self.books
         for vehicle in books.vehicles.values():
-            if vehicle.record.off_rail or not vehicle.spec.in_service:
+            if vehicle.record.off_rail or (not vehicle.spec.in_service and vehicle.record.out_of_service):
                 continue
             claim = [*vehicle.record.held, *(b for i in vehicle.opened.values() for b in i.path)]
             books.traffic.hold(vehicle.id, [b for b in dict.fromkeys(claim) if b in books.track])
             books.roll_call[vehicle.id] = None
+            if restored:
+                self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
         for job in books.jobs.values():
             books.show(Topic.JOBS, job.id, view_of_job(job))

@@ -216,6 +216,12 @@ class Recovery:
         if vehicle.stage is Stage.READY:
             self.begin(vehicle)
 
+    def doubt_backup(self, vehicle: VehicleNow) -> None:
+        """Our books are a restored backup: nothing they say of this vehicle is believed (COMMANDS 3.8)."""
+        why = "the database is a restored backup, and may have missed where it went and what it carries"
+        remedy = "compare its place, load and job with the plant, correct them, then release it with verdict go_on"
+        self.hold(vehicle, why, remedy, doubt=why)
+
     def claim_too(self, vehicle: VehicleNow, barcode: Barcode) -> None:
         """It may be there, besides all that it holds."""
         books = self._books

@@ -7,6 +7,7 @@ import socket
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TypeVar
 
 from structlog.typing import FilteringBoundLogger
@@ -41,12 +42,13 @@ class Controller:
     round: records go to the writer, and bytes, updates and replies go out once they may.
     """
 
-    def __init__(self, plant: Plant, database: str, clock: Clock | None = None) -> None:
+    def __init__(self, plant: Plant, database: str, clock: Clock | None = None, *, restored: bool = False) -> None:
         self.plant = plant
         self.trouble = ""
         """Why nothing can be made durable just now; empty if all is well."""
         self._clock = clock or Clock()
         self._database = database
+        self._restored = restored
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self._in_flight: deque[Transaction] = deque()
         self._asked: dict[int, asyncio.Future[Reply]] = {}
@@ -131,7 +133,7 @@ class Controller:
         holder = f"{socket.gethostname()}, process {os.getpid()}"
         self._ledger = SqlLedger(self._database, self.plant.name, holder, self._clock.utc)
         try:
-            return self._ledger.load()
+            return replace(self._ledger.load(), restored=self._restored)
         except BaseException:
             self._ledger.close()
             raise

@@ -79,8 +79,8 @@ class Script:
 
     # -- the controller -----------------------------------------------------------------------------------------------
 
-    def _start(self) -> Fleet:
-        kept: Kept = self.ledger.load()
+    def _start(self, *, restored: bool = False) -> Fleet:
+        kept: Kept = replace(self.ledger.load(), restored=restored)
         self.judge.restarted(kept, [station.id for station in self.plant.stations])
         self.model = {topic: {} for topic in Topic}
         self.fleet = Fleet(self.plant, kept, CmdIds(kept.epoch), self.now, Timestamp(UTC + self.now), self._link)
@@ -91,14 +91,17 @@ class Script:
         now = self.fleet.books.vehicles[vehicle]
         return LinkView(now.linked, 0.0, now.link_reason)
 
-    def restart(self, after: float = 1.0, plant: Plant | None = None) -> None:
-        """Kill the controller after its last commit, and start it again; vehicles go on with what they were told."""
+    def restart(self, after: float = 1.0, plant: Plant | None = None, *, restored: bool = False) -> None:
+        """Kill the controller after its last commit, and start it again; vehicles go on with what they were told.
+
+        ``restored``: on a backup, as its person says.
+        """
         self.plant = plant or self.plant
         self.now = Seconds(self.now + after)
         self.sends.clear()
         for toy in self.toys.values():
             toy.linked = False
-        self._start()
+        self._start(restored=restored)
 
     def _collect(self) -> None:
         effects: Effects = self.fleet.take()
