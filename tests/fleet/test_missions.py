@@ -11,12 +11,16 @@ from app.domain.job import JobState
 from app.domain.layout import PulseSet, StopAction
 from app.domain.records import ControllerState, IntentState
 from app.domain.requests import (
+    AbortJob,
+    Accepted,
+    CancelJob,
     ChangeJob,
     HoldVehicle,
     LockVehicle,
     MoveVehicle,
     PauseController,
     ReleaseVehicle,
+    Request,
     ResumeController,
     SetService,
     UnlockVehicle,
@@ -474,3 +478,80 @@ def test_a_vehicle_that_was_pushed_away_from_its_source_goes_there_again(ready: 
     ready.run_until("J1")
     assert ready.job("J1").state is JobState.COMPLETED
     assert P2 not in ready.world
+
+
+# -- ports and their queues -------------------------------------------------------------------------------------------
+
+
+def test_a_loaded_vehicle_lets_the_one_through_that_empties_its_destination(ready: Script) -> None:
+    ready.order("P1", "P3", vehicle=V1)
+    ready.run_to("to_destination")
+    ready.world[P3] = CarrierId("LOT7")
+    ready.run(5)
+    ready.accept(WriteStation(HOST, P3, carrier="LOT7"))
+    ready.run(20)
+    assert ready.job("J1").reason == "its destination cannot be used: P3 is occupied by LOT7"
+    ready.order("P3", "B2", job="J2", vehicle=V2)
+    ready.run_until("J1", "J2", at_most=600)
+    assert ready.world == {P3: FOUP1, B2: CarrierId("LOT7"), B1: FOUP2}
+
+
+def test_a_vehicle_that_a_person_vouches_to_be_loaded_gives_its_job_back_at_once(ready: Script) -> None:
+    ready.order("B1", "P3", vehicle=V1)
+    ready.run_to("to_source")
+    ready.toys[V1].mode = 0
+    ready.run(14)
+    ready.toys[V1].aboard, ready.toys[V1].mode = CarrierId("GHOST"), 3
+    ready.order("B1", "P2", job="J2", vehicle=V1)
+    ready.run(4)
+    go_on(ready)
+    ready.run(3)
+    assert ready.job("J1").vehicle is None
+    assert ready.vehicle(V1).record.believed_loaded
+
+
+def test_a_station_that_was_believed_to_hold_another_carrier_loses_it(ready: Script) -> None:
+    ready.order("P1", "P3", vehicle=V1)
+    ready.run_to("acquiring")
+    ready.accept(WriteStation(HOST, P1, carrier="LOT7"))
+    ready.run_until("J1")
+    assert ready.fleet.books.carriers[CarrierId("LOT7")].place is None
+    assert ready.station(P3).carrier == FOUP1
+
+
+def test_a_vehicle_that_the_plant_file_takes_out_of_service_gets_no_job() -> None:
+    plant = small()
+    script = Script(replace(plant, vehicles=(replace(plant.vehicles[0], in_service=False), plant.vehicles[1])))
+    script.world.update({P1: FOUP1, B1: FOUP2})
+    script.obey()
+    script.order("P1", "P3")
+    script.run(3)
+    assert script.job("J1").vehicle == V2
+
+
+@pytest.mark.parametrize("leg", ["none", "to_source", "acquiring", "to_destination", "depositing"])
+def test_every_request_about_a_job_is_carried_out_or_refused_in_every_state(leg: str) -> None:
+    """COMMANDS section 4 as a table: what is allowed on which leg; nothing in between."""
+    before = leg in {"none", "to_source"}
+    expected: dict[Request, bool] = {
+        CancelJob(HOST, J1): before,
+        AbortJob(HOST, J1): not before,
+        ChangeJob(HOST, J1, priority=9): True,
+        ChangeJob(HOST, J1, destination=B2): leg != "depositing",
+        ChangeJob(HOST, J1, vehicle=V2): before,
+    }
+    for paused in (False, True):
+        for request, allowed in expected.items():
+            script = Script()
+            script.world.update({P1: FOUP1, B1: FOUP2})
+            script.obey()
+            if leg == "none":
+                script.accept(HoldVehicle(KIM, V1, "x"))
+            script.order(vehicle=V1)
+            script.run_to(leg)
+            if paused and not before:
+                script.accept(HoldVehicle(KIM, V1, "x"))
+                script.toys[V1].cut()
+                script.run(12)
+                assert script.job("J1").state is JobState.PAUSED
+            assert isinstance(script.ask(request), Accepted) is allowed, (leg, paused, request)
