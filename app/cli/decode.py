@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def decode(
-    protocol: Annotated[str, typer.Argument(help="itsc or enig")],
+    protocol: Annotated[str, typer.Argument(help="itsc, hi or enig")],
     hex: Annotated[list[str], typer.Argument(help="the bytes; blanks, commas and 0x do not matter")],  # noqa: A002
     dialect: Annotated[str, typer.Option(help="a named dialect of the protocol")] = "default",
     json: Annotated[bool, typer.Option("--json", help="for a program")] = False,
@@ -57,13 +57,19 @@ def _itsc(data: bytes, dialect: str, lang: str, json: bool) -> str:
     return jsonlib.dumps(_plain(explanation, Codec(chosen), name), ensure_ascii=False, indent=2)
 
 
+def _hi(data: bytes, dialect: str, lang: str, json: bool) -> str:
+    from app.protocols.hi.explain import show
+
+    return show(data, dialect, lang, json=json)
+
+
 def _enig(data: bytes, dialect: str, lang: str, json: bool) -> str:
     from app.protocols.enig.explain import show
 
     return show(data, dialect, "ko" if lang == "ko" else "en", json=json)
 
 
-_PROTOCOLS: dict[str, Callable[[bytes, str, str, bool], str]] = {"itsc": _itsc, "enig": _enig}
+_PROTOCOLS: dict[str, Callable[[bytes, str, str, bool], str]] = {"itsc": _itsc, "hi": _hi, "enig": _enig}
 """What shows the bytes of each protocol."""
 
 

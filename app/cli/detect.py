@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def detect(
-    protocol: Annotated[str, typer.Argument(help="itsc or enig")],
+    protocol: Annotated[str, typer.Argument(help="itsc, hi or enig")],
     file: Annotated[Path, typer.Argument(help="a capture in hexadecimal: one packet on each line, or a stream")],
 ) -> None:
     """Try every CRC, coverage and byte order on a capture and print those that fit. iTSC: ACKs serve best."""
@@ -48,13 +48,19 @@ def _itsc(packets: list[bytes]) -> tuple[str, bool]:
     return "\n".join(lines), True
 
 
+def _hi(packets: list[bytes]) -> tuple[str, bool]:
+    from app.protocols.hi.detect import detected
+
+    return detected(packets)
+
+
 def _enig(packets: list[bytes]) -> tuple[str, bool]:
     from app.protocols.enig.detect import detected
 
     return detected(packets)
 
 
-_PROTOCOLS: dict[str, Callable[[list[bytes]], tuple[str, bool]]] = {"itsc": _itsc, "enig": _enig}
+_PROTOCOLS: dict[str, Callable[[list[bytes]], tuple[str, bool]]] = {"itsc": _itsc, "hi": _hi, "enig": _enig}
 """What tells of the captured packets of each protocol which variants fit, and whether any does."""
 
 

@@ -3,7 +3,7 @@
 Offline only: a live line never changes its dialect by itself.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from app.protocols.hi.dialects import DEFAULT, DIALECTS, Bcc, Dialect
@@ -50,3 +50,26 @@ def fits_of_stream(data: bytes, dialect: Dialect = DEFAULT) -> list[Fit]:
             fits.append(Fit(form, frames, len(data) - dropped, dropped))
     order = list(Bcc)
     return sorted(fits, key=lambda fit: (-fit.covered, order.index(fit.form)))
+
+
+def detected(packets: Sequence[bytes]) -> tuple[str, bool]:
+    """Return what there is to say of a capture, one packet in each piece or a stream cut anywhere, and whether any form fits."""
+    survivors = surviving(packets)
+    if survivors:
+        said = [f"{len(packets)} packets, {len(Bcc)} forms of BCC tried, {len(survivors)} left:"]
+        said += [f"  bcc {form.value}  (dialect {preset_of(form)})" for form in survivors]
+        if len(survivors) > 1:
+            said.append("more than one is left: capture more packets")
+        return "\n".join(said), True
+    stream = b"".join(packets)
+    fits = fits_of_stream(stream)
+    if not fits:
+        return f"none of the {len(Bcc)} forms of BCC fits: not HI, or another sum", False
+    said = [f"the lines are not one whole packet each that fits; read as a stream of {len(stream)} bytes:"]
+    for fit in fits:
+        preset = preset_of(fit.form)
+        said.append(
+            f"  bcc {fit.form.value}  (dialect {preset}): "
+            f"{fit.frames} packets, {fit.covered} bytes fit, {fit.dropped} do not"
+        )
+    return "\n".join(said), True

@@ -61,7 +61,7 @@ class Frame:
     more: bool = False
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Nothing:
     """No data."""
 
