@@ -72,11 +72,9 @@ class Recovery:
         name = self._books.plant.alarm_codes.get(code, "")
         if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
             vehicle.failed_handling = f"alarm {code} {name}".rstrip()
-        self.hold(
-            vehicle,
-            f"alarm {code} {name}".rstrip(),
-            f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover",
-        )
+        if not vehicle.record.hold:
+            remedy = f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover"
+            self.hold(vehicle, f"alarm {code} {name}".rstrip(), remedy)
         vehicle.accounted = vehicle.accounted or self._plausible(vehicle, status)
         self._strike_off(vehicle)
 
