@@ -61,7 +61,11 @@ class Server:
         self.process.wait()
 
     def ready(self) -> None:
-        wait_until(lambda: answers(self.url), "the server", self.log)
+        wait_until(lambda: answers(self.url) or self._over(), "the server", self.log)
+        assert not self._over(), f"the server ended by itself: {self.log.read_text()[-3000:]}"
+
+    def _over(self) -> bool:
+        return self.process is not None and self.process.poll() is not None
 
     def close(self) -> None:
         self._stack.close()
