@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from app.control.lines import VehicleLine
-from app.domain.events import NotSent
+from app.domain.events import Event, NotSent
 from app.domain.ids import CmdIds, VehicleId
 from app.domain.layout import Plant
 from app.domain.ports import Endpoint
@@ -19,7 +19,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.plant import dialect_of
-from app.protocols.itsc.session import Session, Timing
+from app.protocols.itsc.session import Timing
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +50,7 @@ class Control:
         self._lines: dict[VehicleId, VehicleLine] = {}
         for spec in plant.vehicles:
             dialect = dialect_of(plant, spec.dialect)
-            session = Session(spec, dialect, self._cmd_ids, timing, self._barcodes)
-            self._lines[spec.id] = VehicleLine(session, self._heard)
+            self._lines[spec.id] = VehicleLine(self._told, spec, dialect, self._cmd_ids, timing, self._barcodes)
         self.fleet = Fleet(plant, kept, self._cmd_ids, now, utc, self._link)
         self._dirty: dict[VehicleId, None] = {}
         self._tickets = 0
@@ -75,21 +74,24 @@ class Control:
         return self._lines[vehicle]
 
     def dirty(self) -> list[VehicleId]:
-        """Return and forget the vehicles whose endpoint may have bytes to send or want to close."""
+        """Return and forget the vehicles to whose endpoint something was given to send other than by an input to it.
+
+        After an input to an endpoint itself its owner asks it for bytes anyway.
+        """
         names, self._dirty = list(self._dirty), {}
         return names
 
     def frames(self, vehicle: VehicleId) -> list[tuple[Timestamp, str, bytes]]:
         """Return the last packets on a vehicle's line, oldest first: when (UTC), ``in`` or ``out``, bytes."""
-        session = self._lines[vehicle].session
+        session = self._lines[vehicle]
         return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
 
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""
-        return self._lines[vehicle].session.hint
+        return self._lines[vehicle].hint
 
     def _link(self, vehicle: VehicleId) -> LinkView:
-        session = self._lines[vehicle].session
+        session = self._lines[vehicle]
         quality, now = session.link, self.fleet.books.vehicles[vehicle]
         return LinkView(
             up=now.linked,
@@ -103,14 +105,11 @@ class Control:
             round_trip_ms=quality.round_trip_last,
         )
 
-    def _heard(self, line: VehicleLine, now: Seconds) -> None:
-        """A line has taken an input: hand what its session tells to the fleet."""
-        self._dirty[line.session.vehicle.id] = None
-        events = line.session.events()
-        if events:
-            for event in events:
-                self.fleet.handle(event, now)
-            self._decide()
+    def _told(self, events: Iterable[Event], now: Seconds) -> None:
+        """A session tells of its vehicle after an input."""
+        for event in events:
+            self.fleet.handle(event, now)
+        self._decide()
 
     # -- people, hosts and time ---------------------------------------------------------------------------------------
 
@@ -158,23 +157,23 @@ class Control:
 
     def _carry_out(self, effects: Effects, now: Seconds) -> None:
         for name, receipt in effects.stored:
-            self._lines[name].session.stored(receipt, now)
+            self._lines[name].stored(receipt, now)
             self._dirty[name] = None
         for send in effects.sends:
             self._dirty[send.vehicle] = None
             if objection := self.fleet.objection(send):
                 self.fleet.handle(NotSent(send.vehicle, send.cmd_id, send.command, objection), now)
             else:
-                self._lines[send.vehicle].session.send(send, now)
+                self._lines[send.vehicle].send(send, now)
         for name in effects.polls:
-            self._lines[name].session.ask(now)
+            self._lines[name].ask(now)
             self._dirty[name] = None
         self._publish(effects.updates)
         self._replies += effects.replies
 
     def _tell(self, line: VehicleLine, now: Seconds) -> None:
         """Hand what a session said while sending (NotSent) to the fleet."""
-        for event in line.session.events():
+        for event in line.events():
             self.fleet.handle(event, now)
 
     def _publish(self, updates: Iterable[Update]) -> None:

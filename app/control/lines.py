@@ -1,50 +1,59 @@
 """Our end of a line, as its owner feeds it: the session, with what it tells passed on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 
+from app.domain.events import Event
+from app.domain.ids import CmdIds
+from app.domain.layout import VehicleSpec
 from app.domain.units import Seconds
-from app.protocols.itsc.session import Session
+from app.protocols.itsc.dialects import Dialect
+from app.protocols.itsc.session import Session, Timing
+
+Told = Callable[[list[Event], Seconds], None]
 
 
-class VehicleLine:
-    """A session as an ``app.domain.ports.Endpoint`` that calls ``heard(self, now)`` after every input."""
+class VehicleLine(Session):
+    """A session that hands what it has to tell to ``told(events, now)`` after every input: an ``app.domain.ports.Endpoint``.
 
-    __slots__ = ("_heard", "session")
+    It is a session instead of having one, because on the hot path each object between the socket and the session costs.
+    """
 
-    def __init__(self, session: Session, heard: "Callable[[VehicleLine, Seconds], None]") -> None:
-        self.session = session
-        self._heard = heard
+    __slots__ = ("_pass_on",)
 
-    @property
-    def deadline(self) -> Seconds | None:
-        """When ``tick`` is due."""
-        return self.session.deadline
-
-    @property
-    def wants_close(self) -> bool:
-        """Whether the line is silent and should be closed."""
-        return self.session.wants_close
+    def __init__(
+        self,
+        told: Told,
+        vehicle: VehicleSpec,
+        dialect: Dialect,
+        cmd_ids: CmdIds,
+        timing: Timing,
+        barcodes: Container[str] | None = None,
+    ) -> None:
+        super().__init__(vehicle, dialect, cmd_ids, timing, barcodes)
+        self._pass_on = told
 
     def connected(self, now: Seconds) -> None:
         """The line is up."""
-        self.session.connected(now)
-        self._heard(self, now)
+        super().connected(now)
+        self._tell(now)
 
     def received(self, data: bytes, now: Seconds) -> None:
         """Bytes came."""
-        self.session.received(data, now)
-        self._heard(self, now)
+        Session.received(self, data, now)
+        if self._events:
+            self._tell(now)
 
     def disconnected(self, now: Seconds, reason: str) -> None:
         """The line is down."""
-        self.session.disconnected(now, reason)
-        self._heard(self, now)
+        super().disconnected(now, reason)
+        self._tell(now)
 
     def tick(self, now: Seconds) -> None:
         """The deadline has passed."""
-        self.session.tick(now)
-        self._heard(self, now)
+        super().tick(now)
+        self._tell(now)
 
-    def outgoing(self) -> bytes:
-        """Return and forget the bytes to send."""
-        return self.session.outgoing()
+    def _tell(self, now: Seconds) -> None:
+        events = self.events()
+        if events:
+            self._pass_on(events, now)

@@ -1,6 +1,8 @@
 """The only reader of clocks: everything below takes ``now`` as an argument."""
 
 import time
+from collections.abc import Callable
+from typing import cast
 
 from app.domain.units import Seconds, Timestamp
 
@@ -21,9 +23,10 @@ class Clock:
         self._offset = 0.0
         self._synced = float("-inf")
 
-    def now(self) -> Seconds:
-        """Return monotonic seconds since an arbitrary start."""
-        return Seconds(time.monotonic())
+    @property
+    def now(self) -> Callable[[], Seconds]:
+        """What gives monotonic seconds since an arbitrary start: the system's own function, since each packet asks for it."""
+        return cast(Callable[[], Seconds], time.monotonic)
 
     def utc(self) -> Timestamp:
         """Return seconds since 1970-01-01T00:00:00Z."""

@@ -125,7 +125,7 @@ class Line(asyncio.Protocol):
         while data := endpoint.outgoing():
             if transport is not None and (self._may_send is None or self._may_send()):
                 transport.write(data)
-        if transport is not None and self._closing is None and endpoint.wants_close:
+        if endpoint.wants_close and transport is not None and self._closing is None:
             transport.close()
             self._closing = self._loop.call_later(CLOSE_GRACE, transport.abort)
         deadline = endpoint.deadline

@@ -15,37 +15,50 @@ from app.protocols.itsc.framing import Decoder
 from app.protocols.itsc.messages import NOTHING, Code, Enq, Toward
 from app.protocols.itsc.session.link import FRAMES_KEPT, Link, LinkQuality, Polls, Seen
 from app.protocols.itsc.session.orders import Order, Orders
-from app.protocols.itsc.session.quick import codec_of, quick_crc
+from app.protocols.itsc.session.quick import ack_crc, ack_of, codec_of, entries, new_ring, quick_crc
 from app.protocols.itsc.session.refusals import Refused, refusal
 from app.protocols.itsc.session.requests import code_of, frame_of
 from app.protocols.itsc.session.timing import Timing
+
+Way = Literal["in", "out"]
 
 
 class Exchange:
     """What goes out to one vehicle, and what is still expected back. See Session, which adds what comes in."""
 
     __slots__ = (
-        "_codec", "_connections", "_crc_init", "_deadline", "_decoder", "_duplicates", "_events", "_flush_at", "_frames_in",
-        "_frames_out", "_garbled", "_heard", "_ids", "_last_move", "_link", "_orders", "_out", "_polls", "_quick", "_resends",
-        "_seen", "dialect", "last_frames", "status", "status_at", "timing", "vehicle",
+        "_after_ack", "_before_first", "_codec", "_connections", "_crc_init", "_decoder", "_duplicates", "_events",
+        "_flush_at", "_frames", "_frames_in", "_frames_out", "_garbled", "_has_quick", "_heard", "_ids", "_last_move",
+        "_link", "_newest", "_orders", "_out", "_polls", "_prefix", "_quick", "_quicks", "_quicks_before", "_resends",
+        "_ring", "_seen", "deadline", "dialect", "status", "status_at", "timing", "vehicle", "wants_close",
     )  # fmt: skip
 
     def __init__(self, vehicle: VehicleSpec, dialect: Dialect, cmd_ids: CmdIds, timing: Timing) -> None:
         self.vehicle, self.dialect, self.timing = vehicle, dialect, timing
         self.status: VehicleStatus | None = None
         self.status_at: Seconds | None = None
-        self.last_frames: deque[tuple[Seconds, Literal["in", "out"], bytes]] = deque(maxlen=FRAMES_KEPT)
+        self.deadline: Seconds | None = None
+        """When ``tick`` is due; may be too early by what has been received since, never too late."""
+        self.wants_close = False
+        """Whether the line is silent and should be closed."""
+        self._frames: deque[tuple[int, Seconds, Way, bytes]] = deque(maxlen=FRAMES_KEPT)
         self._ids = cmd_ids
         self._codec = codec_of(dialect)
         self._decoder = Decoder(self._codec, Toward.CONTROLLER)
-        self._crc_init = quick_crc(dialect)
+        init = quick_crc(dialect)
+        self._has_quick, self._crc_init = init is not None, init or 0
+        self._after_ack = ack_crc(self._crc_init)
         self._events: list[Event] = []
         self._out = b""
         self._link = Link.DOWN
         self._quick = False
         self._heard = Seconds(0.0)
         self._flush_at: Seconds | None = None
-        self._deadline: Seconds | None = None
+        self._prefix = b"\x05" + vehicle.dev_id.to_bytes(4, "big")
+        # As bytes are compared, it comes before every event of the vehicle: they have the top bit of the CMD_ID set (I23).
+        self._before_first = self._prefix + b"\x80"
+        self._newest = self._before_first
+        self._ring, self._quicks, self._quicks_before = new_ring(), 0, 0
         self._orders, self._polls, self._seen = Orders(), Polls(), Seen()
         self._last_move = 0
         self._connections = self._frames_in = self._frames_out = self._garbled = self._resends = self._duplicates = 0
@@ -55,23 +68,36 @@ class Exchange:
         """Whether the vehicle is connected and has answered STATUS since."""
         return self._link is Link.UP
 
-    @property
-    def deadline(self) -> Seconds | None:
-        """When ``tick`` is due; may be too early by what has been received since, never too late."""
-        return self._deadline
+    def _known(self, packet: bytes) -> bool:
+        """Whether this packet has been taken before on this connection (I23)."""
+        if packet in self._seen:
+            return True
+        if not self._before_first < packet <= self._newest or packet not in self._ring:
+            return False
+        here = self._quicks - self._quicks_before
+        return any(packet == kept for _, _, kept in entries(self._ring, self._quicks, here))
+
+    def _remember(self, packet: bytes) -> None:
+        self._seen.add(packet)
+        self._newest = max(self._newest, packet)
 
     @property
-    def wants_close(self) -> bool:
-        """Whether the line is silent and should be closed."""
-        return self._link is Link.CLOSING
+    def last_frames(self) -> list[tuple[Seconds, Way, bytes]]:
+        """The last packets of the line, oldest first: when, ``in`` or ``out``, bytes."""
+        quick: list[tuple[int, Seconds, Way, bytes]] = []
+        for number, when, packet in entries(self._ring, self._quicks, FRAMES_KEPT):
+            quick += [(number + 1, when, "in", packet), (number + 1, when, "out", ack_of(packet, self._after_ack))]
+        # A packet of the long way carries the number of quick ones before it, so it stands before the next of those.
+        frames = sorted([*quick, *self._frames], key=lambda frame: frame[0])
+        return [frame[1:] for frame in frames[-FRAMES_KEPT:]]
 
     @property
     def link(self) -> LinkQuality:
         """Figures of the line."""
         return LinkQuality(
             connections=self._connections,
-            frames_in=self._frames_in,
-            frames_out=self._frames_out,
+            frames_in=self._frames_in + self._quicks,
+            frames_out=self._frames_out + self._quicks,
             garbled=self._garbled,
             resends=self._resends,
             duplicates=self._duplicates,
@@ -138,7 +164,7 @@ class Exchange:
     def _emit(self, packet: bytes, now: Seconds) -> None:
         self._out += packet
         self._frames_out += 1
-        self.last_frames.append((now, "out", packet))
+        self._frames.append((self._quicks, now, "out", packet))
 
     def ask(self, now: Seconds) -> None:
         """Ask STATUS now instead of at the next turn; does nothing while the vehicle is not up."""
@@ -194,6 +220,7 @@ class Exchange:
             self._events.append(LinkDown(self.vehicle.id, reason))
         self._decoder.flush()
         self._seen.clear()
+        self._newest, self._quicks_before = self._before_first, self._quicks
         self._polls.open.clear()
         self._out = b""
         self._flush_at = None
@@ -201,11 +228,11 @@ class Exchange:
 
     def _plan(self) -> None:
         if not self._link.alive:
-            self._deadline, self._quick = None, False
+            self.deadline, self._quick = None, False
             return
-        self._quick = self._link is Link.UP and self._flush_at is None and self._crc_init is not None
+        self._quick = self._link is Link.UP and self._flush_at is None and self._has_quick
         due = min(self._polls.due, Seconds(self._heard + self.timing.silence))
         for other in (self._flush_at, self._orders.due):
             if other is not None and other < due:
                 due = other
-        self._deadline = due
+        self.deadline = due

@@ -14,9 +14,18 @@ from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Frame, Nak, Resp1, Resp2, Teach
 from app.protocols.itsc.session.exchange import Exchange
 from app.protocols.itsc.session.identity import Origin, origin_of, teaching
-from app.protocols.itsc.session.link import SEEN_KEPT, Link
+from app.protocols.itsc.session.link import Link
 from app.protocols.itsc.session.orders import Order
-from app.protocols.itsc.session.quick import BODY_AT, BODY_END, ENQ_SIZE, status_reader
+from app.protocols.itsc.session.quick import (
+    BODY_AT,
+    BODY_END,
+    ENQ_SIZE,
+    ENTRY_SIZE,
+    RING_SIZE,
+    pack_ack,
+    status_reader,
+    write_entry,
+)
 from app.protocols.itsc.session.refusals import off_the_map, why_failed
 from app.protocols.itsc.session.timing import Timing
 
@@ -36,7 +45,7 @@ class Session(Exchange):
     would fit. ``last_frames`` are (when, "in" or "out", bytes), newest last.
     """
 
-    __slots__ = ("_barcodes", "_epoch", "_payload", "_prefix", "_read", "_receipt", "_unstored", "hint")
+    __slots__ = ("_barcodes", "_epoch", "_read", "_receipt", "_told", "_unstored", "hint")
 
     def __init__(
         self,
@@ -49,9 +58,8 @@ class Session(Exchange):
         super().__init__(vehicle, dialect, cmd_ids, timing)
         self.hint = ""
         self._barcodes, self._epoch = barcodes, cmd_ids.epoch
-        self._prefix = b"\x05" + vehicle.dev_id.to_bytes(4, "big")
         self._read = status_reader(dialect)
-        self._payload = b""
+        self._told = b""
         self._receipt = 0
         self._unstored: dict[int, tuple[bytes, Enq]] = {}
 
@@ -70,36 +78,27 @@ class Session(Exchange):
 
     def received(self, data: bytes, now: Seconds) -> None:
         """Take bytes. Never raises, whatever they are."""
-        init, seen = self._crc_init, self._seen
         if (
             not self._quick
-            or init is None
             or len(data) != ENQ_SIZE
-            or data[5] < 0x80
-            or data[13:15] != b"\x70\x30"
+            # A CMD_ID above all so far cannot have come before: nothing need be looked up.
+            or data <= self._newest
             or not data.startswith(self._prefix)
-            or crc_hqx(data, init)
-            or data in seen.latest
-            or data in seen.before
+            or data[13:15] != b"\x70\x30"
+            or crc_hqx(data, self._crc_init)
         ):
             self._take_all(data, now)
             return
         # A new STATUS event of this vehicle in one piece: what the long way does, in one step.
         self._heard = self.status_at = now
-        self._frames_in += 1
-        self._frames_out += 1
-        seen.latest.add(data)
-        if len(seen.latest) >= SEEN_KEPT:
-            seen.turn()
-        head = b"\x06" + data[1:13]
-        ack = head + crc_hqx(head, init).to_bytes(2, "big")
+        self._newest = data
+        write_entry(self._ring, self._quicks * ENTRY_SIZE % RING_SIZE, now, data)
+        self._quicks += 1
+        ids = data[1:13]
+        ack = pack_ack(6, ids, crc_hqx(ids, self._after_ack))
         self._out = self._out + ack if self._out else ack
-        frames = self.last_frames
-        frames.append((now, "in", data))
-        frames.append((now, "out", ack))
-        payload = data[BODY_AT:BODY_END]
-        if payload != self._payload:
-            self._payload = payload
+        if data[BODY_AT:BODY_END] != self._told[BODY_AT:BODY_END]:
+            self._told = data
             status = self._read(data)
             self._events.append(Reported(self.vehicle.id, status, False, now))  # noqa: FBT003
             if self._orders.open:
@@ -126,14 +125,14 @@ class Session(Exchange):
         """Acknowledge the teaching event that was given with this receipt: it is durable. An old receipt does nothing."""
         packet, frame = self._unstored.pop(receipt, (b"", None))
         if frame is not None:
-            self._seen.add(packet)
+            self._remember(packet)
             self._ack(frame, now)
 
     def _leave(self, reason: str, link: Link) -> None:
         self._lose(reason)
         self._unstored.clear()
-        self._payload = b""
-        self._link = link
+        self._told = b""
+        self._link, self.wants_close = link, link is Link.CLOSING
 
     def _take_all(self, data: bytes, now: Seconds) -> None:
         if not self._link.alive:
@@ -157,7 +156,7 @@ class Session(Exchange):
             self._complain("unfit packet", "a vehicle sends no ETB packet")
             return
         packet = self._codec.encode(item, strict=False)
-        self.last_frames.append((now, "in", packet))
+        self._frames.append((self._quicks, now, "in", packet))
         match item:
             case Ack():
                 self._take_ack(item, now)
@@ -183,7 +182,7 @@ class Session(Exchange):
             self._send_again(order, now)
 
     def _take_enq(self, frame: Enq, packet: bytes, now: Seconds) -> None:
-        if packet in self._seen:
+        if self._known(packet):
             self._duplicates += 1
             self._ack(frame, now)
             return
@@ -191,7 +190,7 @@ class Session(Exchange):
         if taught is not None:
             self._take_teaching(frame, packet, *taught)
             return
-        self._seen.add(packet)
+        self._remember(packet)
         self._ack(frame, now)
         origin = origin_of(frame.cmd_id, self._epoch)
         if origin is Origin.OTHER_EPOCH:
@@ -261,13 +260,12 @@ class Session(Exchange):
 
     def _learn(self, status: VehicleStatus, packet: bytes, now: Seconds, asked: Seconds | None) -> None:
         """Take a whole STATUS; ``asked`` is when we asked for it, None for an event."""
-        payload = packet[BODY_AT:BODY_END]
         if asked is not None:
             self._events.append(Reported(self.vehicle.id, status, polled=True, asked_at=asked))
-        elif payload != self._payload:
+        elif packet[BODY_AT:BODY_END] != self._told[BODY_AT:BODY_END]:
             self._events.append(Reported(self.vehicle.id, status, polled=False, asked_at=now))
         self._moved_on(status, now)
-        self._payload = payload
+        self._told = packet
         self.status, self.status_at = status, now
 
     def _moved_on(self, status: VehicleStatus, now: Seconds) -> None:
@@ -298,7 +296,7 @@ class Session(Exchange):
         self._moved_on(status, now)
         self.status = status
         # The next event is told even if it equals the last one: this answer may have changed the picture in between.
-        self._payload = b""
+        self._told = b""
         self._answered(order, status, body.result)
         if order.code is not Code.DISPLAY_BY_HOST:
             # RESP1 lacks STATUS1, which the outcome is judged by (F, the axes). Our choice: ask at once.
