@@ -411,7 +411,8 @@ class Fleet:
         drive, handling = vehicle.drive, vehicle.handling
         if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
             self.motion.not_amended(vehicle, drive, IntentState.NOT_SENT, event.reason)
-        elif drive and drive.cmd_id == event.cmd_id:
+            return
+        if drive and drive.cmd_id == event.cmd_id:
             self.motion.finish(vehicle, IntentState.NOT_SENT, event.reason)
         elif handling and handling.cmd_id == event.cmd_id:
             self.missions.close_handling(vehicle, IntentState.NOT_SENT, event.reason)
