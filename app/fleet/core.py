@@ -3,7 +3,6 @@
 from collections.abc import Callable
 
 from app.domain.commands import Display, Move, Send, Simple
-from app.domain.errors import Refusal
 from app.domain.events import (
     Acknowledged,
     Answered,
@@ -21,36 +20,13 @@ from app.domain.ids import CmdIds, VehicleId
 from app.domain.job import JobEvent, JobState
 from app.domain.layout import Axis, Plant
 from app.domain.records import Intent, IntentState, Kept, TeachingEvent
-from app.domain.requests import (
-    AbortJob,
-    Accepted,
-    CancelJob,
-    ChangeJob,
-    CommandVehicle,
-    CreateJob,
-    DisplayOnVehicle,
-    HandleOnce,
-    HoldVehicle,
-    LockVehicle,
-    MoveVehicle,
-    PauseController,
-    RecoverAlarm,
-    ReleaseVehicle,
-    Reply,
-    Request,
-    ResumeController,
-    SetService,
-    UnlockVehicle,
-    WriteCarrier,
-    WriteDest,
-    WriteOffset,
-    WriteStation,
-)
+from app.domain.requests import Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.books import Books, Effects
 from app.fleet.courtesy import Courtesy
+from app.fleet.desk import Desk
 from app.fleet.dispatch import Dispatch
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
@@ -93,8 +69,9 @@ class Fleet:
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
-        self._vehicle_orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery)
         self._plant_orders = PlantOrders(self.books)
+        orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery)
+        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders)
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -187,13 +164,7 @@ class Fleet:
     def ask(self, request: Request, ticket: int, now: Seconds) -> None:
         """Take one request; its reply is among the effects under this ticket."""
         self.books.now = now
-        reply = self._answer(request)
-        accepted = isinstance(reply, Accepted)
-        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else repr(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
-        target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
-        self.books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
-        self.books.effects.replies.append((ticket, reply))
+        self.books.effects.replies.append((ticket, self._desk.answer(request)))
         self._think_soon()
         self._go_on()
 
@@ -202,67 +173,6 @@ class Fleet:
         self._next_thought = min(
             self._next_thought, Seconds(max(self.books.now, self._last_thought + THINK_AT_MOST_EVERY))
         )
-
-    def _answer(self, request: Request) -> Reply:
-        match request:
-            case CreateJob():
-                return self._jobs.create(request)
-            case CancelJob():
-                return self._jobs.cancel(request)
-            case AbortJob():
-                return self._jobs.abort(request)
-            case ChangeJob():
-                return self._jobs.change(request)
-            case WriteStation():
-                return self._plant_orders.station(request)
-            case WriteCarrier():
-                return self._plant_orders.carrier(request)
-            case WriteDest():
-                return self._plant_orders.dest(request)
-            case WriteOffset():
-                return self._plant_orders.offset(request)
-            case PauseController():
-                return self._plant_orders.pause(request)
-            case ResumeController():
-                return self._plant_orders.resume(request)
-            case _:
-                return self._answer_about_vehicle(request)
-
-    def _answer_about_vehicle(
-        self,
-        request: CommandVehicle
-        | DisplayOnVehicle
-        | MoveVehicle
-        | HandleOnce
-        | RecoverAlarm
-        | ReleaseVehicle
-        | HoldVehicle
-        | SetService
-        | LockVehicle
-        | UnlockVehicle,
-    ) -> Reply:
-        orders = self._vehicle_orders
-        match request:
-            case CommandVehicle():
-                return orders.command(request)
-            case DisplayOnVehicle():
-                return orders.display(request)
-            case MoveVehicle():
-                return orders.move(request)
-            case HandleOnce():
-                return orders.handle(request)
-            case RecoverAlarm():
-                return orders.recover(request)
-            case ReleaseVehicle():
-                return orders.release(request)
-            case HoldVehicle():
-                return orders.hold(request)
-            case SetService():
-                return orders.service(request)
-            case LockVehicle():
-                return orders.lock(request)
-            case UnlockVehicle():
-                return orders.unlock(request)
 
     # -- what sessions tell -------------------------------------------------------------------------------------------
 

@@ -238,7 +238,7 @@ class Plant(RuleBasedStateMachine):
 
 
 Plant.TestCase.settings = settings(
-    max_examples=25, stateful_step_count=30, deadline=None, suppress_health_check=list(HealthCheck)
+    max_examples=25, stateful_step_count=30, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
 test_any_order_of_requests_and_mishaps = Plant.TestCase
 

@@ -1,0 +1,113 @@
+"""Where requests of people and hosts arrive: each goes to who answers it, and into the audit."""
+
+from app.domain.errors import Refusal
+from app.domain.requests import (
+    AbortJob,
+    Accepted,
+    CancelJob,
+    ChangeJob,
+    CommandVehicle,
+    CreateJob,
+    DisplayOnVehicle,
+    HandleOnce,
+    HoldVehicle,
+    LockVehicle,
+    MoveVehicle,
+    PauseController,
+    RecoverAlarm,
+    ReleaseVehicle,
+    Reply,
+    Request,
+    ResumeController,
+    SetService,
+    UnlockVehicle,
+    WriteCarrier,
+    WriteDest,
+    WriteOffset,
+    WriteStation,
+)
+from app.fleet.books import Books
+from app.fleet.jobs import Jobs
+from app.fleet.orders import VehicleOrders
+from app.fleet.plant_orders import PlantOrders
+
+
+class Desk:
+    """Answers every request."""
+
+    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders) -> None:
+        self._books = books
+        self._jobs = jobs
+        self._vehicles = vehicles
+        self._plant = plant
+
+    def answer(self, request: Request) -> Reply:
+        """Carry a request out or refuse it, and write down who asked for what."""
+        reply = self._answer(request)
+        accepted = isinstance(reply, Accepted)
+        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else repr(request)
+        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
+        self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
+        return reply
+
+    def _answer(self, request: Request) -> Reply:
+        match request:
+            case CreateJob():
+                return self._jobs.create(request)
+            case CancelJob():
+                return self._jobs.cancel(request)
+            case AbortJob():
+                return self._jobs.abort(request)
+            case ChangeJob():
+                return self._jobs.change(request)
+            case WriteStation():
+                return self._plant.station(request)
+            case WriteCarrier():
+                return self._plant.carrier(request)
+            case WriteDest():
+                return self._plant.dest(request)
+            case WriteOffset():
+                return self._plant.offset(request)
+            case PauseController():
+                return self._plant.pause(request)
+            case ResumeController():
+                return self._plant.resume(request)
+            case _:
+                return self._answer_about_vehicle(request)
+
+    def _answer_about_vehicle(
+        self,
+        request: CommandVehicle
+        | DisplayOnVehicle
+        | MoveVehicle
+        | HandleOnce
+        | RecoverAlarm
+        | ReleaseVehicle
+        | HoldVehicle
+        | SetService
+        | LockVehicle
+        | UnlockVehicle,
+    ) -> Reply:
+        orders = self._vehicles
+        match request:
+            case CommandVehicle():
+                return orders.command(request)
+            case DisplayOnVehicle():
+                return orders.display(request)
+            case MoveVehicle():
+                return orders.move(request)
+            case HandleOnce():
+                return orders.handle(request)
+            case RecoverAlarm():
+                return orders.recover(request)
+            case ReleaseVehicle():
+                return orders.release(request)
+            case HoldVehicle():
+                return orders.hold(request)
+            case SetService():
+                return orders.service(request)
+            case LockVehicle():
+                return orders.lock(request)
+            case UnlockVehicle():
+                return orders.unlock(request)
