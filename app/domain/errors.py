@@ -58,7 +58,7 @@ class PlantHeld(StoreError):
 class Refusal:
     """Why a request was not carried out, for a person or a host.
 
-    ``code`` is one of ``not-found``, ``conflict``, ``not-now``, ``invalid``, ``no-route``; ``reason`` is one sentence;
+    ``code`` is one of ``not-found``, ``conflict``, ``not-now``, ``invalid``, ``no-route``, ``stale``; ``reason`` is one sentence;
     ``remedy`` says what would help and may be empty; ``field`` names the offending part of the request.
     """
 
