@@ -59,7 +59,9 @@ class Dialler:
         """Return why there is no connection, or nothing if there is one."""
         loop = asyncio.get_running_loop()
         try:
-            await asyncio.wait_for(loop.create_connection(lambda: self._line, *self._address), CONNECT_TIMEOUT)
+            # Not wait_for: before Python 3.12 it loses a cancellation that comes at the moment of the answer.
+            async with asyncio.timeout(CONNECT_TIMEOUT):
+                await loop.create_connection(lambda: self._line, *self._address)
         except TimeoutError:
             return f"no answer in {CONNECT_TIMEOUT:g} s"
         except OSError as error:

@@ -55,6 +55,21 @@ def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
     run(scenario)
 
 
+def test_a_dialler_stops_at_any_moment_of_an_attempt() -> None:
+    async def scenario() -> None:
+        with socket.socket() as sock:
+            sock.bind(("127.0.0.1", 0))
+            port = sock.getsockname()[1]
+        for rounds in range(40):
+            dialler = Dialler(Line(Echo(), now), "127.0.0.1", port, "V1")
+            dialler.start()
+            for _ in range(rounds % 10):
+                await asyncio.sleep(0)
+            await dialler.stop()
+
+    run(scenario)
+
+
 def test_a_device_serves_one_controller_at_a_time() -> None:
     async def scenario() -> None:
         echo = Echo()
