@@ -218,7 +218,7 @@ class Script:
         self.line = SimulatedLine(self.drives.values(), dialect)
         self.drive = self.drives[1]
         self.dialect = dialect
-        self.now = 0.0
+        self.now = Seconds(0.0)
         self.line.connected(Seconds(0.0))
 
     def say(self, cmd: Cmd, content: Content = NOTHING, drive: int = 1) -> tuple[str, Content | None] | None:
@@ -227,23 +227,23 @@ class Script:
 
     def raw(self, data: bytes, wait: float = 0.1) -> tuple[str, Content | None] | None:
         """Send bytes; the answer ends the waiting."""
-        self.line.received(data, Seconds(self.now))
-        end = self.now + wait
+        self.line.received(data, self.now)
+        end = Seconds(self.now + wait)
         while (at := self.line.deadline) is not None and at <= end:
             self.now = max(self.now, at)
-            self.line.tick(Seconds(self.now))
+            self.line.tick(self.now)
             packet = self.line.outgoing()
             if packet:
                 (frame,) = Decoder(self.dialect).feed(packet)
                 assert not isinstance(frame, Garbled)
                 return frame.cmd, content_of(frame, self.dialect)
-        self.now = end
+        self.now = Seconds(end)
         return None
 
     def wait(self, seconds: float) -> None:
         """Let time pass."""
-        self.now += seconds
-        self.line.tick(Seconds(self.now))
+        self.now = Seconds(self.now + seconds)
+        self.line.tick(self.now)
 
 
 def strike(cable: Cable, fault: Fault, cmd: Cmd, times: int = 1) -> None:

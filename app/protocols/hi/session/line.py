@@ -40,6 +40,7 @@ class No(Enum):
 
 
 Answer = Ack | Setting | Ssa | No
+_STORING = frozenset({Cmd.SED, Cmd.DSK})
 _ACKED = frozenset({Cmd.RUN, Cmd.SRK, Cmd.UPP, Cmd.DWN, Cmd.DSK, Cmd.SED, Cmd.INP})
 
 
@@ -74,6 +75,7 @@ class Line:
         self._heard_some = False
         self._packet = b""
         self._out = b""
+        self._stored_at: Seconds | None = None
 
     def packet(self, ask: Ask) -> bytes:
         """Return the bytes of a question. Raises: EncodeError: it cannot be said in this dialect."""
@@ -90,8 +92,19 @@ class Line:
         timing = self._timing
         wait = timing.told_all(size, ask.cmd) if ask.address == ALL_DRIVES else timing.answer(size)
         self.due = Seconds(now + wait)
+        if ask.cmd in _STORING:
+            self._stored_at = now
         self.figures.sent += 1
         self.frames.append((now, "out", self._packet))
+
+    def all_hear_at(self, ask: Ask) -> Seconds:
+        """Return from when on no drive misses this because it stores what it was told before (H9). Our choice.
+
+        One drive would say BSY; of a request to all drives nobody would know. Stop is always heard.
+        """
+        if self._stored_at is None or ask.address != ALL_DRIVES or ask.cmd is Cmd.SRK:
+            return Seconds(0.0)
+        return Seconds(self._stored_at + self._timing.all_write)
 
     def outgoing(self) -> bytes:
         """Return and forget the bytes to send."""
@@ -110,6 +123,7 @@ class Line:
         self._assembler.flush()
         self.asked = None
         self._out = b""
+        self._stored_at = None
         self.free_at = Seconds(0.0)
 
     def take(self, data: bytes, now: Seconds) -> list[Answer]:

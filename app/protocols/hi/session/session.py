@@ -275,6 +275,8 @@ class LineSession:
                 return
             elif operation.ask is None:
                 self._go_on(operation, Woken(now), now)
+            elif now < (heard_at := self._wire.all_hear_at(operation.ask)):
+                operation.ready_at = heard_at
             else:
                 self._open = operation
                 self._wire.ask(operation.ask, now)
