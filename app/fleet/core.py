@@ -24,6 +24,7 @@ from app.domain.requests import Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
+from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
@@ -65,12 +66,13 @@ class Fleet:
         self.books = Books(plant, kept, cmd_ids, now, utc)
         self.motion = Motion(self.books)
         self.recovery = Recovery(self.books, self.motion)
+        self.alarms = Alarms(self.books, self.recovery)
         self.missions = Missions(self.books, self.motion, self.recovery)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
-        orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery)
+        orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
         self._desk = Desk(self.books, self._jobs, orders, self._plant_orders)
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
@@ -118,7 +120,7 @@ class Fleet:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         for vehicle in self.books.vehicles.values():
-            self.recovery.tick(vehicle)
+            self.alarms.tick(vehicle)
             self._mind_job(vehicle)
             self.books.wake(vehicle.id)
         self._dispatch.run()
@@ -142,6 +144,7 @@ class Fleet:
             case LinkUp():
                 self._link_up(vehicle)
             case LinkDown(reason=reason):
+                self.alarms.link_lost(vehicle)
                 self.recovery.link_lost(vehicle, reason)
             case Reported():
                 self._reported(vehicle, event)
@@ -188,7 +191,7 @@ class Fleet:
         if not event.polled:
             return
         if vehicle.recovery:
-            self.recovery.step_alarm_recovery(vehicle, event.status, event.asked_at)
+            self.alarms.step(vehicle, event.status, event.asked_at)
         elif vehicle.stage is Stage.SETTLING:
             if self.recovery.observe(vehicle, event.status, event.asked_at):
                 self.missions.settle_handling(vehicle)
@@ -269,7 +272,7 @@ class Fleet:
             self.books.close_intent(
                 vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
             )
-            self.recovery.answered(vehicle, event)
+            self.alarms.answered(vehicle, event)
 
     def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
         """RESP1 brings the place too; a barcode that was not reported before is followed now."""
@@ -301,7 +304,7 @@ class Fleet:
             self.books.effects.polls.append(vehicle.id)
             return
         # Broken off after the gripper moved, it is done all the same: F decides once the vehicle is at rest.
-        self.recovery.note_failure(vehicle, event)
+        self.alarms.note_failure(vehicle, event)
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.reason or "RESULT 1")
         self.recovery.begin(vehicle)
 
@@ -312,7 +315,7 @@ class Fleet:
             self.motion.not_amended(vehicle, drive, IntentState.UNKNOWN, event.why.value)
             return
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
-        self.recovery.unanswered(vehicle, event.cmd_id, event.why)
+        self.alarms.unanswered(vehicle, event.cmd_id, event.why)
         if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
             self.recovery.begin(vehicle)
 
@@ -328,7 +331,7 @@ class Fleet:
             self.missions.close_handling(vehicle, IntentState.NOT_SENT, event.reason)
         else:
             self.books.close_intent(vehicle, event.cmd_id, IntentState.NOT_SENT, event.reason)
-            self.recovery.unanswered(vehicle, event.cmd_id, event.reason)
+            self.alarms.unanswered(vehicle, event.cmd_id, event.reason)
             return
         if vehicle.linked and vehicle.stage is Stage.READY:
             if vehicle.fit and isinstance(event.command, Move):

@@ -14,11 +14,10 @@ from app.domain.ids import StationId
 from app.domain.job import Job
 from app.domain.layout import StopAction
 from app.domain.records import ControllerState, IntentState
-from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
-from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
+from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
 from app.planning.traffic import Blocked
 
@@ -371,11 +370,3 @@ class Motion:
             return False
         self.finish(vehicle, IntentState.DONE, "RESULT 0")
         return True
-
-    def known_path(self, vehicle: VehicleNow) -> tuple[PathElement, ...]:
-        """Return the elements of the open MOVE, for people."""
-        return vehicle.drive.path if vehicle.drive else ()
-
-    def watchable(self, vehicle: VehicleNow) -> bool:
-        """Whether barcodes it reports are to be followed along what it holds."""
-        return vehicle.stage is not Stage.ABSENT and vehicle.barcode is not None

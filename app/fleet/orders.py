@@ -25,6 +25,7 @@ from app.domain.requests import (
 )
 from app.domain.vehicle import Mode, Oper
 from app.domain.view import Topic
+from app.fleet.alarms import Alarms
 from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
@@ -63,11 +64,12 @@ def no_station(name: str) -> Refusal:
 class VehicleOrders:
     """Answers requests about one vehicle."""
 
-    def __init__(self, books: Books, motion: Motion, missions: Missions, recovery: Recovery) -> None:
+    def __init__(self, books: Books, motion: Motion, missions: Missions, recovery: Recovery, alarms: Alarms) -> None:
         self._books = books
         self._motion = motion
         self._missions = missions
         self._recovery = recovery
+        self._alarms = alarms
 
     def _find(self, name: VehicleId) -> VehicleNow | Refusal:
         return self._books.vehicles.get(name) or no_vehicle(name)
@@ -234,7 +236,7 @@ class VehicleOrders:
             )
         if vehicle.recovery:
             return self._accepted(vehicle)
-        unsafe = self._recovery.unsafe_to_home(vehicle.status)
+        unsafe = self._alarms.unsafe_to_home(vehicle.status)
         if unsafe and not request.confirmed:
             return Refusal(
                 "not-now",
@@ -242,7 +244,7 @@ class VehicleOrders:
                 'let a person look at the vehicle, then send {"confirmed": true}',
                 "confirmed",
             )
-        self._recovery.start_alarm_recovery(vehicle, request.actor, confirmed=request.confirmed)
+        self._alarms.start(vehicle, request.actor, confirmed=request.confirmed)
         return self._accepted(vehicle)
 
     def hold(self, request: HoldVehicle) -> Reply:

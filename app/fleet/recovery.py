@@ -1,20 +1,16 @@
-"""When in doubt: settle by STATUS, hold for a person, count the fleet after a restart, clear an alarm (COMMANDS section 3)."""
+"""When in doubt: settle by STATUS, hold for a person, count the fleet after a restart (COMMANDS section 3)."""
 
-from app.domain.commands import Plain, Simple
-from app.domain.events import Answered, Unknown
-from app.domain.ids import Actor, CmdId
+from app.domain.ids import Actor
 from app.domain.job import Job, JobEvent
 from app.domain.records import Hold, Intent, IntentState, Provenance
 from app.domain.units import Barcode, Seconds
 from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
 from app.fleet.books import Books
 from app.fleet.motion import Motion
-from app.fleet.vehicle import AlarmRecovery, Stage, VehicleNow
+from app.fleet.vehicle import Stage, VehicleNow
 
 QUIESCE = Seconds(1.0)
 """Waited before the first STATUS that counts: longer than the longest delay of a link (our choice)."""
-RECOVERY_PATIENCE = Seconds(60.0)
-"""After so long without the STATUS it needs, an alarm recovery gives up (our choice)."""
 LOOK = "look where it stands, bring it to a barcode it reads, then release it with verdict go_on"
 
 
@@ -296,122 +292,12 @@ class Recovery:
     def _job(self, vehicle: VehicleNow) -> Job | None:
         return self._books.jobs.get(vehicle.job) if vehicle.job else None
 
-    # -- alarm recovery (PROTOCOLS 6.2) -------------------------------------------------------------------------------
-
-    def unsafe_to_home(self, status: VehicleStatus) -> str:
-        """Return which axis forbids homing without a person at the vehicle, empty if none does."""
-        safe = {"lift": {1}, "slid": {1}, "shft": {1}, "grip": {3}}
-        values = {name: (value, meaning) for name, value, meaning in status.condition.details}
-        bad = [f"{axis.upper()} {values[axis][1]}" for axis, good in safe.items() if values[axis][0] not in good]
-        return ", ".join(bad)
-
-    def start_alarm_recovery(self, vehicle: VehicleNow, actor: Actor, *, confirmed: bool) -> None:
-        """Begin the sequence: STOP, ALARM CLEAR, SERVO ON, SEARCH HOME or GO HOME, AUTO, each where needed."""
-        vehicle.recovery = AlarmRecovery(actor, confirmed, self._books.now)
-        vehicle.stage = Stage.SETTLING
-        self._books.effects.polls.append(vehicle.id)
-        self._books.touch(vehicle)
-
-    def step_alarm_recovery(self, vehicle: VehicleNow, status: VehicleStatus, asked_at: Seconds) -> None:
-        """With a fresh STATUS, send the next command of the sequence, or end it."""
-        recovery = vehicle.recovery
-        if recovery is None or recovery.waiting is not None or asked_at < recovery.since:
-            return
-        if status.condition.oper is Oper.RUN:
-            return
-        what = self._next_command(status)
-        if what is None:
-            self._end_alarm_recovery(vehicle, "")
-            return
-        if what is recovery.done:
-            return
-        unsafe = "" if recovery.confirmed else self.unsafe_to_home(status)
-        if what in {Plain.SEARCH_HOME, Plain.GO_HOME} and unsafe:
-            self._end_alarm_recovery(vehicle, f"not homed, because {unsafe}; let a person look, and confirm")
-            return
-        recovery.since = self._books.now
-        recovery.waiting = self._books.open_intent(vehicle, what.value, Simple(what), recovery.actor).cmd_id
-
-    def _next_command(self, status: VehicleStatus) -> Plain | None:
-        condition = status.condition
-        if condition.mode is Mode.AUTO:
-            fine = condition.servos_on and condition.home_known and condition.all_home
-            return None if fine and condition.oper is not Oper.ALARM else Plain.STOP
-        if condition.mode is not Mode.MANT:
-            return Plain.STOP
-        needed = (
-            (condition.oper is Oper.ALARM, Plain.ALARM_CLEAR),
-            (not condition.servos_on, Plain.SERVO_ON),
-            (not condition.home_known, Plain.SEARCH_HOME),
-            (not condition.all_home, Plain.GO_HOME),
-        )
-        return next((what for applies, what in needed if applies), Plain.AUTO)
-
-    def answered(self, vehicle: VehicleNow, answer: Answered) -> None:
-        """A command of the sequence was answered."""
-        recovery = vehicle.recovery
-        if recovery is None or recovery.waiting != answer.cmd_id:
-            return
-        recovery.waiting, recovery.since = None, self._books.now
-        if not answer.ok:
-            what = answer.command.what.value if isinstance(answer.command, Simple) else "the command"
-            self._end_alarm_recovery(vehicle, f"{what} ended abnormally ({answer.reason or 'no reason given'})")
-            return
-        recovery.done = answer.command.what if isinstance(answer.command, Simple) else None
-        self._books.effects.polls.append(vehicle.id)
-
-    def unanswered(self, vehicle: VehicleNow, cmd_id: CmdId, why: Unknown | str) -> None:
-        """A command of the sequence got no answer, or was not sent."""
-        if vehicle.recovery and vehicle.recovery.waiting == cmd_id:
-            self._end_alarm_recovery(vehicle, str(why))
-
-    def tick(self, vehicle: VehicleNow) -> None:
-        """Give an alarm recovery up that hears nothing."""
-        recovery = vehicle.recovery
-        if recovery and recovery.waiting is None and self._books.now > recovery.since + RECOVERY_PATIENCE:
-            self._end_alarm_recovery(vehicle, f"nothing came of it for {RECOVERY_PATIENCE:.0f} s")
-
-    def _end_alarm_recovery(self, vehicle: VehicleNow, failure: str) -> None:
-        recovery, vehicle.recovery = vehicle.recovery, None
-        if recovery is None:
-            return
-        if failure:
-            self.hold(
-                vehicle,
-                f"alarm recovery stopped: {failure}",
-                f"mend the cause, then POST /api/v1/vehicles/{vehicle.id}/recover again",
-            )
-            self.begin(vehicle)
-            return
-        self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=f"recovered by {recovery.actor}")
-        if vehicle.doubt:
-            self.hold(vehicle, vehicle.doubt, LOOK)
-        elif vehicle.record.hold:
-            self._books.save_vehicle(vehicle, hold=None)
-            self._books.event(
-                JobEvent.VEHICLE_RELEASED, vehicle=vehicle.id, detail=f"{recovery.actor}: alarm recovered"
-            )
-        self.begin(vehicle)
-
     def link_lost(self, vehicle: VehicleNow, reason: str) -> None:
         """The vehicle is silent. What it holds, it holds (COMMANDS 3.1)."""
-        if vehicle.recovery:
-            vehicle.recovery = None
-            self.hold(
-                vehicle,
-                "alarm recovery stopped: the link was lost",
-                f"POST /api/v1/vehicles/{vehicle.id}/recover again once it is back",
-            )
         vehicle.linked, vehicle.link_reason, vehicle.link_since = False, reason, self._books.now
         vehicle.stage, vehicle.stage_since = Stage.ABSENT, self._books.now
         vehicle.agreed, vehicle.trusted, vehicle.waiting = None, False, ""
         self._books.touch(vehicle)
-
-    def note_failure(self, vehicle: VehicleNow, answer: Answered) -> None:
-        """Remember why a handling ended abnormally, if an alarm says so (I46)."""
-        if answer.condition.oper is Oper.ALARM:
-            name = self._books.plant.alarm_codes.get(answer.condition.code, "")
-            vehicle.failed_handling = f"alarm {answer.condition.code} {name}".rstrip()
 
 
 def _first_seq(intent: Intent) -> int:
