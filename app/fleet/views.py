@@ -15,7 +15,7 @@ from app.domain.records import (
     StationRecord,
 )
 from app.domain.units import Seconds, Timestamp
-from app.domain.vehicle import Oper, VehicleState
+from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
     BitView,
     CarrierView,
@@ -33,6 +33,10 @@ from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
 VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
+
+BITS_KEPT = 4096
+"""Our choice: a vehicle that sends noise must not fill the memory."""
+_bits: dict[tuple[int, int], tuple[BitView, ...]] = {}
 
 
 def view_of_job(job: Job) -> JobView:
@@ -178,6 +182,17 @@ def goal_of(errand: Errand | None, job: Job | None) -> str | None:
     return errand.goal
 
 
+def bits_of(condition: Condition) -> tuple[BitView, ...]:
+    """Return every field of both status words; made once for each pair of words, since a fleet shows few different ones."""
+    words = (condition.status1, condition.status2)
+    found = _bits.get(words)
+    if found is None:
+        if len(_bits) >= BITS_KEPT:
+            _bits.clear()
+        found = _bits[words] = tuple(BitView(*detail) for detail in condition.details)
+    return found
+
+
 def view_of_vehicle(
     vehicle: VehicleNow,
     job: Job | None,
@@ -210,7 +225,7 @@ def view_of_vehicle(
         seq=status.seq if status else None,
         status1=f"{condition.status1:08X}" if condition else None,
         status2=f"{condition.status2:08X}" if condition else None,
-        bits=tuple(BitView(*detail) for detail in condition.details) if condition else (),
+        bits=bits_of(condition) if condition else (),
         job=vehicle.job,
         goal=goal_of(vehicle.errand, job),
         waiting=vehicle.waiting or (vehicle.barred if vehicle.barred else ""),

@@ -41,6 +41,7 @@ SHORT_SIZE = 15
 HEAD_SIZE = 31
 """Bytes of an ENQ, or of an ETB's header, without the CRC."""
 CRC_SIZE = 2
+_NO_DATA = bytes(DATA_SIZE)
 
 BodyReader = Callable[[bytes, int], Body]
 SubReader = Callable[[bytes, int, int, bytes], Body]
@@ -106,6 +107,10 @@ class Codec:
     def ack(self, dev_id: int, cmd_id: int) -> bytes:
         """Return the bytes of an ACK for ids that a decoder gave: the quick way."""
         return self._sealed(self._short.pack(0x06, dev_id, cmd_id))
+
+    def bare(self, dev_id: int, cmd_id: int, code: int) -> bytes:
+        """Return the bytes of an ENQ without data, for ids that fit their fields: the quick way."""
+        return self._sealed(self._head.pack(0x05, dev_id, cmd_id, code) + _NO_DATA)
 
     def encode_body(self, body: Body) -> bytes:
         """Return the 16 data bytes of an ENQ. Raises: EncodeError: a value does not fit, or the format needs an ETB."""

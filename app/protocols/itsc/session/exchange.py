@@ -12,7 +12,7 @@ from app.domain.units import Seconds
 from app.domain.vehicle import VehicleStatus
 from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.framing import Decoder
-from app.protocols.itsc.messages import NOTHING, Code, Enq, Toward
+from app.protocols.itsc.messages import Code, Toward
 from app.protocols.itsc.session.link import FRAMES_KEPT, Link, LinkQuality, Polls, Seen
 from app.protocols.itsc.session.orders import Order, Orders
 from app.protocols.itsc.session.quick import ack_crc, ack_of, codec_of, entries, new_ring, quick_crc
@@ -175,7 +175,7 @@ class Exchange:
     def _poll(self, now: Seconds) -> None:
         cmd_id = self._ids.next()
         self._polls.asked(cmd_id, now, self.timing.status)
-        self._emit(self._codec.encode(Enq(self.vehicle.dev_id, cmd_id, int(Code.STATUS), NOTHING)), now)
+        self._emit(self._codec.bare(self.vehicle.dev_id, cmd_id, Code.STATUS), now)
 
     def _tick_orders(self, now: Seconds) -> None:
         for order in self._orders.overdue(now):

@@ -22,6 +22,7 @@ from app.protocols.itsc.session.quick import (
     ENQ_SIZE,
     ENTRY_SIZE,
     RING_SIZE,
+    ack_of,
     pack_ack,
     status_reader,
     write_entry,
@@ -81,15 +82,16 @@ class Session(Exchange):
         if (
             not self._quick
             or len(data) != ENQ_SIZE
-            # A CMD_ID above all so far cannot have come before: nothing need be looked up.
-            or data <= self._newest
             or not data.startswith(self._prefix)
             or data[13:15] != b"\x70\x30"
             or crc_hqx(data, self._crc_init)
         ):
             self._take_all(data, now)
             return
-        # A new STATUS event of this vehicle in one piece: what the long way does, in one step.
+        if data <= self._newest:
+            self._take_asked(data, now)
+            return
+        # A STATUS event in one piece, new since its CMD_ID is above all so far: what the long way does, in one step.
         self._heard = self.status_at = now
         self._newest = data
         write_entry(self._ring, self._quicks * ENTRY_SIZE % RING_SIZE, now, data)
@@ -104,6 +106,20 @@ class Session(Exchange):
             if self._orders.open:
                 self._moved_on(status, now)
             self.status = status
+
+    def _take_asked(self, data: bytes, now: Seconds) -> None:
+        """Take a STATUS of this vehicle in one piece: the answer to a poll likewise in one step, any other the long way."""
+        cmd_id = int.from_bytes(data[5:13], "big")
+        if cmd_id not in self._polls.open:
+            self._take_all(data, now)
+            return
+        self._heard = now
+        self._frames_in += 1
+        self._frames.append((self._quicks, now, "in", data))
+        self._seen.add(data)
+        self._emit(ack_of(data, self._after_ack), now)
+        self._learn(self._read(data), data, now, self._polls.answered(cmd_id, now, self.timing.poll))
+        self._plan()
 
     def tick(self, now: Seconds) -> None:
         """Do what is due: give up half packets, a silent line, overdue commands; poll."""
@@ -136,6 +152,11 @@ class Session(Exchange):
 
     def _take_all(self, data: bytes, now: Seconds) -> None:
         if not self._link.alive:
+            return
+        if self._quick and len(data) > ENQ_SIZE and len(data) % ENQ_SIZE == 0:
+            # Several packets in one piece, most likely: each has its chance of the quick way.
+            for at in range(0, len(data), ENQ_SIZE):
+                Session.received(self, data[at : at + ENQ_SIZE], now)
             return
         for item in self._decoder.feed(data):
             self._take(item, now)
