@@ -88,6 +88,8 @@ class Books:
         self.carriers: dict[CarrierId, CarrierRecord] = {record.carrier: record for record in kept.carriers}
         self.dests: dict[StationId, StationDest] = {d.station: d for d in kept.dests}
         self.offsets: dict[VehicleId, VehicleOffset] = {o.vehicle: o for o in kept.offsets}
+        self.taught = 0
+        """Rises with every new DEST or OFFSET."""
         self.controller = kept.controller
         self.roll_call: dict[VehicleId, None] = {}
         self._next_event = kept.next_event
@@ -277,12 +279,14 @@ class Books:
     def keep_dest(self, dest: StationDest) -> None:
         """Keep a version of a station's DEST."""
         self.dests[dest.station] = dest
+        self.taught += 1
         self.effects.records.append(dest)
         self.show_station(dest.station)
 
     def keep_offset(self, offset: VehicleOffset) -> None:
         """Keep a version of a vehicle's OFFSET."""
         self.offsets[offset.vehicle] = offset
+        self.taught += 1
         self.effects.records.append(offset)
 
     def save_controller(self, record: ControllerRecord) -> None:

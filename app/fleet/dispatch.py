@@ -6,9 +6,8 @@ from itertools import pairwise
 from app.domain.errors import Refusal
 from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
-from app.domain.layout import StationKind
 from app.domain.records import ControllerState
-from app.domain.units import Barcode
+from app.domain.units import Barcode, Seconds
 from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.obstacles import against_picking_up, against_putting_down
@@ -20,6 +19,8 @@ AT_MOST = 500
 """So many jobs are looked at in one assignment, the most urgent and oldest first (DOMAIN section 6, TRAFFIC section 6)."""
 MOST_PAIRS = 20_000
 """With more pairs of vehicle and job than this, assignments once made are not thought over (our choice: about 50 ms)."""
+RETHINK_EVERY = Seconds(1.0)
+"""Assignments once made are thought over at most so often; new jobs and idle vehicles wait for nothing (our choice)."""
 CANDIDATES_NAMED = 5
 """So many vehicles are named with the assignment (our choice)."""
 
@@ -30,10 +31,15 @@ class Dispatch:
     def __init__(self, books: Books, missions: Missions) -> None:
         self._books = books
         self._missions = missions
+        self._served: dict[tuple[VehicleId, str], bool] = {}
+        self._taught = books.taught
+        self._rethink_at = books.now
 
     def run(self) -> None:
         """Assign what can be assigned now; a job that cannot begin says why."""
         books = self._books
+        if self._taught != books.taught:
+            self._served, self._taught = {}, books.taught
         queued = [job for job in books.jobs.values() if job.state is JobState.QUEUED]
         queued.sort(key=lambda job: (-job.priority, job.order))
         if books.controller.state is not ControllerState.AUTO:
@@ -149,11 +155,9 @@ class Dispatch:
         """Assign vehicles to jobs at stations, and think over every assignment whose carrier is not picked up yet."""
         books = self._books
         vehicles = [v for v in books.vehicles.values() if v.available and not self.loaded(v)]
-        engaged = [v for v in books.vehicles.values() if self._can_switch(v)]
-        jobs = queued
-        if len(vehicles) + len(engaged) and (len(vehicles) + len(engaged)) * (len(queued) + len(engaged)) <= MOST_PAIRS:
-            vehicles = vehicles + engaged
-            jobs = queued + [books.jobs[v.job] for v in engaged if v.job]
+        engaged = self._engaged_ones(vehicles, queued)
+        vehicles = vehicles + engaged
+        jobs = queued + [books.jobs[v.job] for v in engaged if v.job]
         if not vehicles or not jobs:
             return
         times = self._times(vehicles, jobs)
@@ -166,6 +170,16 @@ class Dispatch:
         for vehicle, job, column in new:
             why = self._candidates(vehicles, [row[column] for row in times])
             self._assign(vehicle, books.jobs[job.id], why)
+
+    def _engaged_ones(self, idle: list[VehicleNow], queued: list[Job]) -> list[VehicleNow]:
+        """Return the vehicles whose assignment is thought over now: none if that was just done, or if it would take long."""
+        if self._books.now < self._rethink_at:
+            return []
+        engaged = [v for v in self._books.vehicles.values() if self._can_switch(v)]
+        if (len(idle) + len(engaged)) * (len(queued) + len(engaged)) > MOST_PAIRS:
+            return []
+        self._rethink_at = Seconds(self._books.now + RETHINK_EVERY)
+        return engaged
 
     def _can_switch(self, vehicle: VehicleNow) -> bool:
         """Whether the vehicle is only on its way to fetch a carrier."""
@@ -211,9 +225,16 @@ class Dispatch:
         """Whether this vehicle may and can serve both ends."""
         if job.wish and job.wish != vehicle.id:
             return False
-        ends = [self._books.specs[StationId(s)] for s in (job.source, job.destination) if s in self._books.specs]
-        ports = [s for s in ends if s.kind is StationKind.PORT]
-        return not any(isinstance(target_for(self._books, vehicle, port), Refusal) for port in ports)
+        return self._serves(vehicle, job.source) and self._serves(vehicle, job.destination)
+
+    def _serves(self, vehicle: VehicleNow, place: str) -> bool:
+        """Whether the vehicle's axes can be sent to this station, found once for what is taught: pairs are many."""
+        known = self._served.get((vehicle.id, place))
+        if known is None:
+            station = self._books.specs.get(StationId(place))
+            known = station is None or not isinstance(target_for(self._books, vehicle, station), Refusal)
+            self._served[vehicle.id, place] = known
+        return known
 
     def _assign(self, vehicle: VehicleNow, job: Job, why: str = "") -> None:
         books = self._books
