@@ -24,7 +24,7 @@ class LinkDown:
     reason: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Reported:
     """A STATUS. ``polled`` tells an answer to our question (``asked_at``: when we asked) from an event of the vehicle's own.
 
@@ -35,6 +35,19 @@ class Reported:
     status: VehicleStatus
     polled: bool
     asked_at: Seconds
+
+    def __init__(self, vehicle: VehicleId, status: VehicleStatus, polled: bool, asked_at: Seconds) -> None:
+        # One for each packet: see VehicleStatus.
+        _set_vehicle(self, vehicle)
+        _set_status(self, status)
+        _set_polled(self, polled)
+        _set_asked_at(self, asked_at)
+
+
+_set_vehicle = vars(Reported)["vehicle"].__set__
+_set_status = vars(Reported)["status"].__set__
+_set_polled = vars(Reported)["polled"].__set__
+_set_asked_at = vars(Reported)["asked_at"].__set__
 
 
 @dataclass(frozen=True, slots=True)

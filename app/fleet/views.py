@@ -36,7 +36,7 @@ VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON})
 
 BITS_KEPT = 4096
 """Our choice: a vehicle that sends noise must not fill the memory."""
-_bits: dict[tuple[int, int], tuple[BitView, ...]] = {}
+_bits: dict[int, tuple[Condition, tuple[BitView, ...]]] = {}
 
 
 def view_of_job(job: Job) -> JobView:
@@ -183,14 +183,15 @@ def goal_of(errand: Errand | None, job: Job | None) -> str | None:
 
 
 def bits_of(condition: Condition) -> tuple[BitView, ...]:
-    """Return every field of both status words; made once for each pair of words, since a fleet shows few different ones."""
-    words = (condition.status1, condition.status2)
-    found = _bits.get(words)
-    if found is None:
-        if len(_bits) >= BITS_KEPT:
-            _bits.clear()
-        found = _bits[words] = tuple(BitView(*detail) for detail in condition.details)
-    return found
+    """Return every field of the status words; made once for each condition, since a fleet shows few different ones."""
+    known = _bits.get(id(condition))
+    if known is not None and known[0] is condition:
+        return known[1]
+    if len(_bits) >= BITS_KEPT:
+        _bits.clear()
+    bits = tuple(BitView(*detail) for detail in condition.details)
+    _bits[id(condition)] = (condition, bits)
+    return bits
 
 
 def view_of_vehicle(

@@ -42,8 +42,9 @@ _HOME_AXES = (20, 16, 12, 8)
 _TAGS = ((1, StationKind.PORT), (2, StationKind.SBFL), (4, StationKind.SBFR))
 """TRAV 1-7 as a set of stop positions (PROTOCOLS 1.8)."""
 
-_conditions: dict[int, Condition] = {}
-_barcodes: dict[int, Barcode] = {}
+KNOWN_CONDITIONS: dict[int, Condition] = {}
+KNOWN_BARCODES: dict[int, Barcode] = {}
+"""What has been seen so far; only for looking up on the hot path, :func:`condition_of` and :func:`barcode_text` fill them."""
 
 
 def condition(status1: int, status2: int) -> Condition:
@@ -57,11 +58,11 @@ def condition(status1: int, status2: int) -> Condition:
 
 def condition_of(words: int) -> Condition:
     """Return the condition of STATUS1 and STATUS2 read as one number of 64 bits."""
-    found = _conditions.get(words)
+    found = KNOWN_CONDITIONS.get(words)
     if found is None:
-        if len(_conditions) >= CONDITIONS_KEPT:
-            _conditions.clear()
-        found = _conditions[words] = _read(words >> 32, words & 0xFFFF_FFFF)
+        if len(KNOWN_CONDITIONS) >= CONDITIONS_KEPT:
+            KNOWN_CONDITIONS.clear()
+        found = KNOWN_CONDITIONS[words] = _read(words >> 32, words & 0xFFFF_FFFF)
     return found
 
 
@@ -114,11 +115,11 @@ def barcode_text(value: int | str) -> Barcode:
     """Return a barcode of the wire as text: a number in decimal, characters as they are (I7)."""
     if isinstance(value, str):
         return Barcode(value)
-    found = _barcodes.get(value)
+    found = KNOWN_BARCODES.get(value)
     if found is None:
-        if len(_barcodes) >= BARCODES_KEPT:
-            _barcodes.clear()
-        found = _barcodes[value] = Barcode(str(value))
+        if len(KNOWN_BARCODES) >= BARCODES_KEPT:
+            KNOWN_BARCODES.clear()
+        found = KNOWN_BARCODES[value] = Barcode(str(value))
     return found
 
 

@@ -86,8 +86,8 @@ def test_the_memory_of_conditions_and_barcodes_is_bounded(monkeypatch: pytest.Mo
     for i in range(50):
         condition(0x12340000 + i, 3)
         barcode_text(10**12 + i)
-    assert len(module._conditions) <= 10
-    assert len(module._barcodes) <= 10
+    assert len(module.KNOWN_CONDITIONS) <= 10
+    assert len(module.KNOWN_BARCODES) <= 10
 
 
 @given(st.integers(0, (1 << 48) - 1))

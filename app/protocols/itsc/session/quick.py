@@ -13,7 +13,7 @@ from functools import lru_cache
 from app.domain.units import Millimetres, Seconds
 from app.domain.vehicle import VehicleStatus
 from app.protocols.itsc.codec import Codec
-from app.protocols.itsc.condition import barcode_text, condition_of
+from app.protocols.itsc.condition import KNOWN_BARCODES, KNOWN_CONDITIONS, barcode_text, condition_of
 from app.protocols.itsc.dialects import Dialect
 
 ENQ_SIZE = 33
@@ -84,9 +84,17 @@ def status_reader(dialect: Dialect) -> Callable[[bytes], VehicleStatus]:
 
 def _read_long(event: bytes) -> VehicleStatus:
     words, high, low, seq = _LONG(event, BODY_AT)
-    return VehicleStatus(condition_of(words), barcode_text(high << 32 | low), seq)
+    barcode = high << 32 | low
+    return VehicleStatus(
+        KNOWN_CONDITIONS.get(words) or condition_of(words), KNOWN_BARCODES.get(barcode) or barcode_text(barcode), seq
+    )
 
 
 def _read_short(event: bytes) -> VehicleStatus:
     words, barcode, seq, dist = _SHORT(event, BODY_AT)
-    return VehicleStatus(condition_of(words), barcode_text(barcode), seq, Millimetres(dist))
+    return VehicleStatus(
+        KNOWN_CONDITIONS.get(words) or condition_of(words),
+        KNOWN_BARCODES.get(barcode) or barcode_text(barcode),
+        seq,
+        Millimetres(dist),
+    )
