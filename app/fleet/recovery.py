@@ -220,7 +220,7 @@ class Recovery:
         """It may be there, besides all that it holds."""
         books = self._books
         if barcode in books.track:
-            books.traffic.hold(vehicle.id, [barcode])
+            books.traffic.hold(vehicle.id, books.track.covered(barcode, vehicle.spec.length))
             books.save_vehicle(vehicle, held=books.traffic.held(vehicle.id))
 
     def _strike_off(self, vehicle: VehicleNow) -> None:

@@ -10,10 +10,14 @@ from app.domain.job import JobState
 from app.domain.layout import Plant
 from app.domain.requests import CancelJob, CommandVehicle, HoldVehicle, RecoverAlarm, ReleaseVehicle, Verdict
 from app.domain.units import Barcode, Seconds
+from app.plant.dialects import dialect_of
+from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.messages import Mode
 from app.protocols.itsc.simulator import RespTiming, SimulatedVehicle
+from app.protocols.itsc.simulator.faults import Faulty, foreign_dev_id
 from app.sim.cables import Cable
 from app.sim.world import Delays, World
+from app.wire.faults import Fault, Lane
 
 ANNA, HOST = Actor("anna"), Actor("host")
 LOOK_AFTER = 3.0
@@ -49,10 +53,31 @@ class Chaos:
         if self.dice.random() < 0.25:
             for device in self.world.floor.devices.values():
                 answer_on_acceptance(device)
+        if self.dice.random() < 0.3:
+            self._spoil_the_lines()
         self.world.work(until=self.calm, keep_open=self.keep_open)
         self.world.agenda.after(LOOK_AFTER, self._look_after)
         for _ in range(self.number):
             self.world.agenda.at(self.dice.uniform(3.0, self.calm), self._fault(self.dice.choice(self.faults)))
+
+    def _spoil_the_lines(self) -> None:
+        """Let packets be lost, late, doubled, damaged, cut up and mixed with noise until it is calm."""
+        lanes = []
+        for name, device in self.world.floor.devices.items():
+            codec = Codec(dialect_of(self.plant, device.spec.dialect))
+            rates = {fault: self.dice.uniform(0.0, 0.02) for fault in Fault if self.dice.random() < 0.5}
+            pair = [Lane(Random(f"{self.seed}/{name}/{way}"), rates) for way in "<>"]
+            pair[0]._forge = foreign_dev_id(codec)
+            lanes += pair
+            cable = self.cable(name)
+            cable._device = cable._device_timer._of = Faulty(device, *pair)
+
+        def mended() -> None:
+            self.count("mended")
+            for lane in lanes:
+                lane.rates = {}
+
+        self.world.agenda.at(self.calm, mended)
 
     def run(self, at_most: float = 900.0) -> "Chaos":
         """Let it all happen."""

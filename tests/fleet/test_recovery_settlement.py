@@ -557,6 +557,13 @@ def test_a_vehicle_that_reads_a_barcode_in_mant_that_it_could_not_be_moved_to_is
     assert {"103", "110"} <= track_of(ready)
 
 
+def test_a_vehicle_at_a_doubtful_place_holds_what_it_would_cover_there_too(ready: Script) -> None:
+    ready.toys[V1].linked = False
+    ready.stand(V1, "103", words(mode=0), link=False)
+    ready.report(V1, "108", words(mode=0))
+    assert {"102", "103", "107", "108"} <= track_of(ready)
+
+
 def test_two_vehicles_that_report_one_place_are_both_believed_and_nobody_is_granted_it(ready: Script) -> None:
     ready.toys[V1].linked = False
     ready.stand(V1, "116", link=False)
