@@ -13,6 +13,10 @@ USER_TIMEOUT = 5_000
 """ms until the kernel gives up on bytes that the peer does not acknowledge. Our choice; keepalive alone is too slow."""
 UNSENT_LIMIT = 64 * 1024
 """Bytes waiting for a peer that takes none, after which the connection is cut. Our choice: none is ever sent so much."""
+FLOOD = 64 * 1024
+"""Bytes in one second beyond which a peer is cut off. Our choice: 2,000 packets; a vehicle sends some tens. Bytes that wait
+would be old news when their turn comes, and each costs the other vehicles time."""
+FLOODED = f"it sent more than {FLOOD} bytes in a second"
 CLOSE_GRACE = 1.0
 """Seconds for the last bytes to leave before a connection that is being closed is cut. Our choice."""
 _SHORTEST = 0.001
@@ -49,6 +53,8 @@ class Line(asyncio.Protocol):
     __slots__ = (
         "_after",
         "_armed",
+        "_budget",
+        "_budgeted",
         "_closing",
         "_endpoint",
         "_idle",
@@ -57,6 +63,7 @@ class Line(asyncio.Protocol):
         "_now",
         "_timer",
         "_transport",
+        "flooded",
         "heard",
     )
 
@@ -77,8 +84,12 @@ class Line(asyncio.Protocol):
         self._armed = 0.0
         self._closing: asyncio.TimerHandle | None = None
         self._idle: asyncio.Future[None] | None = None
+        self._budget = FLOOD
+        self._budgeted = 0.0
         self.heard = False
         """Whether bytes came in the present or last connection."""
+        self.flooded = False
+        """Whether the present or last connection is cut because too many came."""
 
     @property
     def up(self) -> bool:
@@ -89,16 +100,20 @@ class Line(asyncio.Protocol):
         """Begin a connection."""
         # Not isinstance: uvloop's transports are none of asyncio's classes.
         self._transport = cast(asyncio.Transport, transport)
-        self.heard = False
+        self.heard = self.flooded = False
         tune(transport)
         self._endpoint.connected(self._now())
         self.flush()
         self._after()
 
     def data_received(self, data: bytes) -> None:
-        """Give the endpoint its bytes."""
+        """Give the endpoint its bytes, as long as they are not too many."""
         self.heard = True
-        self._endpoint.received(data, self._now())
+        now = self._now()
+        self._budget -= len(data)
+        if self._budget < 0 and not self._within_budget(len(data), now):
+            return
+        self._endpoint.received(data, now)
         self.flush()
         self._after()
 
@@ -113,7 +128,7 @@ class Line(asyncio.Protocol):
         if self._closing is not None:
             self._closing.cancel()
             self._closing = None
-        self._endpoint.disconnected(self._now(), str(exc) if exc else "closed")
+        self._endpoint.disconnected(self._now(), FLOODED if self.flooded else str(exc) if exc else "closed")
         self.flush()
         self._after()
         if self._idle is not None and not self._idle.done():
@@ -145,6 +160,16 @@ class Line(asyncio.Protocol):
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
+
+    def _within_budget(self, count: int, now: Seconds) -> bool:
+        """Begin a new second if the last one is over; otherwise cut the connection."""
+        if now - self._budgeted >= 1.0 and count <= FLOOD:
+            self._budgeted, self._budget = now, FLOOD - count
+            return True
+        self.flooded = True
+        if self._transport is not None:
+            self._transport.abort()
+        return False
 
     def _arm(self, deadline: float) -> None:
         if self._timer is not None:

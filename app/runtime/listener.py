@@ -22,6 +22,8 @@ ROUNDS = 5
 """How often each id that is missing is tried before the connection is cut. Our choice."""
 MOST_UNKNOWN = 64
 """Connections that may be unknown at one time; more are cut. Our choice."""
+QUIET = 60.0
+"""Seconds until the same refusal is reported again: who is refused comes back at once. Our choice."""
 _PROBES: Iterator[int] = count(1)
 """CMD_IDs of epoch 0, which no controller ever has: an answer to a probe answers no command."""
 
@@ -58,6 +60,7 @@ class Listener:
         self._log: FilteringBoundLogger = logger(listener=f"{host}:{port}")
         self._server: asyncio.Server | None = None
         self._asking: set[Arrival] = set()
+        self._told: dict[str, float] = {}
 
     async def start(self) -> None:
         """Listen. Raises OSError: the address cannot be used."""
@@ -117,8 +120,12 @@ class Listener:
     def refuse(self, arrival: "Arrival", reason: str) -> None:
         """Cut the connection and say why."""
         self._asking.discard(arrival)
-        self._log.warning("connection refused", reason=reason)
-        self._report(reason)
+        now = asyncio.get_running_loop().time()
+        if now - self._told.get(reason, -QUIET) >= QUIET:
+            if len(self._told) >= MOST_UNKNOWN:
+                self._told.clear()
+            self._told[reason] = now
+            self._report(reason)
         arrival.cut()
 
     def forget(self, arrival: "Arrival") -> None:

@@ -6,13 +6,13 @@ from typing import cast
 
 from structlog.typing import FilteringBoundLogger
 
-from app.runtime.lines import Line
+from app.runtime.lines import FLOODED, Line
 from app.runtime.telemetry import logger
 
 CONNECT_TIMEOUT = 3.0
 """Seconds for a peer to accept. Our choice."""
 FIRST_PAUSE, LONGEST_PAUSE = 0.5, 5.0
-"""Seconds between two attempts to connect; doubled after each that brought no byte. Our choice."""
+"""Seconds between two attempts to connect; doubled after each that brought no byte, or far too many. Our choice."""
 
 
 class Dialler:
@@ -49,8 +49,11 @@ class Dialler:
                 told = ""
                 self._log.info("connected")
                 await self._line.disconnected()
-                self._log.info("disconnected")
-                if self._line.heard:
+                if self._line.flooded:
+                    self._log.warning("cut off", reason=FLOODED)
+                else:
+                    self._log.info("disconnected")
+                if self._line.heard and not self._line.flooded:
                     pause = FIRST_PAUSE
             await asyncio.sleep(pause)
             pause = min(2 * pause, LONGEST_PAUSE)

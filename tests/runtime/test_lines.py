@@ -2,7 +2,7 @@ import asyncio
 import time
 
 from app.domain.units import Seconds
-from app.runtime.lines import UNSENT_LIMIT, Line
+from app.runtime.lines import FLOOD, UNSENT_LIMIT, Line
 from tests.runtime.peers import Echo, run, until
 
 
@@ -140,5 +140,58 @@ def test_a_line_serves_one_connection_after_another() -> None:
         writer.write(b"again")
         assert await reader.readexactly(5) == b"AGAIN"
         await wire.close(writer)
+
+    run(scenario)
+
+
+class Still(asyncio.Transport):
+    """A connection in the test's own time."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.cuts = 0
+
+    def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
+        pass
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        pass
+
+    def abort(self) -> None:
+        self.cuts += 1
+
+
+def test_a_peer_that_floods_the_line_is_cut_off_and_no_byte_too_many_is_looked_at() -> None:
+    async def scenario() -> None:
+        clock = 100.0
+        echo = Echo()
+        line = Line(echo, lambda: Seconds(clock))
+        for _ in range(3):
+            clock += 5.0
+            line.connection_made(still := Still())
+            for _ in range(3):
+                line.data_received(b"a" * FLOOD)
+                clock += 0.4
+            assert still.cuts
+            assert line.flooded
+            line.connection_lost(None)
+        heard = sum(len(note) for note in echo.notes if note.startswith("a"))
+        assert heard <= 3 * 2 * FLOOD
+
+    run(scenario)
+
+
+def test_a_peer_that_sends_much_but_not_at_once_is_heard() -> None:
+    async def scenario() -> None:
+        clock = 100.0
+        line = Line(Echo(), lambda: Seconds(clock))
+        line.connection_made(still := Still())
+        for _ in range(20):
+            line.data_received(b"a" * FLOOD)
+            clock += 1.0
+        assert still.cuts == 0
+        line.data_received(b"a" * (FLOOD + 1))
+        assert still.cuts == 1
+        line.connection_lost(None)
 
     run(scenario)
