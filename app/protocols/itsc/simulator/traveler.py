@@ -100,7 +100,10 @@ class Traveler:
         past, speed = self._motion(self._agenda.now)
         self._halting = True
         stop = speed**2 / (2 * self._spec.braking)
-        while self._left(self._legs, past) < stop - EPSILON and (stray := self._stray_leg(self._last_barcode())) is not None:
+        while (
+            self._left(self._legs, past) < stop - EPSILON
+            and (stray := self._stray_leg(self._last_barcode())) is not None
+        ):
             self._legs.append(stray)
         lengths = [leg.length for leg in self._legs]
         if lengths:
