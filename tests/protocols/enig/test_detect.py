@@ -66,7 +66,7 @@ def test_the_command_reads_a_capture_and_fails_on_what_is_not_enig(
     file = tmp_path / "capture.txt"
     file.write_text("\n".join(packet.hex(" ") for packet in captured(VARIANTS[0])), encoding="utf-8")
     detect("enig", file)
-    assert "1 left:\n  crc from STX, low byte first" in capsys.readouterr().out
+    assert "1 left:\n  crc from STX, high byte first" in capsys.readouterr().out
     file.write_text("ff " * 20, encoding="utf-8")
     with pytest.raises(typer.Exit):
         detect("enig", file)
