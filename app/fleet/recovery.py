@@ -1,11 +1,14 @@
 """When in doubt: settle by STATUS, hold for a person, count the fleet after a restart (COMMANDS section 3)."""
 
+from collections.abc import Iterable
+
+from app.domain.commands import Plain, Simple
 from app.domain.ids import Actor
 from app.domain.job import Job, JobEvent
 from app.domain.records import Hold, Intent, IntentState, Provenance
 from app.domain.units import Barcode, Seconds
 from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
-from app.fleet.books import Books
+from app.fleet.books import SYSTEM, Books
 from app.fleet.motion import Motion
 from app.fleet.vehicle import Stage, VehicleNow
 
@@ -177,11 +180,19 @@ class Recovery:
             vehicle.stopped = None
         if status.condition.mode is not Mode.AUTO:
             self.widen(vehicle)
-        if clashes:
-            others = sorted({o for b in clashes for o in self._books.traffic.holders(b)} - {vehicle.id})
-            vehicle.waiting = f"{vehicle.id} stands on track that {', '.join(others)} holds too"
+        self._stop_who_drives_there(vehicle, status.barcode, clashes)
         vehicle.accounted = True
         self._strike_off(vehicle)
+
+    def _stop_who_drives_there(self, vehicle: VehicleNow, barcode: Barcode, clashes: Iterable[Barcode]) -> None:
+        """It was put on track that another has been granted: who is on the way there is stopped and held."""
+        books = self._books
+        for at in clashes:
+            for other in (books.vehicles[name] for name in sorted(books.traffic.holders(at) - {vehicle.id})):
+                if other.drive and other.linked and not other.record.hold:
+                    books.open_intent(other, Plain.STOP_BY_HOST.value, Simple(Plain.STOP_BY_HOST), SYSTEM)
+                    why = f"{vehicle.id} reports from {barcode}, on track that {other.id} has been granted ({at})"
+                    self.hold(other, why, "see that its way is free, then release it")
 
     def widen(self, vehicle: VehicleNow) -> None:
         """Out of AUTO it can be moved without us: hold what it can reach, both ways, as far as nobody else has it."""
@@ -199,8 +210,9 @@ class Recovery:
         if barcode not in self._books.traffic.held(vehicle.id):
             came = f"{vehicle.id} reports barcode {barcode}, which it could not be moved to from {vehicle.barcode}"
             self.doubt(vehicle, barcode, came)
+            self._stop_who_drives_there(vehicle, barcode, self._books.track.covered(barcode, vehicle.spec.length))
             return
-        self._motion.place(vehicle, barcode)
+        self._stop_who_drives_there(vehicle, barcode, self._motion.place(vehicle, barcode))
         self.widen(vehicle)
 
     def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.domain.commands import Move, Xmove
+from app.domain.commands import Move, Plain, Simple, Xmove
 from app.domain.events import Unknown
 from app.domain.ids import DevId, VehicleId
 from app.domain.layout import Edge, Plant, Point, StopAction, VehicleSpec
@@ -249,3 +249,21 @@ def test_a_person_is_told_when_the_verdict_does_not_fit(ready: Script) -> None:
     assert ready.refuse(release(Verdict.STANDS_AT, "9999")).field == "barcode"
     assert ready.refuse(release(Verdict.STANDS_AT)).field == "barcode"
     assert isinstance(ready.ask(release(Verdict.STANDS_AT, "103")), Accepted)
+
+
+@pytest.mark.parametrize(("to", "at"), [("108", "107"), ("107", "106"), ("105", "104")])
+def test_a_vehicle_pushed_onto_track_that_another_drives_to_stops_the_other(ready: Script, to: str, at: str) -> None:
+    ready.toys[V2].cut()
+    ready.accept(release(Verdict.STANDS_AT, "111", V2))
+    ready.stand(V2, "111", words(mode=0))
+    ready.toys[V1].linked = False
+    ready.accept(go("107"))
+    move = ready.last(Move, V1)
+    ready.acknowledge(move)
+    ready.report(V2, to, words(mode=0))
+    stop = ready.last(Simple, V1)
+    assert stop.command == Simple(Plain.STOP_BY_HOST)
+    assert held(ready) == f"V002 reports from {to}, on track that V001 has been granted ({at})"
+    sent = len(ready.sends)
+    ready.report(V2, to, words(mode=0))
+    assert len(ready.sends) == sent
