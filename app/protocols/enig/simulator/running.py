@@ -53,9 +53,9 @@ class Running(SimulatedDevice):
         present = self._drive.piece is None and (not way or self.report.tag == goal)
         self._set_off(Steering.STRAIGHT)
         self.report.path = self.report.path % _LAST_PATH + 1
-        self._task = Task(goal, deque(way), charge)
+        self._task = task = Task(goal, deque(way), charge)
         if not present:
-            self._go_on()
+            self._go_on(task)
             return
         if self.report.tag != goal:
             self._read(goal)
@@ -63,13 +63,11 @@ class Running(SimulatedDevice):
 
     def _wander(self, task: Task) -> None:
         self._task = task
-        self._go_on()
+        self._go_on(task)
 
-    def _go_on(self) -> None:
+    def _go_on(self, task: Task) -> None:
         """Drive the next piece of tape."""
-        task, now = self._task, self._agenda.now
-        if task is None:
-            return
+        now = self._agenda.now
         if task.goal is not None:
             piece: Piece | None = task.way.popleft()
         else:
@@ -82,14 +80,11 @@ class Running(SimulatedDevice):
             self._halt()
             self.report.run = int(AgvRun.ERROR)
         else:
-            self._drive.go(piece, self._options.speeds[task.speed], now, self._reached)
+            self._drive.go(piece, self._options.speeds[task.speed], now, lambda tag: self._reached(tag, task))
 
-    def _reached(self, tag: Barcode) -> None:
+    def _reached(self, tag: Barcode, task: Task) -> None:
         """A mark is under the AGV, and mostly its tag can be read."""
         read = self._read_here(tag)
-        task = self._task
-        if task is None:
-            return
         if task.goal is not None and not task.way:
             if read == task.goal:
                 self._arrive()
@@ -99,7 +94,7 @@ class Running(SimulatedDevice):
         elif self.report.direction == Steering.MARK_STOP:
             self._halt()
         else:
-            self._go_on()
+            self._go_on(task)
 
     def _read_here(self, tag: Barcode) -> Barcode | None:
         read = None if self._missed else (self._misread or tag)
