@@ -10,5 +10,5 @@ RUN useradd --system --create-home hoistway && mkdir /var/lib/hoistway && chown 
 USER hoistway
 ENV PYTHONPATH=/opt/hoistway PYTHONUNBUFFERED=1 HOISTWAY_LOG_FORMAT=json
 EXPOSE 8080
-ENTRYPOINT ["python", "-m", "app.cli"]
+ENTRYPOINT ["python", "-m", "app.main"]
 CMD ["--help"]

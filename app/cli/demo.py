@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly
+from app.cli.plainly import CannotStart, plainly
+from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.workload import order
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -43,21 +45,21 @@ def demo(
 
 
 def _show(settings: Settings, file: Path, keep: int | None) -> int:
-    from app import main
+    from app.cli import hosting
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level=settings.log_level)
-    plant = main.plant_of(file)
-    listening = main.bound(settings.host, settings.port)
-    url = main.url_of(settings.host, listening.getsockname()[1])
+    plant = plant_of(file)
+    listening = hosting.bound(settings.host, settings.port)
+    url = hosting.url_of(settings.host, listening.getsockname()[1])
 
     async def run() -> int:
-        stop = main.stop_signal()
+        stop = stop_signal()
         simulator = await _simulated(file)
         watching = asyncio.create_task(_end_with(simulator, stop))
         working = None if keep is None else asyncio.create_task(_work(url, keep, stop))
         try:
-            return await main.serve(
+            return await hosting.serve(
                 plant, settings, listening, stop, lambda url: print(_invitation(plant, url), flush=True)
             )
         finally:
@@ -67,13 +69,11 @@ def _show(settings: Settings, file: Path, keep: int | None) -> int:
             await _ended(simulator)
             await watching
 
-    return main.run(run())
+    return on_loop(run())
 
 
 async def _simulated(file: Path) -> asyncio.subprocess.Process:
     """Start the simulator; return once its vehicles are there. Raises CannotStart."""
-    from app.main import CannotStart
-
     # A session of its own: Ctrl-C reaches the parent alone, which ends both in order.
     process = await asyncio.create_subprocess_exec(
         sys.executable, "-m", "app.cli", "sim", "--plant", str(file), "--with-parent",
@@ -107,8 +107,6 @@ async def _ended(simulator: asyncio.subprocess.Process) -> None:
 
 
 async def _work(url: str, keep: int, stop: asyncio.Event) -> None:
-    from app.cli.workload import order
-
     await order(url, Random(), stop, rate=None, keep=keep, quiet=True)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,12 +10,23 @@ from typing import NoReturn
 
 import typer
 
+from app.domain.errors import HoistwayError
+
+
+class CannotStart(HoistwayError):
+    """Something outside the program prevents it from running; the message says what, in one line."""
+
+    code = "cannot-start"
+
+
+def said(error: OSError | UnicodeDecodeError) -> str:
+    """Return the system's own word for an error, without the names of calls."""
+    return os.strerror(error.errno) if isinstance(error, OSError) and error.errno else str(error)
+
 
 @contextmanager
 def plainly() -> Iterator[None]:
     """Turn errors that the product raises on purpose into one line on standard error and exit code 1."""
-    from app.domain.errors import HoistwayError
-
     try:
         yield
     except HoistwayError as error:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
+from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
     from app.settings import Settings
@@ -34,17 +35,17 @@ def serve(
 
 
 def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
-    from app import main
+    from app.cli import hosting
     from app.runtime.telemetry import set_up
 
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
-    plant = main.plant_of(file)
-    listening = main.bound(settings.host, settings.port)
+    plant = plant_of(file)
+    listening = hosting.bound(settings.host, settings.port)
 
     async def run() -> int:
-        return await main.serve(plant, settings, listening, main.stop_signal(), ready, restored=restored)
+        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored)
 
     def ready(url: str) -> None:
         print(f"hoistway controls {plant.name}: {url}", flush=True)
 
-    return main.run(run())
+    return on_loop(run())

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly, refuse
+from app.cli.plainly import plainly, refuse, said
+from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant, VehicleSpec
@@ -44,16 +45,15 @@ def sim(
     ] = False,
 ) -> None:
     """Serve every vehicle of a plant as a simulated device at its own TCP address, until Ctrl-C."""
-    from app import main
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level="warning")
     with plainly():
-        found = main.plant_of(plant)
+        found = plant_of(plant)
         try:
-            code = main.run(_Floor(found, journal, host, controller, haste).run(with_parent))
+            code = on_loop(_Floor(found, journal, host, controller, haste).run(with_parent))
         except OSError as wrong:
-            refuse(f"cannot simulate {found.name}: {main.said(wrong)}", "Is it simulated already?")
+            refuse(f"cannot simulate {found.name}: {said(wrong)}", "Is it simulated already?")
     raise typer.Exit(code)
 
 
@@ -70,13 +70,12 @@ class _Floor:
 
     async def run(self, with_parent: bool) -> int:
         """Serve until told to stop."""
-        from app import main
         from app.runtime.clock import Clock
         from app.sim.oracle import Oracle
         from app.sim.plantworld import SimulatedPlant
 
         now = Clock().now
-        stop = main.stop_signal()
+        stop = stop_signal()
         options = _hasty(self._haste)
         floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
         oracle = Oracle(self._plant, floor.truth)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly
+from app.cli.running import plant_of
 
 if TYPE_CHECKING:
     from app.sim.world import Result
@@ -26,11 +27,10 @@ def simulate(
     kills: Annotated[int, typer.Option(help="kill the controller so many times at random moments")] = 0,
 ) -> None:
     """Run the whole controller with simulated vehicles in virtual time; exit 1 if anything happened that must not."""
-    from app import main
     from app.sim.run import run
 
     with plainly():
-        found = main.plant_of(plant)
+        found = plant_of(plant)
     begun = time.perf_counter()
     result = run(found, seed, hours * 3600, per_hour=rate, keep_open=None if rate else keep, kills=kills, drain=DRAIN)
     _print(result, time.perf_counter() - begun)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from app.cli.plainly import refuse
+from app.cli.running import on_loop, stop_signal
 from app.domain.ids import CarrierId, StationId
 from app.sim.workload import Pace, choose
 
@@ -27,17 +28,15 @@ def workload(
     key: Annotated[str | None, typer.Option(envvar="HOISTWAY_ACCESS_KEY", help="access key")] = None,
 ) -> None:
     """Order random transfers, from full places to empty ones, until Ctrl-C."""
-    from app import main
-
     if rate is not None and keep is not None:
         refuse("either --rate or --keep, not both")
 
     async def run() -> int:
-        stop = main.stop_signal()
+        stop = stop_signal()
         await order(url, Random(seed), stop, rate=rate, keep=None if rate is not None else keep or 6, key=key)
         return 0
 
-    raise typer.Exit(main.run(run()))
+    raise typer.Exit(on_loop(run()))
 
 
 async def order(

@@ -1,0 +1,112 @@
+"""The controller and its server in one process."""
+
+import asyncio
+import gc
+import resource
+import socket
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import uvicorn
+
+from app.api import application
+from app.api.connections import bounded
+from app.cli.plainly import CannotStart, said
+from app.domain.layout import Plant
+from app.runtime.controller import Controller
+from app.settings import Settings
+
+GRACE = 3
+"""Seconds for requests under way when the server stops. Our choice."""
+FILES = 1 << 16
+"""Most open files that we ask the system for. Our choice."""
+WORD = 1 << 16
+"""Longest message that a watcher may send before its connection is cut, bytes. Our choice."""
+
+
+def bound(host: str, port: int) -> socket.socket:
+    """Return a socket that listens there. Raises CannotStart."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=2048)
+    except OSError as wrong:
+        raise CannotStart(f"cannot listen at {host}:{port}: {said(wrong)}", remedy="choose another --port") from None
+
+
+class _Server(uvicorn.Server):
+    """A server that leaves signals to its owner."""
+
+    @contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        yield
+
+
+async def serve(
+    plant: Plant,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+    *,
+    restored: bool = False,
+) -> int:
+    """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
+
+    ``ready`` is told the URL once requests are answered. Raises CannotStart, PlantHeld, StoreError.
+    """
+    controller = Controller(plant, settings.database, restored=restored)
+    try:
+        await controller.start()
+    except OSError as wrong:
+        raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
+    try:
+        server = _Server(_configured(controller, settings))
+        serving = asyncio.create_task(server.serve([listening]))
+        stopping = asyncio.create_task(stop.wait())
+        while not server.started and not serving.done():
+            await asyncio.sleep(0.01)
+        gc.collect()
+        gc.freeze()
+        ready(url_of(settings.host, listening.getsockname()[1]))
+        ends: set[asyncio.Future[Any]] = {serving, stopping, controller.lost}
+        await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+        server.should_exit = True
+        await serving
+        stopping.cancel()
+    finally:
+        await controller.stop()
+    return 1 if controller.lost.done() else 0
+
+
+def _files() -> int:
+    """Return how many files the process may open, raised as far as it may: a flood of callers must leave some to vehicles."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    most = FILES if hard == resource.RLIM_INFINITY else min(hard, FILES)
+    if soft != resource.RLIM_INFINITY and soft < most:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (most, hard))
+    return most
+
+
+def url_of(host: str, port: int) -> str:
+    """Return where a person finds the server."""
+    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)
+    return f"http://{shown}:{port}"
+
+
+def _configured(controller: Controller, settings: Settings) -> uvicorn.Config:
+    return uvicorn.Config(
+        application(controller, settings),
+        loop="none",
+        http=bounded(min(settings.connections, _files() // 2)),
+        ws="websockets-sansio",
+        ws_per_message_deflate=False,
+        ws_max_size=WORD,
+        access_log=False,
+        log_config=None,
+        log_level="warning",
+        lifespan="off",
+        timeout_graceful_shutdown=GRACE,
+        server_header=False,
+        h11_max_incomplete_event_size=None,
+    )

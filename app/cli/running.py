@@ -1,0 +1,51 @@
+"""What every command that runs for long needs: a plant, an event loop, and a way to be told to stop."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+from collections.abc import Callable, Coroutine
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from app.cli.plainly import CannotStart, said
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant
+
+
+def plant_of(file: Path) -> Plant:
+    """Return the plant of a file. Raises CannotStart."""
+    from app.plant import UnusablePlant, read
+
+    try:
+        text = file.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as wrong:
+        raise CannotStart(f"the plant file {file} cannot be read: {said(wrong)}") from None
+    try:
+        plant, _ = read(text, str(file))
+    except UnusablePlant as unusable:
+        errors = sum(finding.severity.value == "error" for finding in unusable.findings)
+        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"see: hoistway check {file}") from None
+    return plant
+
+
+def on_loop(main: Coroutine[Any, Any, int]) -> int:
+    """Run the program on the fastest loop there is; return its exit code."""
+    try:
+        import uvloop
+
+        factory: Callable[[], asyncio.AbstractEventLoop] | None = uvloop.new_event_loop
+    except ImportError:
+        factory = None
+    with asyncio.Runner(loop_factory=factory) as runner:
+        return runner.run(main)
+
+
+def stop_signal() -> asyncio.Event:
+    """Return an event that is set by Ctrl-C or a polite kill."""
+    stop = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, stop.set)
+    return stop
