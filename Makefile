@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 UV := $(BIN)/uv pip compile pyproject.toml --universal --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
 
-.PHONY: setup run test check bench lock web
+.PHONY: setup run test coverage check bench lock web
 .DELETE_ON_ERROR:
 
 setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
@@ -16,8 +16,11 @@ $(READY): requirements/dev.txt pyproject.toml
 run: $(READY)  ## simulate the demo plant, control it, print where to look
 	@$(BIN)/hoistway demo
 
-test: $(READY)  ## all tests
-	$(BIN)/pytest
+test: $(READY)  ## all tests, on all cores
+	$(BIN)/pytest -n auto
+
+coverage: $(READY)  ## branch coverage of the pure layers; fails below 95 %
+	$(BIN)/pytest -n auto --ignore=tests/e2e --ignore=tests/web --ignore=tests/api --ignore=tests/runtime --ignore=tests/acceptance/test_campaign.py --cov=app.domain --cov=app.wire --cov=app.protocols --cov=app.planning --cov=app.plant --cov=app.fleet --cov=app.control --cov=app.store --cov-branch --cov-report=term:skip-covered --cov-fail-under=95
 
 check: $(READY)  ## format, lint, types, import contracts; no tests
 	$(BIN)/ruff format --check . && $(BIN)/ruff check . && $(BIN)/mypy && $(BIN)/lint-imports
