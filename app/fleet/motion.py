@@ -17,7 +17,7 @@ from app.domain.records import ControllerState, IntentState
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
-from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, VehicleNow
+from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
 from app.planning.traffic import Blocked
 
@@ -115,8 +115,8 @@ class Motion:
         return {element.barcode for element in (*drive.path, *amended) if element.seq == seq}
 
     def shrink_ahead(self, vehicle: VehicleNow) -> None:
-        """Give back what is granted ahead of a standing vehicle that has no MOVE open."""
-        if vehicle.drive is None and vehicle.ahead:
+        """Give back what is granted ahead of a vehicle that has no MOVE open and is known to stand where it says."""
+        if vehicle.drive is None and vehicle.ahead and vehicle.stage is Stage.READY:
             freed, vehicle.ahead = vehicle.ahead, []
             self._books.traffic.release(vehicle.id, [b for b in freed if b not in vehicle.trail])
             self._wake_waiters(freed)

@@ -6,12 +6,12 @@ import pytest
 
 from app.domain.commands import Move, Plain, Simple, Xmove
 from app.domain.events import Unknown
-from app.domain.ids import DevId, VehicleId
+from app.domain.ids import DevId, JobId, VehicleId
 from app.domain.layout import Edge, Plant, Point, StopAction, VehicleSpec
-from app.domain.requests import Accepted, Verdict
+from app.domain.requests import Accepted, CancelJob, Verdict
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Condition
-from tests.fleet.decisions import go, held, moved, release, track_of
+from tests.fleet.decisions import KIM, go, held, moved, release, track_of
 from tests.fleet.script import FOUP1, P1, V1, V2, Script, small, stopped_at, transfer, words
 
 AT_PORT = stopped_at(StopAction.PORT)
@@ -267,3 +267,16 @@ def test_a_vehicle_pushed_onto_track_that_another_drives_to_stops_the_other(read
     sent = len(ready.sends)
     ready.report(V2, to, words(mode=0))
     assert len(ready.sends) == sent
+
+
+def test_a_job_taken_from_a_silent_or_doubted_vehicle_frees_nothing_of_its_claim(ready: Script) -> None:
+    ready.order("B1", "P3", vehicle=V1)
+    ready.run(2)
+    ready.toys[V1].linked = False
+    ready.report(V1, "105", words(oper=2, trav=8), seq=3, polled=False)
+    assert held(ready)
+    ready.answer(ready.last(Move, V1), "105", words(), ok=False)
+    claim = track_of(ready)
+    ready.accept(CancelJob(KIM, JobId("J1")))
+    assert ready.job("J1").state.value == "cancelled"
+    assert track_of(ready) == claim >= {"104", "105", "106", "107", "108"}
