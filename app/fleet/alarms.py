@@ -129,5 +129,4 @@ class Alarms:
     def note_failure(self, vehicle: VehicleNow, answer: Answered) -> None:
         """Remember why a handling ended abnormally, if an alarm says so (I46)."""
         if answer.condition.oper is Oper.ALARM:
-            name = self._books.plant.alarm_codes.get(answer.condition.code, "")
-            vehicle.failed_handling = f"alarm {answer.condition.code} {name}".rstrip()
+            vehicle.failed_handling = f"alarm {self._books.named_alarm(answer.condition.code)}"

@@ -135,6 +135,20 @@ class Books:
         """UTC at a moment of the running clock."""
         return Timestamp(moment + self._utc_offset)
 
+    # -- look-ups -----------------------------------------------------------------------------------------------------
+
+    def job_of(self, vehicle: VehicleNow) -> Job | None:
+        """Return the job that a vehicle is on."""
+        return self.jobs.get(vehicle.job) if vehicle.job else None
+
+    def vehicle_of(self, job: Job) -> VehicleNow | None:
+        """Return the vehicle that is on a job."""
+        return self.vehicles.get(job.vehicle) if job.vehicle else None
+
+    def named_alarm(self, code: int) -> str:
+        """Return an alarm's code with its name from the plant file, where it has one."""
+        return f"{code} {self.plant.alarm_codes.get(code, '')}".rstrip()
+
     # -- records ------------------------------------------------------------------------------------------------------
 
     def save_job(self, job: Job) -> Job:

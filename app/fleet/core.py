@@ -218,8 +218,7 @@ class Fleet:
             return
         was, is_ = before.condition, now.condition
         if is_.oper is Oper.ALARM and (was.oper is not Oper.ALARM or was.code != is_.code):
-            name = self.books.plant.alarm_codes.get(is_.code, "")
-            self.books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=f"{is_.code} {name}".rstrip())
+            self.books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=self.books.named_alarm(is_.code))
         elif was.oper is Oper.ALARM and is_.oper is not Oper.ALARM:
             self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
         if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
@@ -379,7 +378,8 @@ class Fleet:
             del books.woken[name]
             vehicle = books.vehicles[name]
             self.missions.proceed(vehicle)
-            self._courtesy.explain(vehicle, self.motion.advance(vehicle)) if vehicle.errand else None
+            if vehicle.errand:
+                self._courtesy.explain(vehicle, self.motion.advance(vehicle))
         self._plant_orders.note_rest()
 
     def _wants_dispatch(self, name: VehicleId) -> bool:
@@ -406,7 +406,7 @@ class Fleet:
         self._last_show = books.now
         for name in books.dirty:
             vehicle = books.vehicles[name]
-            job = books.jobs.get(vehicle.job) if vehicle.job else None
+            job = books.job_of(vehicle)
             view = view_of_vehicle(vehicle, job, books.plant, self._link(name), books.utc_at)
             if self._shown.get(name) != view:
                 self._shown[name] = view

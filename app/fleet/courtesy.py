@@ -94,7 +94,7 @@ class Courtesy:
 
     def _stands_by(self, other: VehicleNow) -> bool:
         """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
-        job = self._books.jobs.get(other.job) if other.job else None
+        job = self._books.job_of(other)
         return job is not None and bool(job.reason)
 
     def refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:

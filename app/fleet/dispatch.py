@@ -183,7 +183,7 @@ class Dispatch:
 
     def _can_switch(self, vehicle: VehicleNow) -> bool:
         """Whether the vehicle is only on its way to fetch a carrier."""
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         return job is not None and job.state is JobState.WAITING and vehicle.fit and not vehicle.handling
 
     def _times(self, vehicles: list[VehicleNow], jobs: list[Job]) -> list[list[float]]:

@@ -34,7 +34,7 @@ class Jobs:
             if job.vehicle and job.vehicle not in books.vehicles:
                 gone.append(job.vehicle)
             if gone:
-                vehicle = books.vehicles.get(job.vehicle) if job.vehicle else None
+                vehicle = books.vehicle_of(job)
                 why = f"{', '.join(gone)} is no longer in the plant"
                 self._missions.end(vehicle, job, JobStep.FAIL, why, JobEvent.TRANSFER_COMPLETED)
 
@@ -167,7 +167,7 @@ class Jobs:
             )
         self._books.event(JobEvent.TRANSFER_CANCEL_INITIATED, job=job)
         job = self._books.save_job(job.after(JobStep.CANCEL))
-        vehicle = self._books.vehicles.get(job.vehicle) if job.vehicle else None
+        vehicle = self._books.vehicle_of(job)
         self._missions.end(vehicle, job, JobStep.CANCEL_DONE, f"by {request.actor}", JobEvent.TRANSFER_CANCEL_COMPLETED)
         return Accepted(Topic.JOBS, job.id)
 
@@ -186,7 +186,7 @@ class Jobs:
             )
         self._books.event(JobEvent.TRANSFER_ABORT_INITIATED, job=job)
         job = self._books.save_job(job.after(JobStep.ABORT))
-        vehicle = self._books.vehicles.get(job.vehicle) if job.vehicle else None
+        vehicle = self._books.vehicle_of(job)
         if job.leg is Leg.TO_DESTINATION:
             told = "aborted; the carrier is aboard: order vehicle -> place for it"
             self._missions.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
@@ -215,7 +215,7 @@ class Jobs:
         )
         self._books.save_job(changed)
         self._books.event(JobEvent.TRANSFER_UPDATED, job=changed, detail=self._difference(job, changed))
-        vehicle = self._books.vehicles.get(changed.vehicle) if changed.vehicle else None
+        vehicle = self._books.vehicle_of(changed)
         if vehicle and request.vehicle and request.vehicle != vehicle.id:
             self._missions.give_back(vehicle, f"{request.vehicle} is asked for")
         elif vehicle and changed.destination != job.destination:

@@ -24,6 +24,8 @@ from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
 
 MAX_MISSES = 3
 """So often a handling or a move may end abnormally without an alarm before the vehicle is held (our choice)."""
+NO_PLACE = "its destination cannot be used"
+"""How the reason of a job begins that waits for a place to put its carrier down."""
 
 
 class Missions:
@@ -47,7 +49,7 @@ class Missions:
         if vehicle.order:
             self._handle_for_person(vehicle)
             return
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job:
             self._go_on_with(vehicle, job)
         elif vehicle.errand and self._motion.arrived(vehicle):
@@ -55,7 +57,7 @@ class Missions:
 
     def _redirect(self, vehicle: VehicleNow) -> None:
         """While it drives: its job, or the job's destination, may have changed."""
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job is None:
             return
         if job.leg is Leg.TO_DESTINATION:
@@ -140,7 +142,7 @@ class Missions:
         """Return the job with a destination that can be used now; None: it has to wait, and says so."""
         obstacle = against_putting_down(self._books, job.destination, job.id)
         if not obstacle:
-            return self._wait(job, "") if job.reason.startswith("its destination") else job
+            return self._wait(job, "") if job.reason.startswith(NO_PLACE) else job
         fallback = self._fallback(vehicle, job)
         if fallback:
             changed = self._books.save_job(replace(job, destination=fallback, reason=""))
@@ -148,7 +150,7 @@ class Missions:
                 JobEvent.TRANSFER_UPDATED, job=changed, detail=f"{obstacle}; going on to the fall-back {fallback}"
             )
             return changed
-        self._wait(job, f"its destination cannot be used: {obstacle}")
+        self._wait(job, f"{NO_PLACE}: {obstacle}")
         errand = vehicle.errand
         if errand and (errand.purpose is Purpose.DESTINATION or self._motion.arrived(vehicle)):
             self._motion.drop(vehicle)
@@ -243,7 +245,7 @@ class Missions:
 
     def settle_handling(self, vehicle: VehicleNow) -> None:
         """The vehicle is settled: an open PICKUP or PLACE is decided by F (COMMANDS 3.3)."""
-        for intent in [i for i in vehicle.opened.values() if i.kind in {"pickup", "place"}]:
+        for intent in vehicle.handlings:
             pickup = intent.kind == "pickup"
             if vehicle.handling is None or vehicle.handling.cmd_id != intent.cmd_id:
                 station = StationId(str(intent.body.get("station")))
@@ -320,7 +322,7 @@ class Missions:
 
         One that was tried already (transferring) has no way back there: it fails, or is aborted if that was asked for.
         """
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job is None or job.leg is not Leg.TO_SOURCE:
             return
         if job.allows(JobStep.UNASSIGNED):
@@ -333,7 +335,7 @@ class Missions:
 
     def abandon(self, vehicle: VehicleNow, why: str) -> None:
         """The vehicle is gone from the rail: a job it was to fetch goes to another, an abort no longer waits for it."""
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job and job.state is JobState.ABORTING:
             told = f"aborted; {why}: look where the carrier is"
             self.end(vehicle, job, JobStep.ABORT_DONE, told, JobEvent.TRANSFER_ABORT_COMPLETED)
@@ -342,7 +344,7 @@ class Missions:
 
     def interrupt(self, vehicle: VehicleNow, why: str) -> None:
         """The vehicle cannot go on for long: its job goes to another, or, once the pick-up began, is paused and says why."""
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job is None:
             return
         if job.leg is Leg.TO_SOURCE:
@@ -353,7 +355,7 @@ class Missions:
 
     def _resume(self, vehicle: VehicleNow) -> None:
         """The vehicle can go on again, and its job with it."""
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         if job and job.allows(JobStep.RESUME):
             job = self._books.save_job(replace(job.after(JobStep.RESUME), reason=""))
             self._books.event(JobEvent.TRANSFER_RESUMED, job=job)

@@ -4,13 +4,13 @@ from collections.abc import Iterable
 
 from app.domain.commands import Plain, Simple
 from app.domain.ids import Actor
-from app.domain.job import Job, JobEvent
+from app.domain.job import JobEvent
 from app.domain.records import Hold, Intent, IntentState, Provenance
 from app.domain.units import Barcode, Seconds
 from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.motion import Motion
-from app.fleet.vehicle import Stage, VehicleNow
+from app.fleet.vehicle import HANDLINGS, Stage, VehicleNow
 
 QUIESCE = Seconds(1.0)
 """Waited before the first STATUS that counts: longer than the longest delay of a link (our choice)."""
@@ -67,13 +67,12 @@ class Recovery:
         return f"reports barcode {status.barcode}, which is not on the map (is its dialect right?)"
 
     def _alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
-        code = status.condition.code
-        name = self._books.plant.alarm_codes.get(code, "")
-        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
-            vehicle.failed_handling = f"alarm {code} {name}".rstrip()
+        alarm = f"alarm {self._books.named_alarm(status.condition.code)}"
+        if vehicle.handlings:
+            vehicle.failed_handling = alarm
         if not vehicle.record.hold:
             remedy = f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover"
-            self.hold(vehicle, f"alarm {code} {name}".rstrip(), remedy)
+            self.hold(vehicle, alarm, remedy)
         vehicle.accounted = vehicle.accounted or self._plausible(vehicle, status)
         self._strike_off(vehicle)
 
@@ -134,9 +133,9 @@ class Recovery:
 
     def _strange_load(self, vehicle: VehicleNow, condition: Condition) -> tuple[str, str] | None:
         """Return reason and remedy if its FOUP bit is not what no open PICKUP or PLACE can explain."""
-        handlings = {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}
-        if handlings:
-            return self._strange_drop(vehicle, condition) if "place" in handlings else None
+        if handlings := vehicle.handlings:
+            placing = any(intent.kind == "place" for intent in handlings)
+            return self._strange_drop(vehicle, condition) if placing else None
         believed = self.believed_loaded(vehicle)
         if condition.loaded and not believed:
             return (
@@ -161,7 +160,7 @@ class Recovery:
 
     def _believe(self, vehicle: VehicleNow, condition: Condition) -> None:
         """A person vouched for what the vehicle reports: its FOUP bit counts, our books follow."""
-        if {"pickup", "place"} & {intent.kind for intent in vehicle.opened.values()}:
+        if vehicle.handlings:
             return
         lost = vehicle.record.carrier if not condition.loaded else None
         aboard = vehicle.record.carrier if condition.loaded else None
@@ -255,7 +254,7 @@ class Recovery:
             state = IntentState.SETTLED_DONE if at_end else IntentState.SETTLED_NOT_DONE
             self._motion.finish(vehicle, state, f"by STATUS at {status.barcode}")
         for intent in list(vehicle.opened.values()):
-            if intent.kind in {"pickup", "place"}:
+            if intent.kind in HANDLINGS:
                 continue
             done = self._shows(intent, status)
             state = IntentState.SETTLED_DONE if done else IntentState.SETTLED_NOT_DONE
@@ -290,7 +289,7 @@ class Recovery:
             return
         self._books.save_vehicle(vehicle, hold=Hold(reason, remedy, self._books.utc, doubt or vehicle.doubt))
         self._books.event(
-            JobEvent.VEHICLE_HELD, job=self._job(vehicle), vehicle=vehicle.id, detail=f"{reason}; {remedy}"
+            JobEvent.VEHICLE_HELD, job=self._books.job_of(vehicle), vehicle=vehicle.id, detail=f"{reason}; {remedy}"
         )
 
     def release(self, vehicle: VehicleNow, actor: Actor, reason: str) -> None:
@@ -300,9 +299,6 @@ class Recovery:
         vehicle.trusted = True
         if vehicle.linked:
             self.begin(vehicle)
-
-    def _job(self, vehicle: VehicleNow) -> Job | None:
-        return self._books.jobs.get(vehicle.job) if vehicle.job else None
 
     def link_lost(self, vehicle: VehicleNow, reason: str) -> None:
         """The vehicle is silent. What it holds, it holds (COMMANDS 3.1)."""

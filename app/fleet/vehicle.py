@@ -5,12 +5,14 @@ from enum import StrEnum
 
 from app.domain.commands import Plain
 from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
-from app.domain.job import Leg
 from app.domain.layout import PulseSet, StopAction, VehicleSpec
 from app.domain.records import Intent, VehicleRecord
 from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Mode, Oper, VehicleStatus
+
+HANDLINGS = frozenset({"pickup", "place"})
+"""Kinds of command that move a carrier: F alone tells what became of them."""
 
 
 class Stage(StrEnum):
@@ -174,6 +176,11 @@ class VehicleNow:
         return self.status.condition.loaded if self.status else None
 
     @property
+    def handlings(self) -> list[Intent]:
+        """PICKUP and PLACE whose outcome is not known yet."""
+        return [intent for intent in self.opened.values() if intent.kind in HANDLINGS]
+
+    @property
     def doubt(self) -> str:
         """Why the place that it reports is not believed, empty if it is."""
         return self.record.hold.doubt if self.record.hold else ""
@@ -212,6 +219,3 @@ class VehicleNow:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
         return self.fit and free and self.job is None and self.order is None and self.handling is None
-
-
-ACQUIRING_LEGS = frozenset({Leg.TO_SOURCE, Leg.ACQUIRING})

@@ -229,7 +229,7 @@ def view_of_vehicle(
         bits=bits_of(condition) if condition else (),
         job=vehicle.job,
         goal=goal_of(vehicle.errand, job),
-        waiting=vehicle.waiting or (vehicle.barred if vehicle.barred else ""),
+        waiting=vehicle.waiting or vehicle.barred,
         granted=tuple(vehicle.ahead),
         covered=tuple(vehicle.trail),
         hold=hold,
