@@ -11,7 +11,7 @@ SEEDS = 304
 SLICES = 8
 REACHED = {
     "kill", "cut", "mant", "shoved", "alarm", "block", "power", "refuse", "hold", "stop", "misread", "stall",
-    "recover", "release", "pushed to a barcode", "VehicleHeld", "VehicleReleased", "AlarmSet", "AlarmCleared",
+    "recover", "release", "pushed to a barcode", "mended", "VehicleHeld", "VehicleReleased", "AlarmSet", "AlarmCleared",
 }  # fmt: skip
 """What every slice of the campaign must have seen, or it tries nothing."""
 
