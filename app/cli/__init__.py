@@ -28,8 +28,3 @@ for command in (
 ):
     app.command()(command)
 app.add_typer(db.commands, name="db")
-
-
-def main() -> None:
-    """Run the command line."""
-    app()
