@@ -233,7 +233,7 @@ class Motion:
         action = StopAction.STOP if vehicle.rest else errand.action
         planned = driving_time(self._books.track, path, vehicle.spec)
         move_path = elements(self._books.track, path, action, vehicle.spec)
-        job = self._books.jobs.get(vehicle.job) if vehicle.job else None
+        job = self._books.job_of(vehicle)
         foup, source, destination = self._display(job)
         intent = self._books.open_intent(
             vehicle,
