@@ -167,19 +167,27 @@ def is_json(content_type: str) -> bool:
 def _place(error: Mapping[str, object]) -> str:
     loc = error["loc"]
     assert isinstance(loc, tuple)
-    return ".".join(str(part) for part in loc[1:]) if len(loc) > 1 else ""
+    discriminator = _context(error).get("discriminator")
+    parts = [*loc[1:], str(discriminator).strip("'")] if discriminator else loc[1:]
+    return ".".join(str(part) for part in parts)
 
 
 def _message(error: Mapping[str, object]) -> str:
     message = str(error["msg"]).removeprefix("Value error, ")
     return {
         "extra_forbidden": "there is no such field",
-        "missing": "is required",
+        "missing": "is required" if _place(error) else "a body in JSON is required",
+        "union_tag_not_found": "is required",
+        "union_tag_invalid": f"is none of {_context(error).get('expected_tags')}",
         "string_pattern_mismatch": "holds a character that is not allowed here (control characters never are)",
     }.get(str(error["type"]), message)
 
 
 def _why_not_json(errors: Sequence[Mapping[str, object]]) -> str:
     first = next(e for e in errors if e["type"] == "json_invalid")
-    context = first.get("ctx")
-    return str(context.get("error", first["msg"])) if isinstance(context, Mapping) else str(first["msg"])
+    return str(_context(first).get("error", first["msg"]))
+
+
+def _context(error: Mapping[str, object]) -> Mapping[str, object]:
+    context = error.get("ctx")
+    return context if isinstance(context, Mapping) else {}

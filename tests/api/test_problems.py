@@ -112,6 +112,20 @@ async def test_a_body_with_a_field_too_many_or_too_few_is_refused(
     assert not controller.seen
 
 
+async def test_a_request_without_its_body_or_command_says_what_is_missing(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    pause = await client.post(filled("/api/v1/controller/pause"))
+    assert (pause.status_code, pause.json()["detail"]) == (422, "a body in JSON is required")
+    commands = filled("/api/v1/vehicles/{vehicle}/commands")
+    nothing = await client.post(commands, json={})
+    assert (nothing.json()["detail"], nothing.json()["field"]) == ("command: is required", "command")
+    fly = await client.post(commands, json={"command": "fly"})
+    assert fly.json()["field"] == "command"
+    assert fly.json()["detail"].startswith("command: is none of 'status', 'stop', ")
+    assert not controller.seen
+
+
 @pytest.mark.parametrize(("method", "path", "_body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
 async def test_what_is_not_json_is_refused(
     client: httpx.AsyncClient, method: str, path: str, _body: dict[str, Any]
