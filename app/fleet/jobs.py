@@ -247,6 +247,6 @@ class Jobs:
         pairs = (
             ("priority", before.priority, after.priority),
             ("destination", before.destination, after.destination),
-            ("vehicle", before.wish, after.wish),
+            ("vehicle", before.wish or "any", after.wish or "any"),
         )
         return ", ".join(f"{name} {old} -> {new}" for name, old, new in pairs if old != new) or "nothing changed"

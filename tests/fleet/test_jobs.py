@@ -523,7 +523,7 @@ def test_a_change_says_what_changed(ready: Script) -> None:
     job = ready.job("J1")
     assert (job.priority, job.destination, job.wish) == (80, B2, V2)
     assert ready.history("J1")[-1].event == "TransferUpdated"
-    assert ready.history("J1")[-1].detail == "priority 50 -> 80, destination P3 -> B2, vehicle None -> V002"
+    assert ready.history("J1")[-1].detail == "priority 50 -> 80, destination P3 -> B2, vehicle any -> V002"
     ready.accept(ChangeJob(HOST, J1, priority=80))
     assert ready.history("J1")[-1].detail == "nothing changed"
 
