@@ -133,7 +133,8 @@ class Fleet:
         elif vehicle.unfit_since is None:
             vehicle.unfit_since = self.books.now
         elif self.books.now - vehicle.unfit_since >= GIVE_BACK_AFTER:
-            why = vehicle.barred or vehicle.waiting or vehicle.link_reason or "it is not ready"
+            cut = "" if vehicle.linked else f"it is not connected: {vehicle.link_reason}"
+            why = vehicle.barred or vehicle.waiting or cut or "it is not ready"
             self.missions.interrupt(vehicle, why)
 
     def handle(self, event: Event, now: Seconds) -> None:

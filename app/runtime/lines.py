@@ -128,7 +128,7 @@ class Line(asyncio.Protocol):
         if self._closing is not None:
             self._closing.cancel()
             self._closing = None
-        self._endpoint.disconnected(self._now(), FLOODED if self.flooded else str(exc) if exc else "closed")
+        self._endpoint.disconnected(self._now(), FLOODED if self.flooded else _why(exc))
         self.flush()
         self._after()
         if self._idle is not None and not self._idle.done():
@@ -187,3 +187,9 @@ class Line(asyncio.Protocol):
             self._after()
         elif deadline is not None:
             self._arm(deadline)
+
+
+def _why(error: Exception | None) -> str:
+    if error is None:
+        return "closed"
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)

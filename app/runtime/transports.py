@@ -68,7 +68,7 @@ class Dialler:
         except TimeoutError:
             return f"no answer in {CONNECT_TIMEOUT:g} s"
         except OSError as error:
-            return str(error)
+            return error.strerror or str(error)
         return ""
 
 
