@@ -102,7 +102,7 @@ class Control:
             garbled=quality.garbled,
             resends=quality.resends,
             duplicates=quality.duplicates,
-            round_trip_ms=quality.round_trip_last,
+            round_trip_ms=None if quality.round_trip_last is None else round(quality.round_trip_last, 2),
         )
 
     def _told(self, events: Iterable[Event], now: Seconds) -> None:
