@@ -138,4 +138,6 @@ def _sentence(error: ValidationError) -> str:
     first = error.errors(include_url=False, include_input=False)[0]
     name = ".".join(str(part) for part in first["loc"])
     message = first["msg"].removeprefix("Value error, ")
+    if first["type"] == "too_short":
+        message = f"needs {first['ctx']['min_length']} characters or more, and has {first['ctx']['actual_length']}"
     return f"setting {name}: {message}" if name else message
