@@ -11,6 +11,7 @@ from binascii import crc_hqx
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 from app.protocols.itsc.codec import CRC_SIZE, DATA_SIZE, HEAD_SIZE, SHORT_SIZE, Codec
 from app.protocols.itsc.dialects import EtbLayout
@@ -53,6 +54,8 @@ class _Bad:
 
 Buffer = bytes | bytearray | memoryview
 EnqReader = Callable[[bytes, int], Enq | None]
+WholeReader = Callable[[Buffer], Enq | None]
+EtbReader = Callable[[bytes, int, int, int], Etb]
 Candidate = tuple[Frame, int] | _Bad | int
 """A frame and its size; or what is wrong; or how many bytes must be there before more can be said."""
 
@@ -83,10 +86,7 @@ class Decoder:
         self._need = 0
         self._start = 0 if codec.dialect.crc_covers_type else 1
         self._checksum = codec.checksum
-        self._structs = _Structs.of(codec)
-        self._read_enq = _enq_reader(codec, toward)
-        self._read_whole = _whole_reader(codec, toward, self._read_enq)
-        self._read_etb = _etb_reader(codec)
+        self._structs, self._read_enq, self._read_whole, self._read_etb = _readers(codec, toward)
 
     @property
     def pending(self) -> int:
@@ -206,6 +206,13 @@ class _Structs:
         return cls(*(struct.Struct(prefix + code) for code in ("xIQH", f"{_DATA_AT}xI", "H")))
 
 
+@lru_cache(maxsize=512)
+def _readers(codec: Codec, toward: Toward) -> "tuple[_Structs, EnqReader, WholeReader, EtbReader]":
+    """Return what reads a codec's packets: the same for all links of one direction, since each would take kilobytes."""
+    read_enq = _enq_reader(codec, toward)
+    return _Structs.of(codec), read_enq, _whole_reader(codec, toward, read_enq), _etb_reader(codec)
+
+
 def _prefix(codec: Codec) -> str:
     return ">" if codec.dialect.byte_order == "big" else "<"
 
@@ -257,7 +264,7 @@ def _enq_reader_of_status(codec: Codec) -> EnqReader:
     return read
 
 
-def _whole_reader(codec: Codec, toward: Toward, read_enq: EnqReader) -> Callable[[Buffer], Enq | None]:
+def _whole_reader(codec: Codec, toward: Toward, read_enq: EnqReader) -> WholeReader:
     """Return the same for exactly 33 bytes: for a STATUS by the default rules what takes the least time."""
     dialect, crc = codec.dialect, codec.dialect.crc_parameters
     plain = crc.poly == 0x1021 and not crc.refin and not crc.refout and not crc.xorout and dialect.crc_covers_type
@@ -289,7 +296,7 @@ def _raw(data: bytes, at: int) -> Raw:
     return Raw(data[at : at + DATA_SIZE])
 
 
-def _etb_reader(codec: Codec) -> Callable[[bytes, int, int, int], Etb]:
+def _etb_reader(codec: Codec) -> EtbReader:
     """Return what reads an ETB, given its offset, that of its sub data, and LENGTH; the CRCs are already checked."""
     unpack = struct.Struct(_prefix(codec) + "xIQH").unpack_from
     subs = codec.sub_readers()
