@@ -24,7 +24,8 @@ def packets(count: int) -> list[bytes]:
     codec = Codec(DEFAULT)
     word1, word2 = status1(0x08111134), status2(0xEF002100)
     return [
-        codec.encode(Enq(7, (1 << 63) + i, Code.STATUS, Resp2(word1, word2, 100_000 + i % 3000, i))) for i in range(count)
+        codec.encode(Enq(7, (1 << 63) + i, Code.STATUS, Resp2(word1, word2, 100_000 + i % 3000, i)))
+        for i in range(count)
     ]
 
 
