@@ -353,6 +353,8 @@ class Motion:
         vehicle.drive = None
         done = state in {IntentState.DONE, IntentState.SETTLED_DONE} and vehicle.barcode == drive.end.barcode
         vehicle.stopped = drive.end.action if done else None
+        if vehicle.errand is None:
+            self.shrink_ahead(vehicle)
         self._books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*reversed(vehicle.trail), *vehicle.ahead))
         self._books.wake(vehicle.id)
 

@@ -554,3 +554,14 @@ def test_a_stop_position_does_not_outlive_the_place(ready: Script) -> None:
     assert ready.vehicle(V1).stopped is None
     go(ready, "106", action=StopAction.PORT)
     assert names(path_of(ready.last(Move, V1))) == ["106"]
+
+
+def test_what_a_refused_xmove_was_to_use_is_free_once_the_vehicle_stands_without_an_errand(ready: Script) -> None:
+    move, xmove = extended(ready)
+    ready.answer(xmove, ready.vehicle(V1).barcode or "", RUN, ok=False)
+    ready.fleet.motion.drop(ready.vehicle(V1))
+    assert names(path_of(xmove))[-1] in ready.fleet.books.traffic.held(V1)
+    end = path_of(move)[-1]
+    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
+    ready.answer(move, end.barcode, words(), seq=end.seq)
+    assert set(ready.fleet.books.traffic.held(V1)) == set(ready.vehicle(V1).trail)
