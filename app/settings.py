@@ -116,8 +116,10 @@ def _read(file: Path) -> dict[str, Any]:
     try:
         text = file.read_text(encoding="utf-8")
         values = tomllib.loads(text) if file.suffix == ".toml" else yaml.safe_load(text)
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, yaml.YAMLError) as error:
         raise SettingsError(f"settings file {file}: {error}") from error
+    except RecursionError:
+        raise SettingsError(f"settings file {file}: it is nested too deeply") from None
     if values is None:
         return {}
     if not isinstance(values, dict):

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from app.cli.plainly import CannotStart, text_of
+
 if TYPE_CHECKING:
     from app.domain.layout import Plant
     from app.plant import Finding
@@ -25,9 +27,9 @@ def check(
     from app.plant import UnusablePlant, read
 
     try:
-        text = plant.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as wrong:
-        print(f"{plant} cannot be read: {wrong}")
+        text = text_of(plant)
+    except CannotStart as wrong:
+        print(wrong.message)
         raise typer.Exit(2) from None
     found: Plant | None = None
     try:

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import NoReturn
 
 import typer
@@ -19,9 +20,27 @@ class CannotStart(HoistwayError):
     code = "cannot-start"
 
 
+TEXT_LIMIT = 64 << 20
+"""Largest text that a person wrote, bytes: what is larger is another file. Our choice."""
+
+
 def said(error: OSError | UnicodeDecodeError) -> str:
     """Return the system's own word for an error, without the names of calls."""
-    return os.strerror(error.errno) if isinstance(error, OSError) and error.errno else str(error)
+    if isinstance(error, UnicodeDecodeError):
+        return f"it is not UTF-8: {error.reason} at byte {error.start}"
+    return os.strerror(error.errno) if error.errno else str(error)
+
+
+def text_of(file: Path) -> str:
+    """Return the text of a file in UTF-8, with or without a mark. Raises CannotStart: it cannot be read."""
+    try:
+        with file.open("rb") as opened:
+            data = opened.read(TEXT_LIMIT + 1)
+        if len(data) > TEXT_LIMIT:
+            raise CannotStart(f"{file} cannot be read: it is larger than {TEXT_LIMIT >> 20} MB")
+        return data.decode("utf-8-sig")
+    except (OSError, UnicodeDecodeError) as wrong:
+        raise CannotStart(f"{file} cannot be read: {said(wrong)}") from None
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from app.cli.plainly import CannotStart, said
+from app.cli.plainly import CannotStart, text_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -18,10 +18,7 @@ def plant_of(file: Path) -> Plant:
     """Return the plant of a file. Raises CannotStart."""
     from app.plant import UnusablePlant, read
 
-    try:
-        text = file.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as wrong:
-        raise CannotStart(f"the plant file {file} cannot be read: {said(wrong)}") from None
+    text = text_of(file)
     try:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:

@@ -11,7 +11,7 @@ from app.plant import format as file_format
 from app.plant.dialects import check_overlays
 from app.plant.document import Document, Path
 from app.plant.names import DISPLAY_BYTES, address, expand, is_barcode, is_range
-from app.plant.references import Places, check_id, check_station, is_known, pulses
+from app.plant.references import Places, check_event, check_id, check_station, is_known, pulses
 from app.plant.vehicles import vehicles
 
 _STRAIGHT_TOLERANCE = (0.9, 1.1)
@@ -26,6 +26,8 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
     edges = _edges(document, file, places, positions)
     parking = set(_marks(document, places, file.parking, ("parking",)))
     dialects = check_overlays(document, file.dialects)
+    for event in file.event_numbers:
+        check_event(document, event, ("event_numbers", event))
     plant = Plant(
         name=file.name or name,
         points=tuple(

@@ -16,6 +16,11 @@ from app.plant.findings import Finding, Severity
 MAX_DEPTH = 20
 """Deepest nesting that is read. Our choice: the format itself needs 5."""
 
+MAX_VALUES = 1_000_000
+"""Most values that are read. Our choice: a plant of 100,000 barcodes has a third of it."""
+MAX_TEXT = 200
+"""Longest text, characters. Our choice."""
+
 _LOADER: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _INT = re.compile(r"-?(0|[1-9][0-9]{0,18})")
 _HEX = re.compile(r"0x[0-9a-fA-F]{1,16}")
@@ -96,6 +101,7 @@ class Document:
     def __init__(self, text: str) -> None:
         self.findings: list[Finding] = []
         self.dropped: set[Path] = set()
+        self._values = 0
         self._events: Iterator[yaml.Event] = iter(yaml.parse(text, Loader=_LOADER))
         try:
             self.root = self._document()
@@ -175,11 +181,24 @@ class Document:
             self._fail(line, column, f"this is nested more than {MAX_DEPTH} levels deep", path=path[:4])
         if (tag := getattr(event, "tag", None)) is not None:
             self._fail(line, column, f"a tag ({tag}) cannot be used here", "leave it out", path)
+        self._values += 1
+        if self._values > MAX_VALUES:
+            self._fail(
+                line, column, f"the file has more than {MAX_VALUES} values", "write barcodes as ranges", path[:4]
+            )
         if isinstance(event, yaml.ScalarEvent):
+            self._check_text(event, path)
             return Scalar(line, column, _value(event), event.value)
         if isinstance(event, yaml.SequenceStartEvent):
             return self._sequence(Sequence(line, column), path)
         return self._mapping(Mapping(line, column), path)
+
+    def _check_text(self, event: yaml.ScalarEvent, path: Path) -> None:
+        """Refuse what would fill a screen, or steer the terminal that shows it."""
+        if len(event.value) > MAX_TEXT:
+            self._fail(*_start(event), f"a text is longer than {MAX_TEXT} characters", "shorten it", path)
+        if not event.value.isprintable():
+            self._fail(*_start(event), f"{event.value!r} has a character that cannot be shown", "leave it out", path)
 
     def _sequence(self, sequence: Sequence, path: Path) -> Sequence:
         while not isinstance(event := next(self._events), yaml.SequenceEndEvent):
@@ -194,6 +213,7 @@ class Document:
                     line, column, "a key must be text or a number", "quote it if it begins with [ { * or &", path
                 )
             key = event.value
+            self._check_text(event, path)
             value = self._node(next(self._events), (*path, key))
             if key in mapping.items:
                 first = mapping.keys[key].line

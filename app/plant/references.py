@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from app.domain.job import JobEvent
 from app.domain.layout import PulseSet
 from app.domain.units import Pulses
 from app.plant import format as file_format
@@ -36,6 +37,13 @@ def check_station(document: Document, name: str, path: Path) -> None:
     if name not in named:
         close = nearest(name, named)
         document.error(path, f"unknown station {name}", f"did you mean {close}?" if close else "give it under stations")
+
+
+def check_event(document: Document, name: str, path: Path) -> None:
+    """Note the name of an event that there is not."""
+    if name not in set(JobEvent):
+        close = nearest(name, JobEvent)
+        document.error(path, f"unknown event {name}", f"did you mean {close}?" if close else "", key=True)
 
 
 def check_id(document: Document, name: str, path: Path) -> None:

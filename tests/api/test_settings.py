@@ -51,6 +51,14 @@ def test_a_file_that_cannot_be_read_is_refused_by_name(tmp_path: Path) -> None:
         load(file, {})
 
 
+@pytest.mark.parametrize("text", ["port: 2024-99-99", "[" * 5000, "port: [", "port: \x00"])
+def test_a_file_that_makes_no_sense_is_refused_by_name(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "odd.yaml"
+    file.write_text(text)
+    with pytest.raises(SettingsError, match=r"odd\.yaml"):
+        load(file, {})
+
+
 def test_an_address_that_others_can_reach_needs_a_key() -> None:
     with pytest.raises(SettingsError, match="set access_key"):
         load(environ={}, host="0.0.0.0")

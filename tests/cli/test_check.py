@@ -8,6 +8,7 @@ import pytest
 import typer
 from typer.testing import CliRunner, Result
 
+from app.cli import plainly
 from app.cli.check import check
 from app.cli.schema import schema
 
@@ -87,3 +88,14 @@ def test_the_schema_of_a_plant_file_is_printed() -> None:
 def test_an_unknown_kind_of_file_is_refused_with_the_nearest() -> None:
     result = run("schema", "plants")
     assert (result.exit_code, result.stdout) == (2, "unknown kind of file 'plants'; did you mean 'plant'?\n")
+
+
+def test_a_file_that_cannot_be_read_is_named_with_the_reason(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "hall.yaml"
+    assert run("check", str(file)).stdout == f"{file} cannot be read: No such file or directory\n"
+    file.write_text("name: Süd", encoding="latin-1")
+    assert "cannot be read: it is not UTF-8: invalid" in run("check", str(file)).stdout
+    monkeypatch.setattr(plainly, "TEXT_LIMIT", 1 << 20)
+    file.write_bytes(b"#" * ((1 << 20) + 1))
+    result = run("check", str(file))
+    assert (result.exit_code, result.stdout) == (2, f"{file} cannot be read: it is larger than 1 MB\n")

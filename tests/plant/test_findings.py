@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from app.plant import Finding, Severity, UnusablePlant, read
+from app.plant import Finding, Severity, UnusablePlant, document, read
 
 GOOD = """\
 name: good
@@ -23,6 +23,7 @@ vehicles:
   V2: {dev_id: 2, address: "10.0.0.2:9000", start: 4}
 carriers: {FOUP1: P1}
 process_codes: {0x2100: moving}
+event_numbers: {TransferCompleted: 107}
 """
 
 
@@ -64,6 +65,14 @@ YAML = {
         "start: 4", "start: &a 4, reach: *a", 14, "an alias (*a) cannot be used here", "write the value again"
     ),
     "a tag": Case("name: good", "name: !!str good", 1, "a tag (tag:yaml.org,2002:str) cannot be used here"),
+    "a text without end": Case(
+        "name: good", "name: " + "x" * 201, 1, "a text is longer than 200 characters", "shorten it"
+    ),
+    "a text that steers the terminal": Case(
+        "name: good", 'name: "\\e[31mred"', 1, "has a character that cannot be shown", "leave it out"
+    ),
+    "a text that runs backwards": Case("name: good", "name: a\u202eb", 1, "has a character that cannot be shown"),
+    "a key that cannot be shown": Case("  P2:", '  "P\\u200b2":', 8, "has a character that cannot be shown"),
     "a list as a key": Case("name: good", "? [1]\n: good", 1, "a key must be text or a number"),
     "a second document": Case("name: good", "--- {}\n--- {}", 2, "a second document starts here"),
     "deep nesting": Case("name: good", "name: " + "[" * 30 + "]" * 30, 1, "this is nested more than 20 levels deep"),
@@ -291,6 +300,13 @@ DIALECTS = {
 }
 
 CARRIERS = {
+    "an unknown event": Case(
+        "TransferCompleted: 107",
+        "TransferComplete: 107",
+        17,
+        "unknown event TransferComplete",
+        "mean TransferCompleted?",
+    ),
     "a carrier on an unknown station": Case("FOUP1: P1", "FOUP1: P3", 15, "unknown station P3", "did you mean P"),
     "two carriers at one station": Case(
         "FOUP1: P1", "FOUP1: P1, FOUP2: P1", 15, "P1 holds FOUP1 already: one carrier a station"
@@ -439,3 +455,10 @@ class TestConnections:
         start, end = GOOD.index("stations:"), GOOD.index("zones:")
         text = (GOOD[:start] + GOOD[end:]).replace("carriers: {FOUP1: P1}\n", "")
         assert [finding.message for finding in findings_of(text)] == ["the plant has no station"]
+
+
+def test_a_file_of_far_too_many_values_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "MAX_VALUES", 20)
+    (finding,) = findings_of(GOOD)
+    assert finding.message == "the file has more than 20 values"
+    assert finding.remedy == "write barcodes as ranges"
