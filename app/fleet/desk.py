@@ -28,7 +28,7 @@ from app.domain.requests import (
 )
 from app.fleet.books import Books
 from app.fleet.jobs import Jobs
-from app.fleet.orders import VehicleOrders
+from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
 
 
@@ -89,25 +89,27 @@ class Desk:
         | LockVehicle
         | UnlockVehicle,
     ) -> Reply:
-        orders = self._vehicles
+        vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles
+        if vehicle is None:
+            return no_vehicle(request.vehicle)
         match request:
             case CommandVehicle():
-                return orders.command(request)
+                return orders.command(vehicle, request)
             case DisplayOnVehicle():
-                return orders.display(request)
+                return orders.display(vehicle, request)
             case MoveVehicle():
-                return orders.move(request)
+                return orders.move(vehicle, request)
             case HandleOnce():
-                return orders.handle(request)
+                return orders.handle(vehicle, request)
             case RecoverAlarm():
-                return orders.recover(request)
+                return orders.recover(vehicle, request)
             case ReleaseVehicle():
-                return orders.release(request)
+                return orders.release(vehicle, request)
             case HoldVehicle():
-                return orders.hold(request)
+                return orders.hold(vehicle, request)
             case SetService():
-                return orders.service(request)
+                return orders.service(vehicle, request)
             case LockVehicle():
-                return orders.lock(request)
+                return orders.lock(vehicle, request)
             case UnlockVehicle():
-                return orders.unlock(request)
+                return orders.unlock(vehicle, request)

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 from app.domain.commands import Display, Plain, Simple
 from app.domain.errors import NoRoute, Refusal
-from app.domain.ids import VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import Station, StopAction
 from app.domain.records import ControllerState, Lockout
@@ -61,6 +60,11 @@ def no_station(name: str) -> Refusal:
     return Refusal("not-found", f"there is no station {name}", "see GET /api/v1/stations")
 
 
+def no_link(vehicle: VehicleNow) -> Refusal:
+    """Refusal for a vehicle that is not connected."""
+    return Refusal("not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power")
+
+
 class VehicleOrders:
     """Answers requests about one vehicle."""
 
@@ -71,20 +75,14 @@ class VehicleOrders:
         self._recovery = recovery
         self._alarms = alarms
 
-    def _find(self, name: VehicleId) -> VehicleNow | Refusal:
-        return self._books.vehicles.get(name) or no_vehicle(name)
-
     def _accepted(self, vehicle: VehicleNow, cmd_id: int | None = None) -> Accepted:
         self._books.touch(vehicle)
         return Accepted(Topic.VEHICLES, vehicle.id, cmd_id=cmd_id)
 
     # -- commands -----------------------------------------------------------------------------------------------------
 
-    def command(self, request: CommandVehicle) -> Reply:
+    def command(self, vehicle: VehicleNow, request: CommandVehicle) -> Reply:
         """Send a command without data. Its outcome is the intent's."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if refusal := self._unready(vehicle, request.what):
             return refusal
         if request.what is Plain.STATUS:
@@ -103,9 +101,7 @@ class VehicleOrders:
                 "not-now", f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}", "lift the lockout first"
             )
         if not vehicle.linked or vehicle.status is None:
-            return Refusal(
-                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
-            )
+            return no_link(vehicle)
         if vehicle.recovery and what not in HARMLESS:
             return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
         mode = vehicle.mode
@@ -119,11 +115,8 @@ class VehicleOrders:
             return Refusal("not-now", f"{vehicle.id} is in MANT: stop_by_host needs AUTO or SEMI", "send stop")
         return None
 
-    def display(self, request: DisplayOnVehicle) -> Reply:
+    def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """Show a text on the vehicle."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if refusal := self._unready(vehicle, Plain.STOP_BY_HOST):
             return replace(
                 refusal, reason=refusal.reason.replace("stop_by_host", "display"), remedy="switch it to AUTO"
@@ -141,9 +134,7 @@ class VehicleOrders:
         if vehicle.barred:
             return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift that first")
         if not vehicle.linked:
-            return Refusal(
-                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
-            )
+            return no_link(vehicle)
         if vehicle.job:
             return Refusal("conflict", f"{vehicle.id} is on job {vehicle.job}", "cancel the job, or let it end")
         if vehicle.mode is not Mode.AUTO:
@@ -166,11 +157,8 @@ class VehicleOrders:
             )
         return None
 
-    def move(self, request: MoveVehicle) -> Reply:
+    def move(self, vehicle: VehicleNow, request: MoveVehicle) -> Reply:
         """Send a vehicle to a barcode, under grants."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if request.barcode not in self._books.track:
             return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
         if request.action is StopAction.RUN:
@@ -183,11 +171,8 @@ class VehicleOrders:
             return Refusal("no-route", why.message, "see GET /api/v1/layout", "barcode")
         return self._accepted(vehicle)
 
-    def handle(self, request: HandleOnce) -> Reply:
+    def handle(self, vehicle: VehicleNow, request: HandleOnce) -> Reply:
         """One PICKUP or PLACE where the vehicle stands."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         station = self._books.specs.get(request.station)
         if station is None:
             return replace(no_station(request.station), code="invalid", field="station")
@@ -223,17 +208,12 @@ class VehicleOrders:
 
     # -- decisions of people ------------------------------------------------------------------------------------------
 
-    def recover(self, request: RecoverAlarm) -> Reply:
+    def recover(self, vehicle: VehicleNow, request: RecoverAlarm) -> Reply:
         """Start the alarm recovery of PROTOCOLS 6.2."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if vehicle.record.lockout:
             return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift the lockout first")
         if not vehicle.linked or vehicle.status is None:
-            return Refusal(
-                "not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power"
-            )
+            return no_link(vehicle)
         if vehicle.recovery:
             return self._accepted(vehicle)
         unsafe = self._alarms.unsafe_to_home(vehicle.status)
@@ -247,19 +227,13 @@ class VehicleOrders:
         self._alarms.start(vehicle, request.actor, confirmed=request.confirmed)
         return self._accepted(vehicle)
 
-    def hold(self, request: HoldVehicle) -> Reply:
+    def hold(self, vehicle: VehicleNow, request: HoldVehicle) -> Reply:
         """Nothing more is sent to the vehicle until released; what it was told, it finishes."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         self._recovery.hold(vehicle, f"held by {request.actor}: {request.reason}", "release it when it may go on")
         return self._accepted(vehicle)
 
-    def release(self, request: ReleaseVehicle) -> Reply:
+    def release(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Reply:
         """A named person decides about a held or absent vehicle."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         decide = {
             Verdict.GO_ON: self._go_on,
             Verdict.OFF_RAIL: self._off_rail,
@@ -311,11 +285,8 @@ class VehicleOrders:
         self._recovery.strike_off(vehicle)
         return None
 
-    def service(self, request: SetService) -> Reply:
+    def service(self, vehicle: VehicleNow, request: SetService) -> Reply:
         """Out of service with a reason, or back."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if request.reason:
             self._missions.give_back(vehicle, f"{vehicle.id} was taken out of service")
         self._books.save_vehicle(vehicle, out_of_service=request.reason)
@@ -327,11 +298,8 @@ class VehicleOrders:
         self._books.wake(vehicle.id)
         return self._accepted(vehicle)
 
-    def lock(self, request: LockVehicle) -> Reply:
+    def lock(self, vehicle: VehicleNow, request: LockVehicle) -> Reply:
         """Maintenance lockout: nothing is sent, nothing is granted."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         if vehicle.record.lockout:
             owner = vehicle.record.lockout.owner
             return Refusal("conflict", f"{vehicle.id} is locked out by {owner} already", f"ask {owner}")
@@ -339,11 +307,8 @@ class VehicleOrders:
         self._books.save_vehicle(vehicle, lockout=Lockout(request.actor, request.reason, self._books.utc))
         return self._accepted(vehicle)
 
-    def unlock(self, request: UnlockVehicle) -> Reply:
+    def unlock(self, vehicle: VehicleNow, request: UnlockVehicle) -> Reply:
         """Lifted by its owner, or by two others together."""
-        vehicle = self._find(request.vehicle)
-        if isinstance(vehicle, Refusal):
-            return vehicle
         lock = vehicle.record.lockout
         if lock is None:
             return Refusal("conflict", f"{vehicle.id} is not locked out", "")
