@@ -220,12 +220,8 @@ class WriteOffset:
     expected: int | None = None
 
 
-Request = (
-    CreateJob
-    | CancelJob
-    | AbortJob
-    | ChangeJob
-    | CommandVehicle
+VehicleRequest = (
+    CommandVehicle
     | DisplayOnVehicle
     | MoveVehicle
     | HandleOnce
@@ -235,6 +231,15 @@ Request = (
     | SetService
     | LockVehicle
     | UnlockVehicle
+)
+"""About one vehicle of the plant."""
+
+Request = (
+    VehicleRequest
+    | CreateJob
+    | CancelJob
+    | AbortJob
+    | ChangeJob
     | PauseController
     | ResumeController
     | WriteStation

@@ -21,6 +21,7 @@ from app.domain.requests import (
     ResumeController,
     SetService,
     UnlockVehicle,
+    VehicleRequest,
     WriteCarrier,
     WriteDest,
     WriteOffset,
@@ -76,19 +77,7 @@ class Desk:
             case _:
                 return self._answer_about_vehicle(request)
 
-    def _answer_about_vehicle(
-        self,
-        request: CommandVehicle
-        | DisplayOnVehicle
-        | MoveVehicle
-        | HandleOnce
-        | RecoverAlarm
-        | ReleaseVehicle
-        | HoldVehicle
-        | SetService
-        | LockVehicle
-        | UnlockVehicle,
-    ) -> Reply:
+    def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles
         if vehicle is None:
             return no_vehicle(request.vehicle)
