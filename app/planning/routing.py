@@ -79,14 +79,6 @@ class Router:
             return inf
         return rest + self._row(target)[0][junction] + more
 
-    def times_from(self, start: Barcode, goals: Sequence[Barcode]) -> list[float]:
-        """Return the times from one start to each goal."""
-        return self.times([start], goals)[0]
-
-    def times_to(self, starts: Sequence[Barcode], goal: Barcode) -> list[float]:
-        """Return the times from each start to one goal."""
-        return [row[0] for row in self.times(starts, [goal])]
-
     def times(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> list[list[float]]:
         """Return a row for each start with the time to each goal, in seconds, infinite if there is no route."""
         if not starts or not goals or not self._size:

@@ -109,13 +109,6 @@ class Track:
         """Return whether a grant that is not for a goal may not end here."""
         return any(zone.no_stop for zone in self.zones_at(barcode))
 
-    def stopping_length(self, path: Sequence[Barcode], least: int) -> int:
-        """Return the smallest number from ``least`` up of barcodes of ``path`` after which a grant may end.
-
-        That is the whole path if every later barcode lies in a no-stop zone, or ``least`` is more than there are.
-        """
-        return next((n for n in range(max(least, 1), len(path)) if not self.no_stop(path[n - 1])), len(path))
-
     def conflicts(self, barcode: Barcode) -> frozenset[Barcode]:
         """Return the barcodes that no other vehicle may hold while one holds this.
 

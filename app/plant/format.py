@@ -11,9 +11,6 @@ from msgspec import UNSET, Meta, UnsetType
 from app.domain.layout import StationKind
 from app.protocols.itsc.dialects import DIALECTS, Dialect
 
-SCHEMA_COMMENT = "# yaml-language-server: $schema=plant.schema.json"
-"""First line of a plant file, by which editors find the schema."""
-
 
 def _number(what: str, unit: str, low: int, high: int) -> Meta:
     return Meta(ge=low, le=high, description=what, extra={"unit": unit})

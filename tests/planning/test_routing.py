@@ -57,8 +57,6 @@ def test_times_for_dispatch_agree_with_single_ones(lay: Lay) -> None:
     router = Router(lay("a b c d a", "b e f", "x e"))
     names = [A, B, C, D, E, F, X]
     assert router.times(names, names) == [[router.time(s, g) for g in names] for s in names]
-    assert router.times_from(C, names) == [router.time(C, g) for g in names]
-    assert router.times_to(names, F) == [router.time(s, F) for s in names]
     assert router.times([], names) == []
     assert router.times([A, B], []) == [[], []]
 

@@ -152,13 +152,6 @@ def test_the_two_legs_of_a_narrow_turn_exclude_each_other(lay: Lay) -> None:
     assert track.conflicts(b("b")) == frozenset()
 
 
-def test_a_grant_should_reach_beyond_a_no_stop_zone(lay: Lay, zone: Callable[..., Zone]) -> None:
-    track = lay("a b c d e", zones=[zone("b c", no_stop=True)])
-    assert [track.stopping_length(path("a b c d e"), n) for n in range(7)] == [1, 1, 4, 4, 4, 5, 5]
-    assert track.stopping_length(path("a b c"), 2) == 3
-    assert track.stopping_length([], 3) == 0
-
-
 spots = st.tuples(st.integers(-5, 5), st.integers(-5, 5))
 
 
