@@ -153,7 +153,8 @@ class VehicleOrders:
             return Refusal(
                 "not-now",
                 f"the roll-call still misses {', '.join(missing)}",
-                "connect them, or decide about each: POST /api/v1/vehicles/ID/release (verdict go_on for one that is connected)",
+                "connect them, or POST /api/v1/vehicles/ID/release with verdict off_rail or stands_at; "
+                "with go_on for one that is connected and on hold",
             )
         return None
 
