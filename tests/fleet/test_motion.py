@@ -1,80 +1,20 @@
 """From an errand to claims, MOVE and XMOVE, and what becomes of them (PROTOCOLS 6.2, TRAFFIC section 2)."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
 
-from app.domain.commands import Move, Plain, Send, Xmove
+from app.domain.commands import Move, Plain, Send
 from app.domain.events import Unknown
-from app.domain.ids import Actor, StationId, VehicleId
+from app.domain.ids import StationId
 from app.domain.layout import StopAction
 from app.domain.records import IntentState
-from app.domain.requests import CommandVehicle, MoveVehicle, ReleaseVehicle, Verdict
-from app.domain.route import PathElement
+from app.domain.requests import CommandVehicle, ReleaseVehicle, Verdict
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Condition
-from app.fleet.motion import LAST_SEQ
 from app.fleet.vehicle import Stage
+from tests.fleet.drives import KIM, RUN, drive_on, driving, go, last_intent, motions, names, path_of
 from tests.fleet.script import FOUP1, V1, V2, Script, small, stopped_at, words
-
-KIM = Actor("kim")
-RUN = words(oper=2, trav=8)
-
-
-def go(ready: Script, barcode: str, vehicle: VehicleId = V1, action: StopAction = StopAction.STOP) -> None:
-    """Send a vehicle somewhere."""
-    ready.accept(MoveVehicle(KIM, vehicle, Barcode(barcode), action))
-
-
-def path_of(send: Send) -> tuple[PathElement, ...]:
-    """Return the path of a MOVE or XMOVE."""
-    assert isinstance(send.command, Move | Xmove)
-    return send.command.path
-
-
-def names(path: Sequence[PathElement]) -> list[str]:
-    """Return the barcodes of a path."""
-    return [element.barcode for element in path]
-
-
-def motions(script: Script, vehicle: VehicleId = V1) -> list[Send]:
-    """Return the MOVEs and XMOVEs to a vehicle."""
-    return [s for s in script.sends if s.vehicle == vehicle and isinstance(s.command, Move | Xmove)]
-
-
-def last_intent(script: Script, send: Send) -> IntentState:
-    """Return the state of a command's intent as last kept."""
-    return next(i.state for i in reversed(script.kept_intents()) if i.cmd_id == send.cmd_id)
-
-
-def driving(ready: Script, goal: str = "116") -> Send:
-    """V001 has its MOVE and nobody obeys by itself any more; V002 is out of the way."""
-    ready.toys[V2].linked = False
-    ready.stand(V2, "117", link=False)
-    ready.toys[V1].linked = False
-    go(ready, goal)
-    move = ready.last(Move, V1)
-    ready.acknowledge(move)
-    return move
-
-
-def drive_on(ready: Script, elements: Sequence[PathElement]) -> None:
-    """V001 reads these barcodes, one a second."""
-    for element in elements:
-        ready.wait(1)
-        ready.report(V1, element.barcode, RUN, seq=element.seq, polled=False)
-
-
-def extended(ready: Script, goal: str = "116") -> tuple[Send, Send]:
-    """V001 has driven until it was sent an XMOVE; return MOVE and XMOVE."""
-    move = driving(ready, goal)
-    for element in path_of(move)[1:]:
-        drive_on(ready, [element])
-        if motions(ready)[-1] is not move:
-            break
-    return move, ready.last(Xmove, V1)
-
 
 # -- MOVE ------------------------------------------------------------------------------------------------------------------
 
@@ -161,141 +101,6 @@ def test_a_vehicle_on_a_loop_keeps_what_lies_ahead_of_it_though_it_has_been_ther
     go(script, "102")
     script.run(60)
     assert script.toys[V1].barcode == "102"
-
-
-# -- XMOVE ----------------------------------------------------------------------------------------------------------------
-
-
-def test_an_xmove_goes_on_from_the_present_stop_element_before_the_vehicle_brakes_for_it(ready: Script) -> None:
-    move, xmove = extended(ready)
-    end = path_of(move)[-1]
-    first = path_of(xmove)[0]
-    assert (first.barcode, first.seq, first.action) == (end.barcode, end.seq, StopAction.RUN)
-    assert [e.seq for e in path_of(xmove)] == [end.seq + n for n in range(len(path_of(xmove)))]
-    assert path_of(xmove)[-1].action is not StopAction.RUN
-    assert ready.vehicle(V1).barcode != end.barcode
-    assert isinstance(xmove.command, Xmove)
-    assert xmove.command.amends == move.cmd_id
-    intent = next(i for i in ready.intents(V1) if i.cmd_id == xmove.cmd_id)
-    assert (intent.amends, intent.path) == (move.cmd_id, tuple(names(path_of(xmove))))
-
-
-def test_no_second_xmove_leaves_while_one_is_not_answered(ready: Script) -> None:
-    move, _ = extended(ready)
-    sent = len(motions(ready))
-    drive_on(ready, path_of(move)[-2:-1])
-    assert len(motions(ready)) == sent
-
-
-def test_no_xmove_leaves_before_the_move_is_acknowledged(ready: Script) -> None:
-    ready.toys[V1].linked = ready.toys[V2].linked = False
-    go(ready, "115")
-    drive_on(ready, path_of(ready.last(Move, V1))[1:-1])
-    assert len(motions(ready)) == 1
-
-
-def test_an_accepted_xmove_makes_one_path_and_the_move_ends_at_the_new_end(ready: Script) -> None:
-    move, xmove = extended(ready)
-    ready.answer(xmove, ready.vehicle(V1).barcode or "", RUN)
-    assert last_intent(ready, xmove) is IntentState.DONE
-    drive = ready.vehicle(V1).drive
-    assert drive is not None
-    assert drive.end == path_of(xmove)[-1]
-    assert [e.seq for e in drive.path] == list(range(len(drive.path)))
-    kept = next(i for i in ready.intents(V1) if i.cmd_id == move.cmd_id)
-    assert kept.path == tuple(names(drive.path))
-
-
-def test_a_refused_xmove_waits_for_the_stop_and_then_a_fresh_move_follows(ready: Script) -> None:
-    move, xmove = extended(ready)
-    ready.answer(xmove, ready.vehicle(V1).barcode or "", RUN, ok=False)
-    assert last_intent(ready, xmove) is IntentState.FAILED
-    sent = len(motions(ready))
-    rest = [e for e in path_of(move) if e.seq > names(path_of(move)).index(ready.vehicle(V1).barcode or "")]
-    drive_on(ready, rest)
-    ready.wait(5)
-    assert len(motions(ready)) == sent
-    ready.answer(move, rest[-1].barcode, words(), seq=rest[-1].seq)
-    fresh = ready.last(Move, V1)
-    assert fresh.cmd_id != move.cmd_id
-    assert path_of(fresh)[0].barcode == rest[-1].barcode
-    assert path_of(fresh)[0].seq == 0
-
-
-def test_an_xmove_that_was_not_sent_is_as_good_as_refused(ready: Script) -> None:
-    move, xmove = extended(ready)
-    ready.not_sent(xmove)
-    assert last_intent(ready, xmove) is IntentState.NOT_SENT
-    assert ready.vehicle(V1).stage is Stage.READY
-    end = path_of(move)[-1]
-    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
-    ready.answer(move, end.barcode, words(), seq=end.seq)
-    assert path_of(ready.last(Move, V1))[0].barcode == end.barcode
-
-
-@pytest.mark.parametrize("taken", [True, False])
-def test_an_xmove_without_an_answer_is_known_by_where_the_vehicle_stops(ready: Script, *, taken: bool) -> None:
-    move, xmove = extended(ready)
-    ready.unanswered(xmove)
-    assert last_intent(ready, xmove) is IntentState.UNKNOWN
-    way = {e.seq: e for e in (*path_of(move), *path_of(xmove))}
-    last = path_of(xmove if taken else move)[-1]
-    now = names(list(way.values())).index(ready.vehicle(V1).barcode or "")
-    drive_on(ready, [e for seq, e in sorted(way.items()) if now < seq <= last.seq])
-    ready.answer(move, last.barcode, words(), seq=last.seq)
-    assert last_intent(ready, move) is IntentState.DONE
-    assert last_intent(ready, xmove) is (IntentState.SETTLED_DONE if taken else IntentState.SETTLED_NOT_DONE)
-
-
-def test_an_xmove_without_an_answer_is_known_by_a_status_at_the_old_end_too(ready: Script) -> None:
-    move, xmove = extended(ready)
-    ready.unanswered(xmove)
-    end = path_of(move)[-1]
-    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
-    ready.wait(1)
-    ready.report(V1, end.barcode, words(), seq=end.seq)
-    assert last_intent(ready, move) is IntentState.DONE
-    assert last_intent(ready, xmove) is IntentState.SETTLED_NOT_DONE
-
-
-def test_while_an_xmove_may_still_be_answered_a_status_at_the_old_end_ends_nothing(ready: Script) -> None:
-    move, xmove = extended(ready)
-    end = path_of(move)[-1]
-    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
-    ready.wait(1)
-    ready.report(V1, end.barcode, words(), seq=end.seq)
-    assert {move.cmd_id, xmove.cmd_id} <= {i.cmd_id for i in ready.intents(V1)}
-
-
-def test_a_late_yes_to_an_xmove_is_taken(ready: Script) -> None:
-    _, xmove = extended(ready)
-    ready.unanswered(xmove)
-    ready.answer(xmove, ready.vehicle(V1).barcode or "", RUN)
-    drive = ready.vehicle(V1).drive
-    assert drive is not None
-    assert drive.end == path_of(xmove)[-1]
-
-
-def test_a_yes_to_an_xmove_after_its_move_has_ended_changes_nothing(ready: Script) -> None:
-    move, xmove = extended(ready)
-    end = path_of(move)[-1]
-    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
-    ready.answer(move, end.barcode, words(), seq=end.seq)
-    fresh = ready.vehicle(V1).drive
-    ready.answer(xmove, end.barcode, words())
-    ready.not_sent(xmove)
-    assert ready.vehicle(V1).drive is fresh
-
-
-def test_a_path_that_has_come_very_far_is_not_extended_but_begun_anew(ready: Script) -> None:
-    move = driving(ready)
-    drive = ready.vehicle(V1).drive
-    assert drive is not None
-    drive.path = (*drive.path[:-1], replace(drive.path[-1], seq=LAST_SEQ + 1))
-    for element in path_of(move)[1:-1]:
-        ready.wait(1)
-        ready.report(V1, element.barcode, RUN, polled=False)
-    assert [s.cmd_id for s in motions(ready)] == [move.cmd_id]
 
 
 # -- how a MOVE ends -------------------------------------------------------------------------------------------------------
@@ -554,14 +359,3 @@ def test_a_stop_position_does_not_outlive_the_place(ready: Script) -> None:
     assert ready.vehicle(V1).stopped is None
     go(ready, "106", action=StopAction.PORT)
     assert names(path_of(ready.last(Move, V1))) == ["106"]
-
-
-def test_what_a_refused_xmove_was_to_use_is_free_once_the_vehicle_stands_without_an_errand(ready: Script) -> None:
-    move, xmove = extended(ready)
-    ready.answer(xmove, ready.vehicle(V1).barcode or "", RUN, ok=False)
-    ready.fleet.motion.drop(ready.vehicle(V1))
-    assert names(path_of(xmove))[-1] in ready.fleet.books.traffic.held(V1)
-    end = path_of(move)[-1]
-    drive_on(ready, [e for e in path_of(move) if e.seq >= end.seq - 1])
-    ready.answer(move, end.barcode, words(), seq=end.seq)
-    assert set(ready.fleet.books.traffic.held(V1)) == set(ready.vehicle(V1).trail)
