@@ -498,6 +498,30 @@ def test_the_last_frames_are_kept_both_ways_and_bounded() -> None:
     assert bench.session.link.frames_out == 43
 
 
+def test_the_last_frames_stand_in_the_order_of_the_line() -> None:
+    bench = Bench()
+    bench.connect()
+    first = bench.status(barcode=1202)
+    for byte in bench.codec.encode(Enq(12, TOP + 77, Code.STATUS, Resp2(status1(STANDING1), status2(AUTO_IDLE), 7, 0))):
+        bench.session.received(bytes([byte]), bench.now)
+    last = bench.status(barcode=1203)
+    ids = [int.from_bytes(packet[5:13], "big") for _, _, packet in bench.session.last_frames]
+    poll = ids[0]
+    assert ids == [poll, poll, poll, first, first, TOP + 77, TOP + 77, last, last]
+    assert [way for _, way, _ in bench.session.last_frames] == ["out", *["in", "out"] * 4]
+
+
+def test_events_and_a_duplicate_in_one_piece_are_taken_in_order() -> None:
+    bench = Bench()
+    bench.connect()
+    body = [Resp2(status1(STANDING1), status2(AUTO_IDLE), barcode, 0) for barcode in (7, 8, 9)]
+    packets = [bench.codec.encode(Enq(12, TOP + n, Code.STATUS, each)) for n, each in enumerate(body, 5)]
+    bench.session.received(b"".join([*packets, packets[1]]), bench.now)
+    assert bench.acks() == [TOP + 5, TOP + 6, TOP + 7, TOP + 6]
+    assert [told.status.barcode for told in reported(bench)] == ["7", "8", "9"]
+    assert bench.session.link.duplicates == 1
+
+
 def test_sessions_of_two_epochs_never_ask_under_the_same_id() -> None:
     spec = VehicleSpec(V, DevId(12))
     polls = set()
