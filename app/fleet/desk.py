@@ -1,5 +1,7 @@
 """Where requests of people and hosts arrive: each goes to who answers it, and into the audit."""
 
+from dataclasses import fields
+
 from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
@@ -46,7 +48,7 @@ class Desk:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
-        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else repr(request)
+        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
         named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
@@ -102,3 +104,9 @@ class Desk:
                 return orders.lock(vehicle, request)
             case UnlockVehicle():
                 return orders.unlock(vehicle, request)
+
+
+def _said(request: Request) -> str:
+    """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
+    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint"})
+    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", ()))

@@ -300,12 +300,21 @@ class VehicleOrders:
         return self._accepted(vehicle)
 
     def lock(self, vehicle: VehicleNow, request: LockVehicle) -> Reply:
-        """Maintenance lockout: nothing is sent, nothing is granted."""
+        """Maintenance lockout: nothing is granted, and nothing sent but what reads or stops.
+
+        A driving vehicle is stopped where it is: a person may be about to step to it. A handling ends: an open gripper
+        over a port is no safer.
+        """
         if vehicle.record.lockout:
             owner = vehicle.record.lockout.owner
             return Refusal("conflict", f"{vehicle.id} is locked out by {owner} already", f"ask {owner}")
         self._missions.give_back(vehicle, f"{vehicle.id} is locked out by {request.actor}")
         self._books.save_vehicle(vehicle, lockout=Lockout(request.actor, request.reason, self._books.utc))
+        if vehicle.linked and vehicle.drive and vehicle.mode in {Mode.AUTO, Mode.SEMI}:
+            stop = Plain.STOP_BY_HOST
+            return self._accepted(
+                vehicle, self._books.open_intent(vehicle, stop.value, Simple(stop), request.actor).cmd_id
+            )
         return self._accepted(vehicle)
 
     def unlock(self, vehicle: VehicleNow, request: UnlockVehicle) -> Reply:

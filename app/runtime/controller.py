@@ -15,10 +15,12 @@ from structlog.typing import FilteringBoundLogger
 from app.control import Control, Transaction
 from app.domain.errors import Refusal
 from app.domain.ids import VehicleId
+from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
+from app.domain.view import EventView, Update
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.runtime.clock import Clock
@@ -32,6 +34,8 @@ from app.store.ledger import SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
+NOTEWORTHY = frozenset({JobEvent.VEHICLE_HELD, JobEvent.VEHICLE_RELEASED, JobEvent.ALARM_SET, JobEvent.ALARM_CLEARED})
+"""Events that the log has too, for a person on duty without the page."""
 GONE = Refusal("not-now", "This controller has stopped.", "Ask the one that holds the plant now, or start it again.")
 
 
@@ -172,11 +176,19 @@ class Controller:
             updates = self._control.updates()
             if updates:
                 self.hub.publish(updates)
+                self._note(updates)
             for ticket, reply in self._control.replies():
                 future = self._asked.pop(ticket, None)
                 if future is not None and not future.done():
                     future.set_result(reply)
             self._arm()
+
+    def _note(self, updates: Sequence[Update]) -> None:
+        """Write into the log what a person on duty should see without the page."""
+        for update in updates:
+            event = update.value
+            if isinstance(event, EventView) and event.event in NOTEWORTHY:
+                self._log.warning(event.event, vehicle=event.vehicle, job=event.job, detail=event.detail)
 
     @contextmanager
     def _whole(self) -> Iterator[None]:

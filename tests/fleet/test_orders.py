@@ -295,6 +295,30 @@ def test_a_lockout_lets_nothing_through_but_reading_and_stopping(ready: Script) 
     assert "locked out" in ready.refuse(RecoverAlarm(LEE, V1)).reason
 
 
+def test_a_lockout_stops_a_driving_vehicle_where_it_is(ready: Script) -> None:
+    ready.accept(MoveVehicle(KIM, V1, Barcode("110")))
+    ready.run(1)
+    assert ready.vehicle(V1).drive
+    accepted = ready.accept(LockVehicle(KIM, V1, "belt"))
+    stop = next(send for send in ready.sends if send.cmd_id == accepted.cmd_id)
+    assert stop.command == Simple(Plain.STOP_BY_HOST)
+    ready.forget()
+    ready.run(20)
+    assert not ready.vehicle(V1).drive
+    assert not ready.sends
+
+
+def test_the_audit_says_in_words_what_was_asked(ready: Script) -> None:
+    ready.accept(LockVehicle(KIM, V1, "belt"))
+    row = ready.kept(AuditRow)[-1]
+    assert (row.actor, row.action, row.target, row.detail) == (
+        "kim",
+        "LockVehicle",
+        "V001",
+        "vehicle V001, reason belt",
+    )
+
+
 def test_a_lockout_is_lifted_by_its_owner_alone(ready: Script) -> None:
     assert ready.refuse(UnlockVehicle(KIM, V1)).code == "conflict"
     ready.accept(LockVehicle(KIM, V1, "belt"))
