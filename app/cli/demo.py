@@ -29,7 +29,7 @@ def demo(
     plant: Annotated[Path, typer.Option(help="the plant file")] = Path("plants/demo.yaml"),
     port: Annotated[int, typer.Option(help="port to listen at")] = 8080,
     workload: Annotated[bool, typer.Option("--workload", help="order random jobs all the time")] = False,
-    keep: Annotated[int, typer.Option(help="jobs kept open by --workload")] = 6,
+    keep: Annotated[int, typer.Option(min=1, help="jobs kept open by --workload")] = 6,
     database: Annotated[
         str | None, typer.Option(help="SQLAlchemy URL; without it a new one, thrown away at the end")
     ] = None,

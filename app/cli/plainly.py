@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Iterator
@@ -28,7 +29,8 @@ def said(error: OSError | UnicodeDecodeError) -> str:
     """Return the system's own word for an error, without the names of calls."""
     if isinstance(error, UnicodeDecodeError):
         return f"it is not UTF-8: {error.reason} at byte {error.start}"
-    return os.strerror(error.errno) if error.errno else str(error)
+    # A name that cannot be resolved has a number that is none of the system's.
+    return os.strerror(error.errno) if error.errno and error.errno > 0 else error.strerror or str(error)
 
 
 def text_of(file: Path) -> str:
@@ -41,6 +43,13 @@ def text_of(file: Path) -> str:
         return data.decode("utf-8-sig")
     except (OSError, UnicodeDecodeError) as wrong:
         raise CannotStart(f"{file} cannot be read: {said(wrong)}") from None
+
+
+def positive(value: float | None) -> float | None:
+    """Return an option's number, above 0 and finite. Raises typer.BadParameter."""
+    if value is not None and not (math.isfinite(value) and value > 0):
+        raise typer.BadParameter(f"{value} is no number above 0")
+    return value
 
 
 @contextmanager

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import json
 import sys
 import time
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly, refuse, said
+from app.cli.plainly import plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
@@ -38,7 +39,8 @@ def sim(
     ] = None,
     controller: Annotated[str, typer.Option(help="host that vehicles which dial in themselves dial")] = "127.0.0.1",
     haste: Annotated[
-        float, typer.Option(help="steps of a pick-up or place, and of homing, are so many times as quick")
+        float,
+        typer.Option(callback=positive, help="steps of a pick-up or place, and of homing, are so many times as quick"),
     ] = 1.0,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
@@ -53,7 +55,9 @@ def sim(
         try:
             code = on_loop(_Floor(found, journal, host, controller, haste).run(with_parent))
         except OSError as wrong:
-            refuse(f"cannot simulate {found.name}: {said(wrong)}", "Is it simulated already?")
+            at = f" ({wrong.filename})" if wrong.filename else ""
+            remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
+            refuse(f"cannot simulate {found.name}: {said(wrong)}{at}", remedy)
     raise typer.Exit(code)
 
 

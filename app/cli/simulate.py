@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly
+from app.cli.plainly import plainly, positive
 from app.cli.running import plant_of
 
 if TYPE_CHECKING:
@@ -20,11 +20,11 @@ DRAIN = 1800.0
 
 def simulate(
     plant: Annotated[Path, typer.Option(help="the plant file")],
-    hours: Annotated[float, typer.Option(help="virtual hours under load")] = 1.0,
+    hours: Annotated[float, typer.Option(callback=positive, help="virtual hours under load")] = 1.0,
     seed: Annotated[int, typer.Option(help="the same seed gives the same run, byte for byte")] = 1,
-    rate: Annotated[float | None, typer.Option(help="jobs per hour, at random moments")] = None,
-    keep: Annotated[int, typer.Option(help="jobs kept open, if no rate is given")] = 8,
-    kills: Annotated[int, typer.Option(help="kill the controller so many times at random moments")] = 0,
+    rate: Annotated[float | None, typer.Option(callback=positive, help="jobs per hour, at random moments")] = None,
+    keep: Annotated[int, typer.Option(min=1, help="jobs kept open, if no rate is given")] = 8,
+    kills: Annotated[int, typer.Option(min=0, help="kill the controller so many times at random moments")] = 0,
 ) -> None:
     """Run the whole controller with simulated vehicles in virtual time; exit 1 if anything happened that must not."""
     from app.sim.run import run

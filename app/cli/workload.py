@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from app.cli.plainly import refuse
+from app.cli.plainly import positive, refuse
 from app.cli.running import on_loop, stop_signal
 from app.domain.ids import CarrierId, StationId
 from app.sim.workload import Pace, choose
@@ -22,14 +22,16 @@ EVERY = 1.0
 
 def workload(
     url: Annotated[str, typer.Option(help="the controller's URL")] = "http://127.0.0.1:8080",
-    rate: Annotated[float | None, typer.Option(help="jobs per hour, at random moments")] = None,
-    keep: Annotated[int | None, typer.Option(help="keep so many jobs open instead")] = None,
+    rate: Annotated[float | None, typer.Option(callback=positive, help="jobs per hour, at random moments")] = None,
+    keep: Annotated[int | None, typer.Option(min=1, help="keep so many jobs open instead")] = None,
     seed: Annotated[int | None, typer.Option(help="the same seed chooses the same way")] = None,
     key: Annotated[str | None, typer.Option(envvar="HOISTWAY_ACCESS_KEY", help="access key")] = None,
 ) -> None:
     """Order random transfers, from full places to empty ones, until Ctrl-C."""
     if rate is not None and keep is not None:
         refuse("either --rate or --keep, not both")
+    if not url.startswith(("http://", "https://")):
+        refuse(f"{url} is not the URL of a controller", "Write it as http://127.0.0.1:8080")
 
     async def run() -> int:
         stop = stop_signal()
@@ -65,8 +67,10 @@ async def order(
             try:
                 for line in await _look_and_order(client, rng, pace, loop.time()):
                     tell(line)
-            except httpx.HTTPError as trouble:
+            except (httpx.HTTPError, httpx.InvalidURL) as trouble:
                 tell(f"hoistway workload: {type(trouble).__name__}: {trouble}")
+            except (ValueError, LookupError, TypeError):
+                tell(f"hoistway workload: what answers at {url} is no controller")
             try:
                 await asyncio.wait_for(stop.wait(), EVERY)
             except TimeoutError:

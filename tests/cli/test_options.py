@@ -1,0 +1,47 @@
+"""Options that make no sense are refused before anything runs."""
+
+import socket
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from app.cli import app
+from app.cli.plainly import said
+
+PLANT = str(Path(__file__).parents[2] / "plants" / "small.yaml")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["sim", "--plant", PLANT, "--haste", "0"],
+        ["sim", "--plant", PLANT, "--haste", "nan"],
+        ["sim", "--plant", PLANT, "--haste", "-1"],
+        ["simulate", "--plant", PLANT, "--hours", "nan"],
+        ["simulate", "--plant", PLANT, "--hours", "inf"],
+        ["simulate", "--plant", PLANT, "--hours", "-1"],
+        ["simulate", "--plant", PLANT, "--rate", "0"],
+        ["simulate", "--plant", PLANT, "--keep", "0"],
+        ["simulate", "--plant", PLANT, "--kills", "-1"],
+        ["workload", "--rate", "nan"],
+        ["workload", "--keep", "-1"],
+        ["demo", "--keep", "0"],
+    ],
+    ids=" ".join,
+)
+def test_a_number_that_makes_no_sense_is_refused(words: list[str]) -> None:
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 2
+    assert words[-2] in result.output
+
+
+def test_a_url_without_a_scheme_is_refused() -> None:
+    result = CliRunner().invoke(app, ["workload", "--url", "localhost:8080"])
+    assert result.exit_code == 1
+    assert "http://127.0.0.1:8080" in result.output
+
+
+def test_a_name_that_cannot_be_resolved_is_said_in_words() -> None:
+    wrong = socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+    assert said(wrong) == "Name or service not known"
