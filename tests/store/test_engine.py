@@ -1,5 +1,6 @@
 """URLs, and the words for what goes wrong."""
 
+import sqlite3
 from pathlib import Path
 
 import pytest
@@ -40,6 +41,23 @@ def test_a_database_in_memory_has_no_file(tmp_path: Path) -> None:
     assert file_of(parsed("sqlite://")) is None
     assert file_of(parsed("postgresql://host/plant")) is None
     assert file_of(parsed(f"sqlite:///{tmp_path}/x/../plant.db")) == tmp_path.resolve() / "plant.db"
+
+
+def test_a_file_that_is_no_sound_database_is_refused_with_a_remedy(tmp_path: Path) -> None:
+    file = tmp_path / "plant.db"
+    file.write_bytes(b"no database at all" * 1000)
+    with pytest.raises(StoreError, match="not a database") as caught, told("it cannot be opened"):
+        writing(parsed(f"sqlite:///{file}")).connect()
+    assert caught.value.remedy.startswith("Name another file")
+    made = sqlite3.connect(tmp_path / "made.db")
+    made.executescript("CREATE TABLE t (a TEXT); INSERT INTO t VALUES ('x');")
+    made.close()
+    sound = (tmp_path / "made.db").read_bytes()
+    file.write_bytes(sound[:4096] + b"\xff" * (len(sound) - 4096))
+    with pytest.raises(StoreError, match="malformed") as caught, told("it cannot be read"):
+        with writing(parsed(f"sqlite:///{file}")).connect() as connection:
+            connection.exec_driver_sql("SELECT * FROM t").all()
+    assert "--restored" in caught.value.remedy
 
 
 def test_sqlite_is_durable_when_it_says_so(sqlite_url: str) -> None:
