@@ -49,14 +49,14 @@ def test_a_file_that_is_no_sound_database_is_refused_with_a_remedy(tmp_path: Pat
     with pytest.raises(StoreError, match="not a database") as caught, told("it cannot be opened"):
         writing(parsed(f"sqlite:///{file}")).connect()
     assert caught.value.remedy.startswith("Name another file")
-    made = sqlite3.connect(tmp_path / "made.db")
-    made.executescript("CREATE TABLE t (a TEXT); INSERT INTO t VALUES ('x');")
-    made.close()
+    whole = sqlite3.connect(tmp_path / "made.db")
+    whole.executescript("CREATE TABLE t (a TEXT); INSERT INTO t VALUES ('x');")
+    whole.close()
     sound = (tmp_path / "made.db").read_bytes()
     file.write_bytes(sound[:4096] + b"\xff" * (len(sound) - 4096))
-    with pytest.raises(StoreError, match="malformed") as caught, told("it cannot be read"):
-        with writing(parsed(f"sqlite:///{file}")).connect() as connection:
-            connection.exec_driver_sql("SELECT * FROM t").all()
+    engine = writing(parsed(f"sqlite:///{file}"))
+    with pytest.raises(StoreError, match="malformed") as caught, told("it cannot be read"), engine.connect() as made:
+        made.exec_driver_sql("SELECT * FROM t").all()
     assert "--restored" in caught.value.remedy
 
 
