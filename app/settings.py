@@ -73,6 +73,7 @@ class Settings(BaseSettings):
         return (init_settings,)
 
 
+@lru_cache(maxsize=256)
 def is_loopback(host: str) -> bool:
     """Whether only this machine can reach that address."""
     if host.lower() == "localhost":
