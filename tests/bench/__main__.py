@@ -3,6 +3,7 @@
 import json
 import os
 import platform
+import signal
 import sys
 from collections.abc import Callable, Iterator
 
@@ -72,4 +73,6 @@ says otherwise. Absolute numbers are for orientation: neighbours on the machine 
 
 
 if __name__ == "__main__":
+    # A polite kill unwinds, so that no child stays behind.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     sys.exit(main(sys.argv[1:]))
