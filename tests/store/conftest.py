@@ -3,6 +3,7 @@
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 from uuid import uuid4
 
 import pytest
@@ -15,6 +16,21 @@ from app.store.ledger import SqlLedger
 NOW = Timestamp(1000.0)
 
 Open = Callable[..., SqlLedger]
+
+
+@pytest.fixture(autouse=True)
+def _connections_are_closed() -> Iterator[None]:
+    """Close what a test left open, crashes it played included: Python 3.13 warns of every one that is just forgotten."""
+    made: list[Any] = []
+
+    def note(connection: Any, _record: object) -> None:
+        made.append(connection)
+
+    sa.event.listen(sa.Pool, "connect", note)
+    yield
+    sa.event.remove(sa.Pool, "connect", note)
+    for connection in made:
+        connection.close()
 
 
 @pytest.fixture
