@@ -21,6 +21,7 @@ from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
 from app.domain.view import EventView, Update
+from app.fleet.takeover import check_nobody_is_forgotten
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.runtime.clock import Clock
@@ -67,8 +68,8 @@ class Controller:
     async def start(self) -> None:
         """Take the plant, see what is kept, and begin to connect.
 
-        Raises PlantHeld: another controller has it. Raises StoreError: the database cannot be used. Raises OSError: the address
-        to listen at for vehicles cannot be used.
+        Raises PlantHeld: another controller has it. Raises StoreError: the database cannot be used. Raises PlantError: a vehicle
+        that may be on the rail is not in the plant any more. Raises OSError: the address to listen at cannot be used.
         """
         self._loop = asyncio.get_running_loop()
         self.lost: asyncio.Future[str] = self._loop.create_future()
@@ -137,7 +138,9 @@ class Controller:
         holder = f"{socket.gethostname()}, process {os.getpid()}"
         self._ledger = SqlLedger(self._database, self.plant.name, holder, self._clock.utc)
         try:
-            return replace(self._ledger.load(), restored=self._restored)
+            kept = replace(self._ledger.load(), restored=self._restored)
+            check_nobody_is_forgotten(self.plant, kept)
+            return kept
         except BaseException:
             self._ledger.close()
             raise

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from app.domain.commands import Plain
-from app.domain.errors import PlantHeld, Refusal, StoreError
+from app.domain.errors import PlantError, PlantHeld, Refusal, StoreError
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.job import JobState
 from app.domain.layout import Plant
-from app.domain.requests import Accepted, CommandVehicle, CreateJob
+from app.domain.requests import Accepted, CommandVehicle, CreateJob, ReleaseVehicle, Verdict
 from app.domain.units import Seconds
 from app.domain.view import Topic, VehicleView
 from app.plant import read
@@ -187,6 +187,28 @@ def test_another_plants_database_is_refused(tmp_path: Path) -> None:
             pass
         with pytest.raises(StoreError, match="small"):
             await Controller(replace(plant, name="other"), database_in(directory)).start()
+
+    run(scenario)
+
+
+def test_a_vehicle_that_may_be_on_the_rail_cannot_leave_the_plant_file(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        directory = in_pieces(tmp_path, "less")
+        plant = plant_in(directory)
+        less = replace(plant, vehicles=plant.vehicles[1:])
+        async with simulated(plant), controlled(plant, directory) as controller:
+            await linked(controller)
+            await until(lambda: all(view.covered for view in vehicles(controller)))
+        with pytest.raises(
+            PlantError, match="V001 is not in the plant file any more, but may be on the rail"
+        ) as caught:
+            await Controller(less, database_in(directory)).start()
+        assert "off_rail" in caught.value.remedy
+        async with controlled(plant, directory) as controller:
+            lifted = ReleaseVehicle(Actor("kim"), VehicleId("V001"), Verdict.OFF_RAIL, "lifted off")
+            assert isinstance(await controller.ask(lifted), Accepted)
+        async with controlled(less, directory):
+            pass
 
     run(scenario)
 
