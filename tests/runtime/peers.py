@@ -9,7 +9,7 @@ import uvloop
 
 from app.domain.units import Seconds
 
-GENEROUS = 20.0
+GENEROUS = 60.0
 
 
 class Echo:

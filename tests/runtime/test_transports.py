@@ -30,10 +30,10 @@ def test_a_dialler_connects_and_connects_again_after_a_loss() -> None:
         async with served(theirs) as server:
             dialler = Dialler(Line(ours, now), "127.0.0.1", server.port, "V1")
             dialler.start()
-            await until(lambda: theirs.notes == ["connected"])
+            await until(lambda: "connected" in theirs.notes)
             theirs.wants_close = True
             server._line.flush()
-            await until(lambda: theirs.notes.count("connected") == 2)
+            await until(lambda: theirs.notes.count("connected") >= 2)
             await dialler.stop()
 
     run(scenario)
@@ -49,7 +49,7 @@ def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
         dialler.start()
         await asyncio.sleep(0.05)
         async with served(theirs, port):
-            await until(lambda: ours.notes == ["connected"])
+            await until(lambda: "connected" in ours.notes)
             await dialler.stop()
 
     run(scenario)
