@@ -1,6 +1,8 @@
 """Options that make no sense are refused before anything runs."""
 
 import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -45,3 +47,19 @@ def test_a_url_without_a_scheme_is_refused() -> None:
 def test_a_name_that_cannot_be_resolved_is_said_in_words() -> None:
     wrong = socket.gaierror(socket.EAI_NONAME, "Name or service not known")
     assert said(wrong) == "Name or service not known"
+
+
+def test_ctrl_c_while_the_program_is_read_in_is_no_traceback() -> None:
+    source = (
+        "import builtins, sys\n"
+        "real = builtins.__import__\n"
+        "def interrupted(name, *rest):\n"
+        "    if name == 'app.cli':\n"
+        "        raise KeyboardInterrupt\n"
+        "    return real(name, *rest)\n"
+        "builtins.__import__ = interrupted\n"
+        "from app.main import main\n"
+        "main()\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, timeout=60, check=False)
+    assert (ended.returncode, ended.stderr) == (130, "")
