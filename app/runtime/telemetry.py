@@ -7,6 +7,36 @@ import structlog
 from structlog.typing import FilteringBoundLogger, Processor
 
 
+QUIET = 60.0
+"""Seconds until the web server may say the same again of a caller. Our choice."""
+CALLERS_FAULT = frozenset({"Invalid UTF-8 sequence received from client."})
+"""What the web server tells with a traceback, though nothing is wrong with it."""
+NO_FAULT = frozenset({"ASGI callable returned without completing handshake."})
+"""What it calls an error though it is none: a WebSocket that was refused as HTTP has it (uvicorn up to 0.54)."""
+
+
+class Sparing(logging.Filter):
+    """Lets each line of the web server through once a minute, and every defect: hostile callers must not fill the log."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._told: dict[str, float] = {}
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Whether to write the line."""
+        text = record.getMessage()
+        if text in CALLERS_FAULT:
+            record.exc_info = None
+        if record.exc_info:
+            return True
+        if text in NO_FAULT or record.created - self._told.get(text, -QUIET) < QUIET:
+            return False
+        if len(self._told) >= 100:
+            self._told.clear()
+        self._told[text] = record.created
+        return True
+
+
 def set_up(*, as_json: bool | None = None, level: str = "info") -> None:
     """Send logs to standard error. ``as_json`` None: JSON unless standard error is a terminal."""
     if as_json is None:
@@ -22,6 +52,7 @@ def set_up(*, as_json: bool | None = None, level: str = "info") -> None:
         processors.append(structlog.dev.ConsoleRenderer(colors=sys.stderr.isatty()))
     number = logging.getLevelNamesMapping()[level.upper()]
     logging.basicConfig(stream=sys.stderr, level=logging.WARNING, format="%(levelname)s %(name)s: %(message)s")
+    logging.getLogger("uvicorn.error").addFilter(Sparing())
     structlog.configure(
         processors=processors,
         wrapper_class=structlog.make_filtering_bound_logger(number),
