@@ -6,7 +6,6 @@ import sys
 import structlog
 from structlog.typing import FilteringBoundLogger, Processor
 
-
 QUIET = 60.0
 """Seconds until the web server may say the same again of a caller. Our choice."""
 CALLERS_FAULT = frozenset({"Invalid UTF-8 sequence received from client."})
