@@ -106,6 +106,11 @@ _NOW = sa.cast(sa.func.extract("epoch", sa.func.clock_timestamp()), sa.Double)
 _WHO = sa.select(lease, _NOW.label("now"))
 
 
+def pause(connection: sa.Connection, seconds: float) -> None:
+    """Let the database wait: time passes by its clock, which alone counts here."""
+    connection.execute(sa.select(sa.func.pg_sleep(seconds)))
+
+
 class RowLease:
     """A row with a token and a deadline by the database's clock, which alone decides (PostgreSQL).
 
@@ -140,7 +145,7 @@ class RowLease:
                         return str(token)
             seen = found
             with self._engine.begin() as connection:
-                connection.execute(sa.select(sa.func.pg_sleep(_PAUSE_SECONDS)))
+                pause(connection, _PAUSE_SECONDS)
             waited += _PAUSE_SECONDS
 
     def _take_from(self, last: sa.Row[Any] | None, plant: str, holder: str) -> sa.Executable:
