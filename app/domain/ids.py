@@ -5,6 +5,8 @@ from typing import NewType
 VehicleId = NewType("VehicleId", str)
 StationId = NewType("StationId", str)
 ZoneId = NewType("ZoneId", str)
+LinkId = NewType("LinkId", str)
+"""A line that carries several devices; no vehicle has the same name."""
 JobId = NewType("JobId", str)
 CarrierId = NewType("CarrierId", str)
 DevId = NewType("DevId", int)

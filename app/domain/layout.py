@@ -3,8 +3,10 @@
 from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
 
-from app.domain.ids import CarrierId, DevId, StationId, VehicleId, ZoneId
-from app.domain.units import Barcode, Millimetres, Percent, Pulses
+from app.domain.devices import AliasName, DeviceId, DeviceNumber
+from app.domain.drive import DriveAddress, DriveId
+from app.domain.ids import CarrierId, DevId, LinkId, StationId, VehicleId, ZoneId
+from app.domain.units import Barcode, Millimetres, Percent, Pulses, Seconds
 
 
 class StopAction(IntEnum):
@@ -20,11 +22,12 @@ class StopAction(IntEnum):
 
 
 class StationKind(StrEnum):
-    """Where a hoist can find or leave a carrier (PROTOCOLS 1.1)."""
+    """Where a hoist can find or leave a carrier (PROTOCOLS 1.1), or an AGV a cart (3.2)."""
 
     PORT = "port"
     SBFL = "sbfl"
     SBFR = "sbfr"
+    AGV_BUFFER = "agv_buffer"
 
     @property
     def stop_action(self) -> StopAction:
@@ -36,6 +39,7 @@ _STOP_AT = {
     StationKind.PORT: StopAction.PORT,
     StationKind.SBFL: StopAction.SBFL,
     StationKind.SBFR: StopAction.SBFR,
+    StationKind.AGV_BUFFER: StopAction.STOP,
 }
 
 
@@ -99,6 +103,7 @@ class Station:
 
     ``look_down`` is LKDN 0-15 and ``speed`` SPD 1-100 of INST_PORT and INST_SBUF. ``dest`` is the Station DEST the plant
     file brings (ports only; teaching replaces it). ``display`` is the name shown on the vehicle, at most 16 characters.
+    ``buffer`` is the device to lock while the station is served (AGV buffers); ``alias`` its name for command 107.
     """
 
     id: StationId
@@ -109,6 +114,8 @@ class Station:
     dest: PulseSet | None = None
     display: str = ""
     fallbacks: tuple[StationId, ...] = ()
+    buffer: DeviceId | None = None
+    alias: AliasName | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,6 +148,117 @@ class AxisLimits:
 _INT32 = (Pulses(-(1 << 31)), Pulses((1 << 31) - 1))
 
 
+class Wire(StrEnum):
+    """Which protocol is spoken on a line."""
+
+    ITSC = "itsc"
+    ENIG = "enig"
+    HI = "hi"
+
+
+@dataclass(frozen=True, slots=True)
+class SerialPort:
+    """A serial device and how its characters are framed (9600 8N1 unless configured, PROTOCOLS 2.1, H13)."""
+
+    device: str
+    baud: int = 9600
+    data_bits: int = 8
+    parity: str = "N"
+    stop_bits: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class LinkSpec:
+    """A line that carries several devices: those of an ENIG link, or the drives of one HI line (PROTOCOLS E23, 2.3).
+
+    ``host``/``port`` is where we dial (a device, or a TCP serial server) unless ``serial`` names a port of this machine.
+    ``dialect`` are fields laid over the protocol's default dialect, or over the one that ``preset`` names.
+    """
+
+    id: LinkId
+    wire: Wire
+    host: str = "127.0.0.1"
+    port: int = 0
+    serial: SerialPort | None = None
+    dialect: dict[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class DoorSpec:
+    """A door across the track (PROTOCOLS 3.3). ``passages`` are the pieces of track that lead through it, either way.
+
+    ``normally_open`` doors are open at rest, and are closed by people alone.
+    """
+
+    id: DeviceId
+    link: LinkId
+    number: DeviceNumber
+    passages: frozenset[tuple[Barcode, Barcode]]
+    normally_open: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class BufferSpec:
+    """A buffer with a lock of its own (PROTOCOLS 3.3); the station whose ``buffer`` it is says where."""
+
+    id: DeviceId
+    link: LinkId
+    number: DeviceNumber
+
+
+@dataclass(frozen=True, slots=True)
+class ChargerSpec:
+    """A place where an AGV charges. It has no packets of its own (PROTOCOLS 3.2); ``alias`` is its name for command 107."""
+
+    id: DeviceId
+    barcode: Barcode
+    alias: AliasName | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ChargingRules:
+    """When AGVs charge: ENIG reports no battery level (DOMAIN section 7).
+
+    An AGV is sent to charge after so many ``trips`` or so much time (``after``) since it last charged, whichever comes first
+    (None: not for this reason), and stays ``lasting`` long at least. In ``windows``, minutes of the day in UTC (from, to),
+    idle AGVs charge whatever they did.
+    """
+
+    trips: int | None = None
+    after: Seconds | None = None
+    lasting: Seconds = Seconds(600.0)
+    windows: tuple[tuple[int, int], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class DriveUnit:
+    """An axis drive on an HI line (PROTOCOLS section 2). ``model`` names its parameter catalogue; empty: raw access only."""
+
+    id: DriveId
+    link: LinkId
+    address: DriveAddress
+    model: str = ""
+    name: str = ""
+
+
+class VehicleKind(StrEnum):
+    """What a vehicle is, and so which stations it serves and which protocol it speaks."""
+
+    HOIST = "hoist"
+    AGV = "agv"
+
+    @property
+    def serves(self) -> frozenset[StationKind]:
+        """The stations that it can take from and bring to."""
+        return _SERVES[self]
+
+
+_SERVES = {
+    VehicleKind.HOIST: frozenset({StationKind.PORT, StationKind.SBFL, StationKind.SBFR}),
+    VehicleKind.AGV: frozenset({StationKind.AGV_BUFFER}),
+}
+
+
 @dataclass(frozen=True, slots=True)
 class VehicleSpec:
     """A vehicle as the plant file gives it.
@@ -148,7 +266,8 @@ class VehicleSpec:
     ``host``/``port`` is where we dial, or, with ``listen``, the address that an incoming vehicle must come from (empty:
     any). Speeds in mm/s, accelerations in mm/s² (defaults: PROTOCOLS 5.1). ``length`` is the stretch of rail the
     vehicle covers *behind* the barcode it reports, safety margin included. ``start`` is where the simulated vehicle is
-    put. ``reach`` is how far it may move by itself in MANT, both ways (COMMANDS section 3).
+    put. ``reach`` is how far it may move by itself in MANT, both ways (COMMANDS section 3). An AGV is reached over its
+    ``link``, where ``dev_id`` is its number (DeviceType); host, port, listen, dialect, limits and offset are a hoist's.
     """
 
     id: VehicleId
@@ -168,6 +287,8 @@ class VehicleSpec:
     offset: PulseSet | None = None
     start: Barcode | None = None
     in_service: bool = True
+    kind: VehicleKind = VehicleKind.HOIST
+    link: LinkId | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,6 +314,12 @@ class Plant:
     alarm_codes: dict[int, str] = field(default_factory=dict)
     event_numbers: dict[str, int] = field(default_factory=dict)
     dialects: dict[str, dict[str, object]] = field(default_factory=dict)
+    links: tuple[LinkSpec, ...] = ()
+    doors: tuple[DoorSpec, ...] = ()
+    buffers: tuple[BufferSpec, ...] = ()
+    chargers: tuple[ChargerSpec, ...] = ()
+    charging: ChargingRules = ChargingRules()
+    drives: tuple[DriveUnit, ...] = ()
 
     def station(self, station: StationId) -> Station | None:
         """Return the station of that name, or None."""
@@ -201,3 +328,16 @@ class Plant:
     def vehicle(self, vehicle: VehicleId) -> VehicleSpec | None:
         """Return the vehicle of that name, or None."""
         return next((v for v in self.vehicles if v.id == vehicle), None)
+
+    @property
+    def hoists(self) -> tuple[VehicleSpec, ...]:
+        """The vehicles that have a line of their own."""
+        return tuple(v for v in self.vehicles if v.kind is VehicleKind.HOIST)
+
+    def agvs_on(self, link: LinkId) -> tuple[VehicleSpec, ...]:
+        """Return the AGVs that are reached over a link."""
+        return tuple(v for v in self.vehicles if v.kind is VehicleKind.AGV and v.link == link)
+
+    def drives_on(self, link: LinkId) -> tuple[DriveUnit, ...]:
+        """Return the drives of an HI line."""
+        return tuple(d for d in self.drives if d.link == link)
