@@ -101,11 +101,11 @@ class _Floor:
     async def _serve(self, spec: VehicleSpec, device: SimulatedVehicle) -> None:
         from app.runtime.clock import Clock
         from app.runtime.lines import Line
-        from app.runtime.transports import DeviceServer, Dialler
+        from app.runtime.transports import DeviceServer, Dialler, Tcp
 
         line: Line = Line(device, Clock().now)
         if spec.listen and self._plant.listen is not None:
-            dialler = Dialler(line, self._controller, self._plant.listen[1], spec.id)
+            dialler = Dialler(line, Tcp(self._controller, self._plant.listen[1]), spec.id)
             dialler.start()
             line.flush()
             self._ends.append(dialler)

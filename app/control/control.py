@@ -9,9 +9,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from app.control.lines import VehicleLine
+from app.control.links import DriveLine, HallLink
+from app.domain.devices import DeviceEvent
+from app.domain.drive import DriveEvent
 from app.domain.events import Event, NotSent
-from app.domain.ids import CmdIds, VehicleId
-from app.domain.layout import Plant
+from app.domain.ids import CmdIds, LinkId, VehicleId
+from app.domain.layout import Plant, Wire
 from app.domain.ports import Endpoint
 from app.domain.records import Kept, Record
 from app.domain.requests import Reply, Request
@@ -48,11 +51,18 @@ class Control:
         self._cmd_ids = CmdIds(kept.epoch)
         self._barcodes = frozenset(point.barcode for point in plant.points)
         self._lines: dict[VehicleId, VehicleLine] = {}
-        for spec in plant.vehicles:
+        for spec in plant.hoists:
             dialect = dialect_of(plant, spec.dialect)
             self._lines[spec.id] = VehicleLine(self._told, spec, dialect, self._cmd_ids, timing, self._barcodes)
+        self._links: dict[LinkId, HallLink | DriveLine] = {
+            link.id: DriveLine(plant, link, self._drives_told)
+            if link.wire is Wire.HI
+            else HallLink(plant, link, self._devices_told)
+            for link in plant.links
+        }
+        self._ends: dict[str, Endpoint] = {str(name): end for name, end in (*self._lines.items(), *self._links.items())}
         self.fleet = Fleet(plant, kept, self._cmd_ids, now, utc, self._link)
-        self._dirty: dict[VehicleId, None] = {}
+        self._dirty: dict[str, None] = {}
         self._tickets = 0
         self._number = 0
         self._new: list[Transaction] = []
@@ -65,16 +75,16 @@ class Control:
     # -- lines --------------------------------------------------------------------------------------------------------
 
     @property
-    def vehicles(self) -> tuple[VehicleId, ...]:
-        """The vehicles of the plant."""
-        return tuple(self._lines)
+    def lines(self) -> tuple[str, ...]:
+        """The names of all lines: hoists by their own, other devices by their link's."""
+        return tuple(self._ends)
 
-    def endpoint(self, vehicle: VehicleId) -> Endpoint:
-        """Return our end of a vehicle's line."""
-        return self._lines[vehicle]
+    def endpoint(self, line: str) -> Endpoint:
+        """Return our end of a line."""
+        return self._ends[line]
 
-    def dirty(self) -> list[VehicleId]:
-        """Return and forget the vehicles to whose endpoint something was given to send other than by an input to it.
+    def dirty(self) -> list[str]:
+        """Return and forget the lines to whose endpoint something was given to send other than by an input to it.
 
         After an input to an endpoint itself its owner asks it for bytes anyway.
         """
@@ -109,6 +119,18 @@ class Control:
         """A session tells of its vehicle after an input."""
         for event in events:
             self.fleet.handle(event, now)
+        self._decide()
+
+    def _devices_told(self, events: Iterable[DeviceEvent], now: Seconds) -> None:
+        """An ENIG link tells of its devices after an input."""
+        for event in events:
+            self.fleet.handle_device(event, now)
+        self._decide()
+
+    def _drives_told(self, events: Iterable[DriveEvent], now: Seconds) -> None:
+        """A drive line tells after an input."""
+        for event in events:
+            self.fleet.handle_drive(event, now)
         self._decide()
 
     # -- people, hosts and time ---------------------------------------------------------------------------------------
@@ -152,7 +174,10 @@ class Control:
             _, effects = self._uncommitted.popleft()
             self._carry_out(effects, now)
         for name in list(self._dirty):
-            self._tell(self._lines[name], now)
+            if name in self._lines:
+                self._tell(self._lines[VehicleId(name)], now)
+            else:
+                self._links[LinkId(name)].tell(now)
         self._decide()
 
     def _carry_out(self, effects: Effects, now: Seconds) -> None:
@@ -165,6 +190,9 @@ class Control:
                 self.fleet.handle(NotSent(send.vehicle, send.cmd_id, send.command, objection), now)
             else:
                 self._lines[send.vehicle].send(send, now)
+        for link_send in effects.link_sends:
+            self._links[link_send.link].order(link_send.order, now)
+            self._dirty[link_send.link] = None
         for name in effects.polls:
             self._lines[name].ask(now)
             self._dirty[name] = None

@@ -133,6 +133,21 @@ class Jog:
     until: Seconds
 
 
+@dataclass(frozen=True, slots=True)
+class KeepJogging:
+    """The caller still holds the key of a jog: it goes on until ``until``, a moment of the line's clock."""
+
+    id: DriveRequestId
+    until: Seconds
+
+
+@dataclass(frozen=True, slots=True)
+class ReleaseJog:
+    """The caller has let go of the key: the jog ends with Stop/Reset (PROTOCOLS H17)."""
+
+    id: DriveRequestId
+
+
 # Events
 
 

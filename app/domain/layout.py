@@ -334,6 +334,13 @@ class Plant:
         """The vehicles that have a line of their own."""
         return tuple(v for v in self.vehicles if v.kind is VehicleKind.HOIST)
 
+    @property
+    def aliases(self) -> dict[AliasName, Barcode]:
+        """The destinations of ENIG's command 107 that are known here, with the tag of each."""
+        named = {station.alias: station.barcode for station in self.stations}
+        named |= {charger.alias: charger.barcode for charger in self.chargers}
+        return {alias: tag for alias, tag in named.items() if alias is not None}
+
     def agvs_on(self, link: LinkId) -> tuple[VehicleSpec, ...]:
         """Return the AGVs that are reached over a link."""
         return tuple(v for v in self.vehicles if v.kind is VehicleKind.AGV and v.link == link)

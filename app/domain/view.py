@@ -18,6 +18,8 @@ class Topic(StrEnum):
     CARRIERS = "carriers"
     EVENTS = "events"
     COMMANDS = "commands"
+    DEVICES = "devices"
+    DRIVES = "drives"
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +202,53 @@ class CommandView:
     job: str | None
 
 
-View = VehicleView | JobView | StationView | CarrierView | ControllerView | EventView | CommandView
+@dataclass(frozen=True, slots=True)
+class DeviceView:
+    """A door or buffer (PROTOCOLS 3.3). ``state`` in the specification's words, its last one; it counts only while ``fresh``."""
+
+    id: str
+    kind: str
+    link: str
+    number: int
+    fresh: bool
+    reason: str = ""
+    state: str | None = None
+    seen: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class DriveView:
+    """An axis drive (PROTOCOLS 2.4). ``online`` None: not heard yet on this connection. ``code`` is an error's number in mode
+    error, else the operation's, ``meaning`` its word; ``distance`` in hundredths of the axis's unit (H16).
+    """
+
+    id: str
+    name: str
+    line: str
+    address: int
+    model: str
+    online: bool | None
+    reason: str = ""
+    mode: str | None = None
+    output: int | None = None
+    code: int | None = None
+    meaning: str = ""
+    turn: str | None = None
+    distance: int | None = None
+    seen: float | None = None
+
+
+View = (
+    VehicleView
+    | JobView
+    | StationView
+    | CarrierView
+    | ControllerView
+    | EventView
+    | CommandView
+    | DeviceView
+    | DriveView
+)
 
 
 @dataclass(frozen=True, slots=True)

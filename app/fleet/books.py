@@ -7,6 +7,7 @@ from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
 from app.domain.layout import Plant, Station
+from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
     CarrierGone,
@@ -51,6 +52,7 @@ class Effects:
 
     records: list[Record] = field(default_factory=list)
     sends: list[Send] = field(default_factory=list)
+    link_sends: list[LinkSend] = field(default_factory=list)
     polls: list[VehicleId] = field(default_factory=list)
     stored: list[tuple[VehicleId, int]] = field(default_factory=list)
     updates: list[Update] = field(default_factory=list)
@@ -59,7 +61,8 @@ class Effects:
     @property
     def empty(self) -> bool:
         """Whether nothing was decided."""
-        return not (self.records or self.sends or self.polls or self.stored or self.updates or self.replies)
+        parts = (self.records, self.sends, self.link_sends, self.polls, self.stored, self.updates, self.replies)
+        return not any(parts)
 
 
 class Books:

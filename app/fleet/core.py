@@ -3,6 +3,8 @@
 from collections.abc import Callable
 
 from app.domain.commands import Display, Move, Send, Simple
+from app.domain.devices import DeviceEvent
+from app.domain.drive import DriveEvent
 from app.domain.events import (
     Acknowledged,
     Answered,
@@ -28,7 +30,9 @@ from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
+from app.fleet.devices import Devices
 from app.fleet.dispatch import Dispatch
+from app.fleet.drives import Drives
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
 from app.fleet.motion import Motion, OffPath
@@ -68,6 +72,8 @@ class Fleet:
         self.recovery = Recovery(self.books, self.motion)
         self.alarms = Alarms(self.books, self.recovery)
         self.missions = Missions(self.books, self.motion, self.recovery)
+        self.devices = Devices(self.books)
+        self.drives = Drives(self.books)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
@@ -164,6 +170,17 @@ class Fleet:
         if any(self._wants_dispatch(name) for name in self.books.woken):
             self._think_soon()
         self._go_on()
+
+    def handle_device(self, event: DeviceEvent, now: Seconds) -> None:
+        """Take one event of an ENIG link."""
+        self.books.now = now
+        self.devices.handle(event)
+        self._go_on()
+
+    def handle_drive(self, event: DriveEvent, now: Seconds) -> None:
+        """Take one event of a drive line."""
+        self.books.now = now
+        self.drives.handle(event)
 
     def ask(self, request: Request, ticket: int, now: Seconds) -> None:
         """Take one request; its reply is among the effects under this ticket."""

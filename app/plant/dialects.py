@@ -1,7 +1,9 @@
 """The dialects that a plant's vehicles speak: presets, and the plant file's overlays of them."""
 
-from app.domain.layout import Plant
+from app.domain.layout import LinkSpec, Plant
 from app.plant.document import Document
+from app.protocols.enig import dialects as enig
+from app.protocols.hi import dialects as hi
 from app.protocols.itsc.dialects import DIALECTS, Dialect, DialectError
 from app.wire.names import nearest
 
@@ -11,6 +13,20 @@ Overlays = dict[str, dict[str, object]]
 def dialect_of(plant: Plant, name: str) -> Dialect:
     """Return the dialect that a vehicle of this plant names. Raises: DialectError: no such name."""
     return resolve(plant.dialects, name)
+
+
+def hall_dialect_of(link: LinkSpec) -> enig.Dialect:
+    """Return the dialect of an ENIG link. Raises enig.DialectError: a field or preset that cannot be."""
+    overlay = dict(link.dialect)
+    preset = enig.dialect_named(str(overlay.pop("preset", "default")))
+    return enig.Dialect.from_mapping(overlay, preset)
+
+
+def drive_dialect_of(link: LinkSpec) -> hi.Dialect:
+    """Return the dialect of an HI line. Raises hi.DialectError: a field or preset that cannot be."""
+    overlay = dict(link.dialect)
+    preset = hi.dialect_named(str(overlay.pop("preset", "default")))
+    return hi.Dialect.from_mapping(overlay, preset)
 
 
 def resolve(overlays: Overlays, name: str) -> Dialect:

@@ -28,8 +28,9 @@ from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
+from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
-from app.runtime.transports import Dialler
+from app.runtime.transports import Dialler, Tcp
 from app.runtime.writer import Writer
 from app.store.ledger import SqlLedger
 from app.store.reading import Reader
@@ -57,7 +58,7 @@ class Controller:
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self._in_flight: deque[Transaction] = deque()
         self._asked: dict[int, asyncio.Future[Reply]] = {}
-        self._lines: dict[VehicleId, Line] = {}
+        self._lines: dict[str, Line] = {}
         self._diallers: list[Dialler] = []
         self._listener: Listener | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -88,16 +89,16 @@ class Controller:
         self._writer.start()
         self.hub.publish(self._control.snapshot())
         leased = math.isfinite(self._writer.held_until)
-        for vehicle in self._control.vehicles:
-            end = self._control.endpoint(vehicle)
-            self._lines[vehicle] = Line(end, self._clock.now, self._kick, self._may_send if leased else None)
+        for name in self._control.lines:
+            end = self._control.endpoint(name)
+            self._lines[name] = Line(end, self._clock.now, self._kick, self._may_send if leased else None)
         self._pump()
         try:
             await self._connect()
         except OSError:
             await self.stop()
             raise
-        self._log.info("started", epoch=kept.epoch, vehicles=len(self._lines), jobs=len(kept.jobs))
+        self._log.info("started", epoch=kept.epoch, vehicles=len(self.plant.vehicles), jobs=len(kept.jobs))
 
     async def stop(self) -> None:
         """Cut the lines, make durable what was decided, and let the plant go. Nothing stops a vehicle: it ends its grant."""
@@ -147,14 +148,19 @@ class Controller:
 
     async def _connect(self) -> None:
         coming = []
-        for spec in self.plant.vehicles:
+        for spec in self.plant.hoists:
             line = self._lines[spec.id]
             if spec.listen:
                 coming.append(Expected(spec, line, Codec(dialect_of(self.plant, spec.dialect))))
             else:
-                dialler = Dialler(line, spec.host, spec.port, spec.id)
+                dialler = Dialler(line, Tcp(spec.host, spec.port), spec.id)
                 self._diallers.append(dialler)
                 dialler.start()
+        for link in self.plant.links:
+            way = Serial(link.serial) if link.serial else Tcp(link.host, link.port)
+            keeper = Dialler(self._lines[link.id], way, link.id)
+            self._diallers.append(keeper)
+            keeper.start()
         if coming and self.plant.listen is not None:
             self._listener = Listener(*self.plant.listen, coming, self._claimed)
             await self._listener.start()
@@ -174,8 +180,8 @@ class Controller:
             return
         with self._whole():
             self._take_transactions()
-            for vehicle in self._control.dirty():
-                self._lines[vehicle].flush()
+            for name in self._control.dirty():
+                self._lines[name].flush()
             updates = self._control.updates()
             if updates:
                 self.hub.publish(updates)

@@ -1,8 +1,9 @@
-"""Transports over TCP: dialling a peer, and serving a simulated device."""
+"""Connections: dialling a peer until it answers, and serving a simulated device over TCP."""
 
 import asyncio
 from collections.abc import Callable
-from typing import cast
+from dataclasses import dataclass
+from typing import Protocol, cast
 
 from structlog.typing import FilteringBoundLogger
 
@@ -15,13 +16,36 @@ FIRST_PAUSE, LONGEST_PAUSE = 0.5, 5.0
 """Seconds between two attempts to connect; doubled after each that brought no byte, or far too many. Our choice."""
 
 
-class Dialler:
-    """Keeps one line connected to one address for as long as it runs."""
+class Way(Protocol):
+    """How a peer is reached. ``str`` names it for people."""
 
-    def __init__(self, line: Line, host: str, port: int, name: str) -> None:
+    async def connect(self, line: Line) -> None:
+        """Connect the line. Raises OSError: the peer is not there."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Tcp:
+    """A peer at a TCP address: a device, or a serial server with the device behind it."""
+
+    host: str
+    port: int
+
+    def __str__(self) -> str:
+        return f"{self.host}:{self.port}"
+
+    async def connect(self, line: Line) -> None:
+        """Connect the line. Raises OSError: nobody answers there."""
+        await asyncio.get_running_loop().create_connection(lambda: line, self.host, self.port)
+
+
+class Dialler:
+    """Keeps one line connected to one peer for as long as it runs."""
+
+    def __init__(self, line: Line, way: Way, name: str) -> None:
         self._line = line
-        self._address = (host, port)
-        self._log: FilteringBoundLogger = logger(line=name, address=f"{host}:{port}")
+        self._way = way
+        self._log: FilteringBoundLogger = logger(line=name, address=str(way))
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -60,11 +84,10 @@ class Dialler:
 
     async def _connect(self) -> str:
         """Return why there is no connection, or nothing if there is one."""
-        loop = asyncio.get_running_loop()
         try:
             # Not wait_for: before Python 3.12 it loses a cancellation that comes at the moment of the answer.
             async with asyncio.timeout(CONNECT_TIMEOUT):
-                await loop.create_connection(lambda: self._line, *self._address)
+                await self._way.connect(self._line)
         except TimeoutError:
             return f"no answer in {CONNECT_TIMEOUT:g} s"
         except OSError as error:

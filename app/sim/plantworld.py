@@ -1,19 +1,23 @@
-"""The simulated plant: every vehicle of a plant file, in one physical world."""
+"""The simulated plant: every device of a plant file, in one physical world."""
 
 from collections.abc import Callable, Mapping
 
 from app.domain.ids import VehicleId
 from app.domain.layout import Plant
+from app.domain.ports import Endpoint
 from app.domain.units import Barcode, Seconds
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.simulator import Options, Place, SimulatedVehicle, Track
+from app.sim.halls import SimulatedHalls
 from app.sim.truth import Act, Truth
 
 START = Seconds(0.0)
 
 
 class SimulatedPlant:
-    """Vehicles ready on their rails (servos on, homed, in AUTO), carriers where the plant file has them.
+    """Hoists ready on their rails (servos on, homed, in AUTO), AGVs ready too, carriers where the plant file has them.
+
+    ``devices`` are the hoists, ``halls`` everything on lines that carry several devices; ``lines`` are the far ends of all lines.
 
     A vehicle without a start in the plant file is put on the first barcode, in the file's order, that is free; waiting places
     first. ``seen`` is told every physical act at a station.
@@ -39,10 +43,14 @@ class SimulatedPlant:
                 options=options,
                 start=starts[spec.id],
             )
-            for spec in plant.vehicles
+            for spec in plant.hoists
         }
         for device in self.devices.values():
             device.make_ready(now)
+        self.halls = SimulatedHalls(plant, starts, now)
+        self.lines: Mapping[str, Endpoint] = {
+            str(name): end for name, end in (*self.devices.items(), *self.halls.lines.items())
+        }
 
     def places(self, now: Seconds) -> dict[VehicleId, Place]:
         """Return where every vehicle is."""
@@ -52,9 +60,10 @@ class SimulatedPlant:
         """Return which vehicles' sensors see a carrier."""
         return {vehicle: device.state.foup for vehicle, device in self.devices.items()}
 
-    def refuses(self, vehicle: VehicleId) -> bool:
-        """Whether a vehicle takes no connection now."""
-        return not self.devices[vehicle].accepting
+    def refuses(self, line: str) -> bool:
+        """Whether the far end of a line takes no connection now."""
+        hoist = self.devices.get(VehicleId(line))
+        return hoist is not None and not hoist.accepting
 
 
 def _starts(plant: Plant) -> dict[VehicleId, Barcode]:

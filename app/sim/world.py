@@ -79,7 +79,7 @@ class World:
         self.oracle = Oracle(plant, self._floor.truth)
         self.books = Books(self.oracle)
         self._watches: dict[VehicleId, LineWatch] = {}
-        self._cables = {vehicle: self._cable(vehicle) for vehicle in self._floor.devices}
+        self._cables = {line: self._cable(line) for line in self._floor.lines}
         self._control: Control | None = None
         self._control_armed: float | None = None
         self._queue: deque[Transaction] = deque()
@@ -145,9 +145,9 @@ class World:
             cable.unplug()
         self.agenda.after(self._rng.uniform(*self._delays.restart), self._start_controller)
 
-    def cut(self, vehicle: VehicleId) -> None:
+    def cut(self, line: str) -> None:
         """Cut one line; it is dialled again."""
-        self._cables[vehicle].cut("cut")
+        self._cables[line].cut("cut")
 
     def work(self, *, until: float, per_hour: float | None = None, keep_open: int | None = None) -> None:
         """Order random jobs until that time, once a second."""
@@ -192,27 +192,32 @@ class World:
     def _random(self, part: str) -> Random:
         return Random(f"{self._seed}/{part}")
 
-    def _cable(self, vehicle: VehicleId) -> Cable:
-        device = self._floor.devices[vehicle]
-        spec = device.spec
-        codec = Codec(dialect_of(self.plant, spec.dialect))
-        self._watches[vehicle] = LineWatch(spec, codec, self.books, self.oracle, lambda: device.working)
-        name = vehicle.encode()
+    def _cable(self, line: str) -> Cable:
+        name = line.encode()
+        hoist = VehicleId(line)
+        if hoist in self._floor.devices:
+            self._watches[hoist] = self._watch(hoist)
 
         def wire(direction: str, data: bytes) -> None:
             self._trace.update(struct.pack("<d", self.now) + name + direction.encode() + data)
-            if direction == ">":
-                self._watches[vehicle].sent(data, self.now)
+            if direction == ">" and hoist in self._watches:
+                self._watches[hoist].sent(data, self.now)
 
-        dice = self._random(f"cable {vehicle}")
-        return Cable(self.agenda, dice, self._delays.link, device, lambda: not device.accepting, wire)
+        dice = self._random(f"cable {line}")
+        end = self._floor.lines[line]
+        return Cable(self.agenda, dice, self._delays.link, end, lambda: self._floor.refuses(line), wire)
+
+    def _watch(self, vehicle: VehicleId) -> LineWatch:
+        device = self._floor.devices[vehicle]
+        codec = Codec(dialect_of(self.plant, device.spec.dialect))
+        return LineWatch(device.spec, codec, self.books, self.oracle, lambda: device.working)
 
     def _start_controller(self) -> None:
         kept = self.ledger.load()
         self._control = Control(self.plant, kept, self.now, Timestamp(BEGINNING + self.now))
         self._control_armed = None
-        for vehicle, cable in self._cables.items():
-            cable.plug_in(self._control.endpoint(vehicle), self._pump)
+        for line, cable in self._cables.items():
+            cable.plug_in(self._control.endpoint(line), self._pump)
         self._pump()
 
     def _pump(self) -> None:
@@ -221,8 +226,8 @@ class World:
         if control is None:
             return
         self._take_transactions(control)
-        for vehicle in control.dirty():
-            self._cables[vehicle].flush_controller()
+        for line in control.dirty():
+            self._cables[line].flush_controller()
         for update in control.updates():
             self.seen(update)
         for ticket, reply in control.replies():

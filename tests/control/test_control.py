@@ -165,7 +165,7 @@ def test_the_last_packets_are_kept_with_their_time(bench: Bench) -> None:
     frames = bench.control.frames(V1)
     assert {way for _, way, _ in frames} == {"in", "out"}
     assert all(UTC <= when <= UTC + bench.now for when, _, _ in frames)
-    assert bench.control.vehicles == (V1,)
+    assert bench.control.lines == (V1,)
 
 
 def test_a_vehicle_of_another_dialect_is_told_apart_and_not_moved() -> None:

@@ -21,7 +21,7 @@ from app.protocols.itsc.simulator import Options
 from app.runtime.clock import Clock
 from app.runtime.controller import Controller
 from app.runtime.lines import Line
-from app.runtime.transports import DeviceServer, Dialler
+from app.runtime.transports import DeviceServer, Dialler, Tcp
 from app.sim.plantworld import SimulatedPlant
 from tests.e2e.processes import free_ports, quick_plant
 from tests.runtime.peers import run, until
@@ -60,7 +60,7 @@ async def simulated(plant: Plant) -> AsyncIterator[SimulatedPlant]:
             line = Line(floor.devices[spec.id], NOW)
             if spec.listen:
                 assert plant.listen is not None
-                dialler = Dialler(line, *plant.listen, spec.id)
+                dialler = Dialler(line, Tcp(*plant.listen), spec.id)
                 dialler.start()
                 line.flush()
                 stack.push_async_callback(dialler.stop)

@@ -6,7 +6,7 @@ from contextlib import asynccontextmanager
 
 from app.domain.units import Seconds
 from app.runtime.lines import Line
-from app.runtime.transports import DeviceServer, Dialler
+from app.runtime.transports import DeviceServer, Dialler, Tcp
 from tests.runtime.peers import Echo, run, until
 
 
@@ -28,7 +28,7 @@ def test_a_dialler_connects_and_connects_again_after_a_loss() -> None:
     async def scenario() -> None:
         ours, theirs = Echo(), Echo()
         async with served(theirs) as server:
-            dialler = Dialler(Line(ours, now), "127.0.0.1", server.port, "V1")
+            dialler = Dialler(Line(ours, now), Tcp("127.0.0.1", server.port), "V1")
             dialler.start()
             await until(lambda: "connected" in theirs.notes)
             theirs.wants_close = True
@@ -45,7 +45,7 @@ def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
             sock.bind(("127.0.0.1", 0))
             port = sock.getsockname()[1]
         ours, theirs = Echo(), Echo()
-        dialler = Dialler(Line(ours, now), "127.0.0.1", port, "V1")
+        dialler = Dialler(Line(ours, now), Tcp("127.0.0.1", port), "V1")
         dialler.start()
         await asyncio.sleep(0.05)
         async with served(theirs, port):
@@ -61,7 +61,7 @@ def test_a_dialler_stops_at_any_moment_of_an_attempt() -> None:
             sock.bind(("127.0.0.1", 0))
             port = sock.getsockname()[1]
         for rounds in range(40):
-            dialler = Dialler(Line(Echo(), now), "127.0.0.1", port, "V1")
+            dialler = Dialler(Line(Echo(), now), Tcp("127.0.0.1", port), "V1")
             dialler.start()
             for _ in range(rounds % 10):
                 await asyncio.sleep(0)

@@ -1,0 +1,109 @@
+"""Our ends of the lines that carry several devices, as their owner feeds them: sessions, with what they tell passed on."""
+
+from collections.abc import Callable
+
+from app.domain.devices import DeviceEvent, DeviceId, DeviceKind, DeviceNumber, DeviceRequest, DeviceSpec
+from app.domain.drive import DriveEvent, DriveLineId, DriveRequest, DriveSpec, Jog, KeepJogging, ReleaseJog
+from app.domain.layout import LinkSpec, Plant
+from app.domain.links import LinkOrder
+from app.domain.units import Seconds
+from app.plant.dialects import drive_dialect_of, hall_dialect_of
+from app.protocols.enig.session import LinkSession
+from app.protocols.hi.session import LineSession
+
+DevicesTold = Callable[[list[DeviceEvent], Seconds], None]
+DrivesTold = Callable[[list[DriveEvent], Seconds], None]
+
+
+class HallLink(LinkSession):
+    """An ENIG link with the AGVs, buffers and doors on it: an ``app.domain.ports.Endpoint`` that tells after every input."""
+
+    def __init__(self, plant: Plant, link: LinkSpec, told: DevicesTold) -> None:
+        super().__init__(devices_on(plant, link), hall_dialect_of(link), places=plant.aliases)
+        self._pass_on = told
+
+    def connected(self, now: Seconds) -> None:
+        """The line is up."""
+        super().connected(now)
+        self.tell(now)
+
+    def received(self, data: bytes, now: Seconds) -> None:
+        """Bytes came."""
+        super().received(data, now)
+        self.tell(now)
+
+    def disconnected(self, now: Seconds, reason: str) -> None:
+        """The line is down."""
+        super().disconnected(now, reason)
+        self.tell(now)
+
+    def tick(self, now: Seconds) -> None:
+        """The deadline has passed."""
+        super().tick(now)
+        self.tell(now)
+
+    def order(self, order: LinkOrder, now: Seconds) -> None:
+        """Send what is durable. What the session says of it at once is told with ``tell``."""
+        if isinstance(order, DeviceRequest):
+            self.send(order, now)
+
+    def tell(self, now: Seconds) -> None:
+        """Pass on what has happened."""
+        if events := self.events():
+            self._pass_on(events, now)
+
+
+class DriveLine(LineSession):
+    """An HI line with its drives: an ``app.domain.ports.Endpoint`` that tells after every input."""
+
+    def __init__(self, plant: Plant, link: LinkSpec, told: DrivesTold) -> None:
+        drives = [DriveSpec(drive.id, drive.address) for drive in plant.drives_on(link.id)]
+        super().__init__(DriveLineId(link.id), drives, drive_dialect_of(link))
+        self._pass_on = told
+
+    def connected(self, now: Seconds) -> None:
+        """The line is up."""
+        super().connected(now)
+        self.tell(now)
+
+    def received(self, data: bytes, now: Seconds) -> None:
+        """Bytes came."""
+        super().received(data, now)
+        self.tell(now)
+
+    def disconnected(self, now: Seconds, reason: str) -> None:
+        """The line is down."""
+        super().disconnected(now, reason)
+        self.tell(now)
+
+    def tick(self, now: Seconds) -> None:
+        """The deadline has passed."""
+        super().tick(now)
+        self.tell(now)
+
+    def order(self, order: LinkOrder, now: Seconds) -> None:
+        """Send what is durable. What the session says of it at once is told with ``tell``."""
+        match order:
+            case DriveRequest():
+                self.request(order, now)
+            case Jog():
+                self.jog(order, now)
+            case KeepJogging():
+                self.keep_jogging(order.id, order.until)
+            case ReleaseJog():
+                self.release_jog(order.id, now)
+            case DeviceRequest():
+                pass
+
+    def tell(self, now: Seconds) -> None:
+        """Pass on what has happened."""
+        if events := self.events():
+            self._pass_on(events, now)
+
+
+def devices_on(plant: Plant, link: LinkSpec) -> list[DeviceSpec]:
+    """Return the devices of an ENIG link: its AGVs under their vehicle's name, its buffers and doors."""
+    agvs = [DeviceSpec(DeviceId(agv.id), DeviceNumber(agv.dev_id), DeviceKind.AGV) for agv in plant.agvs_on(link.id)]
+    buffers = [DeviceSpec(b.id, b.number, DeviceKind.BUFFER) for b in plant.buffers if b.link == link.id]
+    doors = [DeviceSpec(d.id, d.number, DeviceKind.DOOR) for d in plant.doors if d.link == link.id]
+    return [*agvs, *buffers, *doors]
