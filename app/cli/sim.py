@@ -1,4 +1,4 @@
-"""``hoistway sim``: all vehicles of a plant as simulated devices behind TCP."""
+"""``hoistway sim``: everything that a plant drives as simulated devices behind TCP."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from app.cli.plainly import plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
-    from app.domain.layout import Plant, VehicleSpec
+    from app.domain.layout import LinkSpec, Plant, VehicleSpec
+    from app.domain.ports import Endpoint
     from app.domain.units import Seconds
     from app.protocols.itsc.simulator import Options, SimulatedVehicle
     from app.runtime.lines import Line
@@ -46,7 +47,7 @@ def sim(
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
     ] = False,
 ) -> None:
-    """Serve every vehicle of a plant as a simulated device at its own TCP address, until Ctrl-C."""
+    """Serve every vehicle and link of a plant as simulated devices at their own TCP addresses, until Ctrl-C."""
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level="warning")
@@ -85,9 +86,11 @@ class _Floor:
         oracle = Oracle(self._plant, floor.truth)
         parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
         try:
-            for spec in self._plant.vehicles:
+            for spec in self._plant.hoists:
                 await self._serve(spec, floor.devices[spec.id])
-            print(f"hoistway sim: {len(self._ends)} vehicles of {self._plant.name} are there", flush=True)
+            for link in self._plant.links:
+                await self._serve_link(link, floor.lines[link.id])
+            print(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there", flush=True)
             await self._watch(floor, oracle, stop)
         finally:
             if parent is not None:
@@ -111,6 +114,18 @@ class _Floor:
             self._ends.append(dialler)
             return
         server = DeviceServer(line, self._host or spec.host, spec.port, lambda: not device.accepting)
+        self._ends.append(server)
+        await server.start()
+
+    async def _serve_link(self, link: LinkSpec, device: Endpoint) -> None:
+        from app.runtime.clock import Clock
+        from app.runtime.lines import Line
+        from app.runtime.transports import DeviceServer
+
+        if link.serial is not None:
+            print(f"hoistway sim: {link.id} is a serial line, which is not simulated", file=sys.stderr, flush=True)
+            return
+        server = DeviceServer(Line(device, Clock().now), self._host or link.host, link.port)
         self._ends.append(server)
         await server.start()
 
@@ -148,6 +163,12 @@ class _Floor:
         if self._journal:
             self._journal.write(json.dumps({"at": round(time.time(), 3), **happening}) + "\n")
             self._journal.flush()
+
+
+def _counted(plant: Plant) -> str:
+    """Return how much is simulated, in words."""
+    equipment = len(plant.doors) + len(plant.buffers) + len(plant.drives)
+    return f"{len(plant.vehicles)} vehicles" + (f" and {equipment} other devices" if equipment else "")
 
 
 def _hasty(times: float) -> Options:

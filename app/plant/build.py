@@ -4,15 +4,18 @@ from collections.abc import Iterable
 from itertools import count, pairwise
 from math import hypot
 
+from app.domain.devices import AliasName, DeviceId
 from app.domain.ids import CarrierId, StationId, ZoneId
 from app.domain.layout import Edge, Plant, Point, Station, StationKind, Zone
 from app.domain.units import Barcode, Millimetres, Percent
 from app.plant import format as file_format
 from app.plant.dialects import check_overlays
 from app.plant.document import Document, Path
+from app.plant.equipment import Links, buffers, chargers, charging, doors, drives
 from app.plant.names import DISPLAY_BYTES, address, expand, is_barcode, is_range
 from app.plant.references import Places, check_event, check_id, check_station, is_known, pulses
 from app.plant.vehicles import vehicles
+from app.wire.names import nearest
 
 _STRAIGHT_TOLERANCE = (0.9, 1.1)
 _CURVE_TOLERANCE = (0.9, 1.6)
@@ -28,6 +31,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
     dialects = check_overlays(document, file.dialects)
     for event in file.event_numbers:
         check_event(document, event, ("event_numbers", event))
+    links = Links(document, file)
     plant = Plant(
         name=file.name or name,
         points=tuple(
@@ -35,7 +39,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         ),
         edges=edges,
         stations=tuple(_stations(document, file, places)),
-        vehicles=tuple(vehicles(document, file, places, dialects)),
+        vehicles=tuple(vehicles(document, file, places, dialects, links)),
         zones=tuple(_zones(document, file, places)),
         carriers=tuple(_carriers(document, file)),
         clearance=Millimetres(file.clearance),
@@ -44,6 +48,12 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         alarm_codes=_codes(document, file.alarm_codes, "alarm_codes"),
         event_numbers=dict(file.event_numbers),
         dialects=dialects,
+        links=tuple(links.all.values()),
+        doors=tuple(doors(document, file, places, links)),
+        buffers=tuple(buffers(document, file, links)),
+        chargers=tuple(chargers(document, file, places)),
+        charging=charging(document, file),
+        drives=tuple(drives(document, file, links)),
     )
     return plant, places
 
@@ -185,8 +195,9 @@ def _stations(document: Document, file: file_format.PlantFile, places: Places) -
                 document.error((*path, "fallbacks", position), f"{name} cannot be its own fallback", "name another")
         dest = pulses(station.dest) if isinstance(station.dest, file_format.Pulses) else None
         if dest is not None and station.kind is not StationKind.PORT:
-            message = f"{name} is a side buffer: a vehicle knows its positions there, so dest is not used"
+            message = f"{name} is no port: a vehicle knows its positions there, so dest is not used"
             document.warn((*path, "dest"), message, "leave it out", key=True)
+        _check_buffer(document, file, name, station)
         if is_known(document, places, str(station.at), (*path, "at")):
             yield Station(
                 id=StationId(name),
@@ -197,7 +208,22 @@ def _stations(document: Document, file: file_format.PlantFile, places: Places) -
                 dest=dest,
                 display=display,
                 fallbacks=tuple(StationId(fallback) for fallback in station.fallbacks),
+                buffer=DeviceId(station.buffer) if isinstance(station.buffer, str) else None,
+                alias=AliasName(station.alias) if isinstance(station.alias, str) else None,
             )
+
+
+def _check_buffer(document: Document, file: file_format.PlantFile, name: str, station: file_format.Station) -> None:
+    path: Path = ("stations", name, "buffer")
+    if not isinstance(station.buffer, str):
+        return
+    if station.buffer not in document.section("buffers"):
+        close = nearest(station.buffer, file.buffers)
+        remedy = f"did you mean {close}?" if close else "give it under buffers"
+        document.error(path, f"unknown buffer {station.buffer}", remedy)
+    first = next(other for other, given in file.stations.items() if given.buffer == station.buffer)
+    if first != name:
+        document.error(path, f"{name} has the same buffer as {first}: {station.buffer}", "each needs its own")
 
 
 def _zones(document: Document, file: file_format.PlantFile, places: Places) -> Iterable[Zone]:

@@ -6,10 +6,12 @@ from math import hypot
 import networkx as nx
 
 from app.domain.layout import NO_OFFSET, Axis, Plant, Station, StationKind, VehicleSpec
-from app.plant.connections import check_connections, graph_of
+from app.plant.connections import agv_floor, check_connections, graph_of
 from app.plant.dialects import dialect_of
 from app.plant.document import Document
+from app.plant.fitting import check_equipment
 from app.plant.references import Places
+from app.protocols.enig.messages import is_tag
 from app.protocols.itsc.dialects import Dialect, DialectError
 
 _MAX_DIST_NEXT = 0xFFFF
@@ -21,8 +23,12 @@ def check(document: Document, plant: Plant, places: Places) -> None:
         document.warn(("vehicles",), "the plant has no vehicle", "give at least one under vehicles", key=True)
     if not plant.stations and not document.section("stations"):
         document.warn(("stations",), "the plant has no station", "give at least two under stations", key=True)
+    graph = graph_of(plant)
+    floor = agv_floor(plant, graph)
+    _check_tags(document, places, floor)
+    check_equipment(document, plant, floor)
     for dialect, names in _dialects(plant).items():
-        _check_barcodes(document, plant, places, dialect, names)
+        _check_barcodes(document, plant, places, dialect, names, floor)
         _check_lengths(document, plant, places, dialect, names)
     _check_identities(document, plant)
     _check_teaching(document, plant)
@@ -31,7 +37,6 @@ def check(document: Document, plant: Plant, places: Places) -> None:
         _check_parking(document, plant)
     # What is missing or wrong there would be reported again as a dozen unreachable stations.
     if document.is_sound("", "barcodes", "track", "stations"):
-        graph = graph_of(plant)
         check_connections(document, plant, places, graph)
         _check_starts(document, plant, graph)
         if plant.clearance:
@@ -41,7 +46,7 @@ def check(document: Document, plant: Plant, places: Places) -> None:
 def _dialects(plant: Plant) -> dict[Dialect, list[VehicleSpec]]:
     """Return the vehicles of each dialect; a vehicle without one has been reported."""
     found: dict[Dialect, list[VehicleSpec]] = {}
-    for vehicle in plant.vehicles:
+    for vehicle in plant.hoists:
         try:
             found.setdefault(dialect_of(plant, vehicle.dialect), []).append(vehicle)
         except DialectError:
@@ -50,9 +55,10 @@ def _dialects(plant: Plant) -> dict[Dialect, list[VehicleSpec]]:
 
 
 def _check_barcodes(
-    document: Document, plant: Plant, places: Places, dialect: Dialect, vehicles: list[VehicleSpec]
+    document: Document, plant: Plant, places: Places, dialect: Dialect, vehicles: list[VehicleSpec], floor: set[str]
 ) -> None:
-    unfit = [point.barcode for point in plant.points if not _fits(point.barcode, dialect)]
+    rail = (point.barcode for point in plant.points if point.barcode not in floor)
+    unfit = [barcode for barcode in rail if not _fits(barcode, dialect)]
     if not unfit:
         return
     room = f"numbers up to {(1 << 8 * dialect.barcode_bytes) - 1}, without leading zeros"
@@ -61,6 +67,15 @@ def _check_barcodes(
     more = f" and {len(unfit) - 1} more do" if len(unfit) > 1 else " does"
     message = f"barcode {unfit[0]}{more} not fit dialect {vehicles[0].dialect} of {vehicles[0].id}: it takes {room}"
     document.error(places.barcodes[unfit[0]], message, "correct the barcode or the vehicle's dialect", key=True)
+
+
+def _check_tags(document: Document, places: Places, floor: set[str]) -> None:
+    """Tags that AGVs read are four characters on the wire (PROTOCOLS E7)."""
+    unfit = [tag for tag in sorted(floor) if not is_tag(tag)]
+    if unfit:
+        more = f" and {len(unfit) - 1} more are" if len(unfit) > 1 else " is"
+        message = f"barcode {unfit[0]}{more} no tag that an AGV reads: four printable ASCII characters"
+        document.error(places.barcodes[unfit[0]], message, "write it as four digits, such as 0042", key=True)
 
 
 def _fits(barcode: str, dialect: Dialect) -> bool:
@@ -80,14 +95,14 @@ def _check_lengths(
 
 
 def _check_identities(document: Document, plant: Plant) -> None:
-    for vehicle in plant.vehicles:
+    for vehicle in plant.hoists:
         if vehicle.dev_id == 0:
             message = f"{vehicle.id}'s dev_id is 0, which vehicles without a number send"
             document.warn(("vehicles", vehicle.id, "dev_id"), message, "number vehicles from 1")
 
 
 def _check_teaching(document: Document, plant: Plant) -> None:
-    for axis in Axis if plant.vehicles else ():
+    for axis in Axis if plant.hoists else ():
         lowest, highest = _accepted_by_all(plant, axis)
         for station in plant.stations:
             is_taught = station.kind is StationKind.PORT and station.dest is not None
@@ -97,15 +112,15 @@ def _check_teaching(document: Document, plant: Plant) -> None:
 
 def _accepted_by_all(plant: Plant, axis: Axis) -> tuple[int, int]:
     """Return the lowest and highest DEST that keeps every vehicle within its limits."""
-    lowest = max(vehicle.limits.of(axis)[0] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.vehicles)
-    highest = min(vehicle.limits.of(axis)[1] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.vehicles)
+    lowest = max(vehicle.limits.of(axis)[0] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.hoists)
+    highest = min(vehicle.limits.of(axis)[1] - (vehicle.offset or NO_OFFSET).of(axis) for vehicle in plant.hoists)
     return lowest, highest
 
 
 def _note_target(document: Document, plant: Plant, station: Station, axis: Axis) -> None:
     dest = station.dest or NO_OFFSET
     beyond = []
-    for vehicle in plant.vehicles:
+    for vehicle in plant.hoists:
         target = dest.plus(vehicle.offset or NO_OFFSET).of(axis)
         low, high = vehicle.limits.of(axis)
         if not low <= target <= high:

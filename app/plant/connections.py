@@ -2,7 +2,7 @@
 
 import networkx as nx
 
-from app.domain.layout import Plant, Station
+from app.domain.layout import Plant, Station, VehicleKind
 from app.plant.document import Document
 from app.plant.references import Places
 
@@ -15,17 +15,27 @@ def graph_of(plant: Plant) -> "nx.DiGraph[str]":
     return graph
 
 
+def agv_floor(plant: Plant, graph: "nx.DiGraph[str]") -> set[str]:
+    """Return the barcodes that AGVs read: those that track connects with a start of one, its stations or its chargers."""
+    places = {station.barcode for station in plant.stations if station.kind in VehicleKind.AGV.serves}
+    places |= {charger.barcode for charger in plant.chargers}
+    places |= {v.start for v in plant.vehicles if v.kind is VehicleKind.AGV and v.start is not None}
+    pieces = nx.weakly_connected_components(graph)
+    return {barcode for piece in pieces if piece & places for barcode in piece}
+
+
 def check_connections(document: Document, plant: Plant, places: Places, graph: "nx.DiGraph[str]") -> None:
     """Note every dead end, every piece of track that cannot be left or reached, and the stations and starts that suffer."""
     _check_ends(document, places, graph)
     pieces = sorted(nx.weakly_connected_components(graph), key=lambda piece: (-len(piece), min(piece)))
-    served = [piece for piece in pieces if any(station.barcode in piece for station in plant.stations)]
-    if len(served) > 1:
-        barcode = min(served[1])
-        message = (
-            f"the track falls into {len(served)} pieces with stations; {barcode} is not connected to {min(served[0])}"
-        )
-        document.warn(places.barcodes[barcode], message, "no transfer is possible from one to the other", key=True)
+    for kind in VehicleKind:
+        stations = {station.barcode for station in plant.stations if station.kind in kind.serves}
+        served = [piece for piece in pieces if piece & stations]
+        if len(served) > 1:
+            barcode = min(served[1])
+            first = min(served[0])
+            message = f"the track falls into {len(served)} pieces with stations; {barcode} is not connected to {first}"
+            document.warn(places.barcodes[barcode], message, "no transfer is possible from one to the other", key=True)
     for piece in pieces:
         _check_piece(document, plant, places, graph.subgraph(piece))
 

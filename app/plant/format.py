@@ -2,13 +2,14 @@
 
 import json
 from dataclasses import fields
+from enum import StrEnum
 from inspect import cleandoc
 from typing import Annotated, Any
 
 import msgspec
 from msgspec import UNSET, Meta, UnsetType
 
-from app.domain.layout import StationKind
+from app.domain.layout import StationKind, VehicleKind, Wire
 from app.protocols.itsc.dialects import DIALECTS, Dialect
 
 
@@ -30,6 +31,13 @@ Axis = Annotated[int, _number("Axis position, pulses, signed 32 bit", "pulses", 
 Count = Annotated[int, _number("Number of vehicles", "vehicles", 1, 10_000)]
 Elements = Annotated[int, _number("Most path elements in one MOVE (I47)", "path elements", 2, 65_535)]
 Identity = Annotated[int, _number("DEV_ID on the wire, unsigned 32 bit (I22)", "", 0, (1 << 32) - 1)]
+Baud = Annotated[int, _number("Speed of a serial line, bits per second", "bit/s", 300, 4_000_000)]
+Bits = Annotated[int, _number("Data bits of a character", "bits", 5, 8)]
+StopBits = Annotated[int, _number("Stop bits of a character", "bits", 1, 2)]
+Byte = Annotated[int, _number("DeviceType on the wire (PROTOCOLS 3.2)", "", 0, 255)]
+DriveId = Annotated[int, _number("A drive's id on its line (PROTOCOLS 2.2)", "", 1, 15)]
+Trips = Annotated[int, _number("Transfers of one AGV", "transfers", 1, 100_000)]
+Time = Annotated[int, _number("Time, seconds", "s", 1, 10_000_000)]
 Code = Annotated[int, _number("Code as it stands on the wire or in an event", "", 0, (1 << 32) - 1)]
 
 Mark = Annotated[
@@ -86,11 +94,14 @@ class Station(Strict, frozen=True):
 
     `look_down` (LKDN 0-15) and `speed` (SPD 1-100) go into INST_PORT and INST_SBUF. `dest` are the target pulses before
     teaching (ports only). `display` is the name on the vehicle, at most 16 characters (default: the station's own name).
-    `fallbacks` are stations for a carrier that cannot be put here, in order.
+    `fallbacks` are stations for a carrier that cannot be put here, in order. Of an AGV buffer, `buffer` names the device that
+    is locked while the station is served, and `alias` is its name on the wire, such as B1.
     """
 
     kind: StationKind
     at: Mark
+    buffer: Name | UnsetType = UNSET
+    alias: Text | UnsetType = UNSET
     look_down: Area = 0
     speed: Speed = 100
     dest: Pulses | UnsetType = UNSET
@@ -110,8 +121,98 @@ class Zone(Strict, frozen=True):
     name: Text = ""
 
 
+class Parity(StrEnum):
+    """The parity bit of a character."""
+
+    NONE = "none"
+    EVEN = "even"
+    ODD = "odd"
+
+
+class Serial(Strict, frozen=True):
+    """A serial port of this machine and how its characters are framed; HI drives use 9600 bit/s without parity."""
+
+    device: Text
+    baud: Baud = 9600
+    data_bits: Bits = 8
+    parity: Parity = Parity.NONE
+    stop_bits: StopBits = 1
+
+
+class Link(Strict, frozen=True):
+    """A line that carries several devices: `enig` for AGVs, doors and buffers, `hi` for the drives of one line.
+
+    It is reached at `address` (a device, or a TCP serial server) or over `serial`. `dialect` are fields laid over the
+    protocol's default dialect, or over the one that `preset` names.
+    """
+
+    protocol: Wire
+    address: Address = ""
+    serial: Serial | UnsetType = UNSET
+    dialect: dict[str, Any] = {}
+
+
+class Door(Strict, frozen=True):
+    """A door across the track: vehicles pass the pieces of track in `through`, either way, only while it is open.
+
+    A `normally_open` door is closed by people alone.
+    """
+
+    link: Name
+    through: Annotated[list[tuple[Mark, Mark]], Meta(min_length=1)]
+    number: Byte = 30
+    normally_open: bool = False
+
+
+class Buffer(Strict, frozen=True):
+    """A buffer with a lock; a station's `buffer` names it. `number` is 21 to 29 unless the dialect says otherwise."""
+
+    link: Name
+    number: Byte
+
+
+class Charger(Strict, frozen=True):
+    """A place where an AGV charges, at barcode `at`. `alias` is its name on the wire, such as C1."""
+
+    at: Mark
+    alias: Text | UnsetType = UNSET
+
+
+class Charging(Strict, frozen=True):
+    """When AGVs charge, as they report no battery level: after so many `trips`, or so many seconds `after` the last time.
+
+    They stay `lasting` seconds at least. In `windows`, such as "12:00-12:30" (UTC), idle ones charge whatever they did.
+    """
+
+    trips: Trips | UnsetType = UNSET
+    after: Time | UnsetType = UNSET
+    lasting: Time = 600
+    windows: list[Text] = []
+
+
+class Drive(Strict, frozen=True):
+    """An axis drive on an HI line; `model` names its catalogue of parameters, without which only raw access is possible."""
+
+    link: Name
+    id: DriveId
+    model: Text = ""
+    name: Text = ""
+
+
+class AgvDefaults(Strict, frozen=True):
+    """What holds for every AGV that does not say otherwise; without it AGVs drive 500 mm/s and cover 1000 mm."""
+
+    length: Length | UnsetType = UNSET
+    max_speed: Velocity | UnsetType = UNSET
+    curve_speed: Velocity | UnsetType = UNSET
+    acceleration: Acceleration | UnsetType = UNSET
+    braking: Acceleration | UnsetType = UNSET
+    reach: Distance | UnsetType = UNSET
+    in_service: bool | UnsetType = UNSET
+
+
 class VehicleDefaults(Strict, frozen=True):
-    """What holds for every vehicle that does not say otherwise.
+    """What holds for every hoist that does not say otherwise.
 
     `length` is the stretch of rail that the vehicle covers behind the barcode it reports, safety margin included. `reach`
     is how far it may move by itself in MANT, both ways. `dialect` is a preset or a name of `dialects`.
@@ -131,9 +232,14 @@ class VehicleDefaults(Strict, frozen=True):
 
 
 class Vehicle(VehicleDefaults, frozen=True, kw_only=True):
-    """A vehicle. `start` is the barcode where the simulated one is put; `offset` its taught difference, in pulses."""
+    """A vehicle. `start` is the barcode where the simulated one is put; `offset` its taught difference, in pulses.
+
+    An AGV (`kind: agv`) is reached over its `link`, where `dev_id` is its number, 11 to 19 unless the dialect says otherwise.
+    """
 
     dev_id: Identity
+    kind: VehicleKind = VehicleKind.HOIST
+    link: Name | UnsetType = UNSET
     address: Address = ""
     offset: Pulses | UnsetType = UNSET
     start: Mark | UnsetType = UNSET
@@ -151,7 +257,14 @@ class PlantFile(Strict, frozen=True):
     zones: dict[str, Zone] = {}
     listen: Address = ""
     dialects: dict[str, dict[str, Any]] = {}
+    links: dict[str, Link] = {}
+    doors: dict[str, Door] = {}
+    buffers: dict[str, Buffer] = {}
+    chargers: dict[str, Charger] = {}
+    charging: Charging = Charging()
+    drives: dict[str, Drive] = {}
     vehicle_defaults: VehicleDefaults = VehicleDefaults()
+    agv_defaults: AgvDefaults = AgvDefaults()
     vehicles: dict[str, Vehicle] = {}
     carriers: dict[str, Name] = {}
     process_codes: dict[str, Text] = {}

@@ -7,34 +7,53 @@ from typing import Any
 from msgspec import UNSET
 from msgspec.structs import fields
 
-from app.domain.ids import DevId, VehicleId
-from app.domain.layout import Axis, AxisLimits, VehicleSpec
-from app.domain.units import Barcode, Pulses
+from app.domain.ids import DevId, LinkId, VehicleId
+from app.domain.layout import Axis, AxisLimits, VehicleKind, VehicleSpec
+from app.domain.units import Barcode, Millimetres, Pulses
 from app.plant import format as file_format
 from app.plant.dialects import Overlays, resolve
-from app.plant.document import Document, Path
+from app.plant.document import Document, Mapping, Path
+from app.plant.equipment import Links
 from app.plant.names import address
 from app.plant.references import Places, check_id, is_known, pulses
+from app.protocols.enig.messages import DeviceClass
 from app.protocols.itsc.dialects import DialectError
 
 _TRANSPORT_BYTES = 64
 _ELEMENT_BYTES = 12
 """Sub data of INST_MOVE: transport information, then the path elements (PROTOCOLS 1.6)."""
 
+_HOISTS_ALONE = frozenset({"address", "listen", "dialect", "max_count", "limits", "offset"})
+_AGV_FIGURES = {
+    "length": Millimetres(1000),
+    "max_speed": Millimetres(500),
+    "curve_speed": Millimetres(500),
+    "acceleration": Millimetres(500),
+    "braking": Millimetres(500),
+}
+"""An AGV that the plant file says nothing about. Our choice: what AGVs on tape do among people."""
+
 
 def vehicles(
-    document: Document, file: file_format.PlantFile, places: Places, dialects: Overlays
+    document: Document, file: file_format.PlantFile, places: Places, dialects: Overlays, links: Links
 ) -> Iterable[VehicleSpec]:
     """Give every vehicle that could be read; doubled identities and impossible values are noted."""
     taken: dict[tuple[str, object], str] = {}
     for name, given in file.vehicles.items():
         path = ("vehicles", name)
         check_id(document, name, path)
-        spec = _spec(name, _merged(file.vehicle_defaults, given))
-        spec = _with_address(document, given, spec, path, plant_listens=bool(file.listen))
+        if given.kind is VehicleKind.AGV:
+            spec = _agv(document, file, name, given, links)
+        else:
+            spec = _spec(name, _merged(file.vehicle_defaults, given))
+            spec = _with_address(document, given, spec, path, plant_listens=bool(file.listen))
+            _check_limits(document, spec, path)
+            _check_dialect(document, spec, path, dialects)
+            if spec.link is not None:
+                document.error(
+                    (*path, "link"), f"{name} is a hoist: it has a line of its own", "leave link out", key=True
+                )
         _check_doubles(document, spec, path, taken)
-        _check_limits(document, spec, path)
-        _check_dialect(document, spec, path, dialects)
         if spec.curve_speed > spec.max_speed:
             message = f"{name}'s curve_speed {spec.curve_speed} is more than its max_speed {spec.max_speed}"
             document.warn((*path, "curve_speed"), message, "both are in mm/s")
@@ -43,7 +62,27 @@ def vehicles(
         yield spec
 
 
-def _merged(defaults: file_format.VehicleDefaults, given: file_format.Vehicle) -> dict[str, Any]:
+def _agv(
+    document: Document, file: file_format.PlantFile, name: str, given: file_format.Vehicle, links: Links
+) -> VehicleSpec:
+    """Return an AGV's figures; what only a hoist has is noted."""
+    path: Path = ("vehicles", name)
+    node = document.section("vehicles").get(name)
+    for key in node.items if isinstance(node, Mapping) else ():
+        if key in _HOISTS_ALONE:
+            document.error((*path, key), f"{name} is an AGV: {key} is a hoist's", "leave it out", key=True)
+    if given.link is UNSET:
+        document.error(path, f"{name} is an AGV and has no link", "add link: the name of an enig link", key=True)
+        link = None
+    else:
+        link = links.number(name, given.link, given.dev_id, path, DeviceClass.AGV)
+    values = {**_AGV_FIGURES, **_merged(file.agv_defaults, given)}
+    return replace(_spec(name, {key: value for key, value in values.items() if key not in _HOISTS_ALONE}), link=link)
+
+
+def _merged(
+    defaults: file_format.VehicleDefaults | file_format.AgvDefaults, given: file_format.Vehicle
+) -> dict[str, Any]:
     values = {field.name: getattr(defaults, field.name) for field in fields(defaults)}
     values |= {field.name: value for field in fields(given) if (value := getattr(given, field.name)) is not UNSET}
     return {name: value for name, value in values.items() if value is not UNSET and name != "address"}
@@ -59,6 +98,8 @@ def _spec(name: str, values: dict[str, Any]) -> VehicleSpec:
         values["offset"] = pulses(values["offset"])
     if "start" in values:
         values["start"] = Barcode(str(values["start"]))
+    if "link" in values:
+        values["link"] = LinkId(values["link"])
     return VehicleSpec(id=VehicleId(name), **{**values, "dev_id": DevId(values["dev_id"])})
 
 
@@ -83,7 +124,8 @@ def _with_address(
 
 
 def _check_doubles(document: Document, spec: VehicleSpec, path: Path, taken: dict[tuple[str, object], str]) -> None:
-    identities: dict[str, object] = {"dev_id": spec.dev_id}
+    # An AGV's number is compared with what else is on its link, by that link.
+    identities: dict[str, object] = {"dev_id": spec.dev_id} if spec.kind is VehicleKind.HOIST else {}
     if spec.port:
         identities["address"] = (spec.host, spec.port)
     if spec.start is not None:

@@ -45,7 +45,15 @@ async def test_without_topics_a_watcher_gets_all_but_commands(app: FastAPI) -> N
     async with Socket(app) as socket:
         await socket.accepted()
         snapshot = await socket.frame()
-        assert sorted(snapshot["objects"]) == ["carriers", "controller", "devices", "drives", "jobs", "stations", "vehicles"]
+        assert sorted(snapshot["objects"]) == [
+            "carriers",
+            "controller",
+            "devices",
+            "drives",
+            "jobs",
+            "stations",
+            "vehicles",
+        ]
         assert snapshot["objects"]["vehicles"]["V001"]["bits"][0] == {"name": "MODE", "value": 3, "meaning": "AUTO"}
 
 

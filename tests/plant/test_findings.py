@@ -107,9 +107,9 @@ SHAPE = {
     ),
     "three coordinates": Case("[1000, 0]", "[1000, 0, 0]", 2, "or a mapping, got a list of 3"),
     "an unknown kind of station": Case(
-        "kind: sbfl", "kind: sbfll", 9, "expected port or sbfl or sbfr, got text", "mean sbfl?"
+        "kind: sbfl", "kind: sbfll", 9, "expected port or sbfl or sbfr or agv_buffer, got text", "mean sbfl?"
     ),
-    "a kind like no other": Case("kind: sbfl", "kind: 7", 9, "expected port or sbfl or sbfr, got 7"),
+    "a kind like no other": Case("kind: sbfl", "kind: 7", 9, "expected port or sbfl or sbfr or agv_buffer, got 7"),
     "text where true or false is asked": Case(
         "capacity: 1", "no_stop: no", 11, "expected true or false, got text 'no'"
     ),
@@ -199,7 +199,7 @@ STATIONS = {
         "at: 3", "at: 3, display: 포트2", 8, "'포트2' does not fit the vehicle's display"
     ),
     "target pulses at a side buffer": warning(
-        "at: 5", "at: 5, dest: {shft: 1, rota: 1, lift: 1}", 9, "B1 is a side buffer", "leave it out"
+        "at: 5", "at: 5, dest: {shft: 1, rota: 1, lift: 1}", 9, "B1 is no port", "leave it out"
     ),
     "an unknown fallback": Case("at: 3", "at: 3, fallbacks: [B2]", 8, "unknown station B2", "did you mean"),
     "a fallback to itself": Case("at: 3", "at: 3, fallbacks: [P2]", 8, "P2 cannot be its own fallback"),
