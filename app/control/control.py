@@ -21,6 +21,7 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
+from app.fleet.vehicle import VehicleNow
 from app.plant import dialect_of
 from app.protocols.itsc.session import Timing
 
@@ -101,8 +102,10 @@ class Control:
         return self._lines[vehicle].hint
 
     def _link(self, vehicle: VehicleId) -> LinkView:
-        session = self._lines[vehicle]
-        quality, now = session.link, self.fleet.books.vehicles[vehicle]
+        now, session = self.fleet.books.vehicles[vehicle], self._lines.get(vehicle)
+        if session is None:
+            return self._shared_link(now)
+        quality = session.link
         return LinkView(
             up=now.linked,
             since=self.fleet.books.utc_at(now.link_since),
@@ -113,6 +116,23 @@ class Control:
             resends=quality.resends,
             duplicates=quality.duplicates,
             round_trip_ms=None if quality.round_trip_last is None else round(quality.round_trip_last, 2),
+        )
+
+    def _shared_link(self, vehicle: VehicleNow) -> LinkView:
+        """Return the quality of the line that an AGV shares with others."""
+        link = None if vehicle.spec.link is None else self._links[vehicle.spec.link]
+        utc_at = self.fleet.books.utc_at
+        if not isinstance(link, HallLink):
+            return LinkView(up=vehicle.linked, since=utc_at(vehicle.link_since), reason=vehicle.link_reason)
+        quality = link.link
+        return LinkView(
+            up=vehicle.linked,
+            since=utc_at(vehicle.link_since),
+            reason=vehicle.link_reason,
+            frames_in=quality.frames_in,
+            frames_out=quality.frames_out,
+            garbled=quality.garbled,
+            resends=quality.resends,
         )
 
     def _told(self, events: Iterable[Event], now: Seconds) -> None:
