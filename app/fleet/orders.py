@@ -217,6 +217,9 @@ class VehicleOrders:
             return no_link(vehicle)
         if vehicle.recovery:
             return self._accepted(vehicle)
+        if not self._alarms.has_work(vehicle, vehicle.status):
+            held = f"POST /api/v1/vehicles/{vehicle.id}/release" if vehicle.record.hold else "nothing needs to be done"
+            return Refusal("not-now", f"{vehicle.id} is in AUTO, homed and without an alarm", held)
         unsafe = self._alarms.unsafe_to_home(vehicle.status)
         if unsafe and not request.confirmed:
             return Refusal(
