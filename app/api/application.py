@@ -89,6 +89,7 @@ def described(settings: Settings) -> FastAPI:
     declare(app)
     _serve_docs(app)
     _serve_page(app)
+    app.add_api_websocket_route("/{path:path}", problems.no_stream)
     return app
 
 

@@ -74,7 +74,12 @@ def actor_named(given: str | None, address: str) -> Actor:
         name = given.strip()
     hidden = not name.isascii() and any(unicodedata.category(letter) in {"Cc", "Cf", "Cs"} for letter in name)
     if len(name) > MAX_ACTOR or hidden or (name.isascii() and not name.isprintable()):
-        raise Problem("invalid", f"X-Actor is a name of at most {MAX_ACTOR} printable characters.", field="X-Actor")
+        raise Problem(
+            "invalid",
+            f"X-Actor is a name of at most {MAX_ACTOR} printable characters.",
+            "Send a shorter or plainer one.",
+            "X-Actor",
+        )
     return Actor(name)
 
 

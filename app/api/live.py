@@ -54,7 +54,7 @@ def _started(socket: WebSocket, controller: Controller) -> Subscription:
     topics = topics_of(socket.query_params.get("topics", "").split(","))
     text = socket.query_params.get("after")
     if text is not None and not (text.isascii() and text.isdigit() and len(text) <= 15):
-        raise Problem("invalid", "after is the number of an event.", field="after")
+        raise Problem("invalid", "after is the number of an event.", "Send the seq of the last event seen.", "after")
     return controller.hub.subscribe(topics, after=int(text) if text else None, replay=replay_of(controller))
 
 

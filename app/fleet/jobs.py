@@ -108,7 +108,7 @@ class Jobs:
             if name not in books.specs:
                 return Refusal("invalid", f"there is no station {name}", see, field)
         if source == destination:
-            return Refusal("invalid", "source and destination are the same station", "", "destination")
+            return Refusal("invalid", "source and destination are the same station", "name another", "destination")
         return None
 
     def _untaught(self, source: str, destination: str) -> Refusal | None:
@@ -151,7 +151,7 @@ class Jobs:
             return job
         ended = self._books.ended.get(name)
         if ended:
-            return Refusal("conflict", f"job {name} has ended: {ended.state.value}", "")
+            return Refusal("conflict", f"job {name} has ended: {ended.state.value}", "order a new job")
         return Refusal("not-found", f"there is no job {name} under way", "see GET /api/v1/jobs")
 
     def cancel(self, request: CancelJob) -> Reply:
@@ -204,7 +204,7 @@ class Jobs:
         if isinstance(job, Refusal):
             return job
         if job.state in {JobState.ABORTING, JobState.CANCELLING}:
-            return Refusal("conflict", f"job {job.id} is {job.state.value}", "")
+            return Refusal("conflict", f"job {job.id} is {job.state.value}", "order a new job once it has ended")
         if refusal := self._bad_change(job, request):
             return refusal
         changed = replace(
@@ -231,11 +231,21 @@ class Jobs:
             if job.source in self._books.vehicles and request.vehicle != job.source:
                 return Refusal("invalid", f"the carrier is aboard {job.source}", "leave vehicle out", "vehicle")
             if job.state not in {JobState.QUEUED, JobState.WAITING}:
-                return Refusal("conflict", f"the carrier is aboard {job.vehicle} or being picked up", "", "vehicle")
+                return Refusal(
+                    "conflict",
+                    f"the carrier is aboard {job.vehicle} or being picked up",
+                    "leave vehicle out: only a job that is queued or waiting can get another",
+                    "vehicle",
+                )
         if request.destination is None or request.destination == job.destination:
             return None
         if job.leg is Leg.DEPOSITING:
-            return Refusal("conflict", f"the carrier is being put down at {job.destination}", "", "destination")
+            return Refusal(
+                "conflict",
+                f"the carrier is being put down at {job.destination}",
+                "wait for its end, then order a job from there",
+                "destination",
+            )
         source: str = (job.vehicle or job.source) if job.leg is Leg.TO_DESTINATION else job.source
         return (
             self._unknown_ends(source, request.destination, ())

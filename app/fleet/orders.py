@@ -163,7 +163,7 @@ class VehicleOrders:
         if request.barcode not in self._books.track:
             return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
         if request.action is StopAction.RUN:
-            return Refusal("invalid", "a path ends in a stop", "", "action")
+            return Refusal("invalid", "a path ends in a stop", "leave action out, or name a stop", "action")
         if refusal := self._unfit(vehicle):
             return refusal
         try:
@@ -185,7 +185,8 @@ class VehicleOrders:
         if isinstance(target, Refusal):
             return target
         if vehicle.loaded is request.pickup:
-            return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
+            what, instead = ("loaded", "place") if vehicle.loaded else ("empty", "pickup")
+            return Refusal("not-now", f"{vehicle.id} is {what}", f"it can only {instead} now")
         obstacle = "" if request.pickup else against_putting_down(self._books, station.id, None)
         if obstacle:
             return Refusal("conflict", obstacle, f"if it is not so, PUT /api/v1/stations/{station.id}", "station")
@@ -324,7 +325,7 @@ class VehicleOrders:
         """Lifted by its owner, or by two others together."""
         lock = vehicle.record.lockout
         if lock is None:
-            return Refusal("conflict", f"{vehicle.id} is not locked out", "")
+            return Refusal("conflict", f"{vehicle.id} is not locked out", "nothing to lift")
         releases = tuple(dict.fromkeys((*lock.releases, request.actor)))
         if request.actor != lock.owner and len(releases) < 2:
             self._books.save_vehicle(vehicle, lockout=replace(lock, releases=releases))

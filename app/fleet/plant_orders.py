@@ -29,6 +29,7 @@ from app.fleet.books import Books
 from app.fleet.orders import no_station, no_vehicle
 from app.fleet.vehicle import VehicleNow
 
+SHORTER = "use a shorter id, as the vehicles' displays show it"
 DISPLAY_BYTES = 16
 """FOUP ID, SOURCE and DESTINATION on the vehicle's display (PROTOCOLS 1.6)."""
 
@@ -37,7 +38,7 @@ def unfit_name(carrier: str) -> Refusal | None:
     """Refusal for a carrier's name that the vehicles' display cannot show (DOMAIN section 2)."""
     if len(carrier) <= DISPLAY_BYTES and carrier.isascii() and carrier.isprintable():
         return None
-    return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} printable ASCII characters", "", "carrier")
+    return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} printable ASCII characters", SHORTER, "carrier")
 
 
 class PlantOrders:
@@ -55,7 +56,9 @@ class PlantOrders:
         carrier = record.carrier if request.carrier is None else CarrierId(request.carrier) or None
         present = request.present if request.present is not None else (True if request.carrier else record.present)
         if request.carrier and request.present is False:
-            return Refusal("invalid", "a carrier cannot be at a station where nothing is present", "", "carrier")
+            return Refusal(
+                "invalid", "a carrier cannot be where nothing is present", "leave carrier or present out", "carrier"
+            )
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
         if present is False:
@@ -119,9 +122,15 @@ class PlantOrders:
 
     def _carrier_aboard(self, request: WriteCarrier, vehicle: VehicleNow) -> Reply:
         if vehicle.record.carrier and vehicle.record.carrier != request.carrier:
-            return Refusal("conflict", f"{vehicle.id} carries {vehicle.record.carrier}", "", "place")
+            carried = vehicle.record.carrier
+            return Refusal("conflict", f"{vehicle.id} carries {carried}", f"move or remove {carried} first", "place")
         if vehicle.linked and vehicle.loaded is False:
-            return Refusal("conflict", f"{vehicle.id} says that nothing is aboard (FOUP bit 0)", "", "place")
+            return Refusal(
+                "conflict",
+                f"{vehicle.id} says that nothing is aboard (FOUP bit 0)",
+                "look where the carrier is, and name that place",
+                "place",
+            )
         if vehicle.record.carrier != request.carrier:
             self._leave_vehicle(request.carrier)
         created = request.carrier not in self._books.carriers
@@ -159,7 +168,10 @@ class PlantOrders:
             return no_station(request.station)
         if spec.kind.stop_action is not StopAction.PORT:
             return Refusal(
-                "invalid", f"{spec.id} is a side buffer: vehicles know its positions themselves", "", "station"
+                "invalid",
+                f"{spec.id} is a side buffer: vehicles know its positions themselves",
+                "only ports have a DEST",
+                "station",
             )
         now = self._books.dests.get(request.station)
         version = now.version if now else 0

@@ -6,10 +6,12 @@ from typing import Any
 
 import httpx
 import pytest
+from fastapi import FastAPI
 
 from app.api.application import described
 from app.settings import Settings
 from tests.api.scripted import Scripted
+from tests.api.sockets import Socket
 
 pytestmark = pytest.mark.anyio
 
@@ -77,6 +79,7 @@ def check(answer: httpx.Response) -> None:
         assert problem["status"] == answer.status_code
         assert problem["detail"]
         assert problem["title"]
+        assert problem["remedy"]
 
 
 @pytest.mark.parametrize(("method", "path", "body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
@@ -159,7 +162,8 @@ async def test_a_method_that_a_path_does_not_have_is_405(client: httpx.AsyncClie
     answer = await client.request("TRACE", filled(path))
     check(answer)
     assert answer.status_code == 405
-    assert answer.headers["allow"]
+    has = ", ".join(sorted(method.upper() for method in DOCUMENT["paths"][path]))
+    assert (answer.headers["allow"], answer.json()["remedy"]) == (has, f"It has {has}.")
 
 
 @pytest.mark.parametrize(
@@ -174,3 +178,22 @@ async def test_a_path_that_is_not_there_is_a_404_problem(client: httpx.AsyncClie
 async def test_every_code_of_a_refusal_has_a_status(client: httpx.AsyncClient) -> None:
     codes = {item["code"] for item in (await client.get("/problems")).json()["items"]}
     assert {"not-found", "conflict", "not-now", "invalid", "no-route"} <= codes
+
+
+async def test_a_file_is_only_read(client: httpx.AsyncClient) -> None:
+    answer = await client.post("http://localhost/assets/index.js")
+    check(answer)
+    assert (answer.status_code, answer.headers["allow"]) == (405, "GET, HEAD")
+    assert (await client.post("http://localhost/")).headers["allow"] == "GET, HEAD"
+
+
+async def test_a_websocket_where_there_is_none_is_a_404_problem(served: FastAPI) -> None:
+    async with Socket(served, "/api/v1/nope") as socket:
+        refusal = await socket.message()
+    assert refusal["type"] == "websocket.close"
+    async with Socket(served, "/api/v1/nope", answers=True) as socket:
+        start, body = await socket.message(), await socket.message()
+    assert (start["type"], start["status"]) == ("websocket.http.response.start", 404)
+    problem = json.loads(body["body"])
+    assert problem["detail"] == "There is no stream at /api/v1/nope."
+    assert problem["remedy"] == "The live stream is at /api/v1/live."
