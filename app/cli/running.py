@@ -23,7 +23,7 @@ def plant_of(file: Path) -> Plant:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
-        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"see: hoistway check {file}") from None
+        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"See: hoistway check {file}") from None
     return plant
 
 

@@ -128,8 +128,9 @@ class JobView:
 
 @dataclass(frozen=True, slots=True)
 class StationView:
-    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it; ``verified`` is
-    true only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only.
+    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it (None: we
+    never learnt anything); ``verified`` is true only where the host or a person wrote it. ``target`` is the DEST in
+    pulses (shft, rota, lift), ports only.
     """
 
     id: str
@@ -141,7 +142,7 @@ class StationView:
     out_of_service: str
     provenance: str
     verified: bool
-    at: float
+    at: float | None
     target: tuple[int, int, int] | None
     target_version: int | None
 

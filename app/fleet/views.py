@@ -92,7 +92,7 @@ def view_of_station(spec: Station, record: StationRecord, dest: StationDest | No
         out_of_service=record.out_of_service,
         provenance=record.provenance.value,
         verified=record.provenance in VERIFIED,
-        at=record.at,
+        at=record.at or None,
         target=(dest.pulses.shft, dest.pulses.rota, dest.pulses.lift) if dest else None,
         target_version=dest.version if dest else None,
     )

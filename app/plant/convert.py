@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final, Union, get_args, get_origin
 import msgspec
 from msgspec import Meta, UnsetType
 
-from app.plant.document import Document, Mapping, Node, Path, Scalar, Sequence, path_text, plain
+from app.plant.document import NO_YAML, Document, Mapping, Node, Path, Scalar, Sequence, path_text, plain
 from app.wire.names import nearest
 
 
@@ -105,7 +105,7 @@ def _leaf(document: Document, node: Node, wanted: Any, path: Path) -> Any:
         return msgspec.convert(plain(node), wanted)
     except msgspec.ValidationError:
         message = f"{path_text(path) or 'the plant file'}: expected {expected(wanted)}, got {_shown(node)}"
-        document.error(path, message, _remedy(node, wanted))
+        document.error(path, message, _remedy(node, wanted) if path else NO_YAML)
         return FAILED
 
 
