@@ -297,6 +297,22 @@ class ParameterView:
     watched: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class LineView:
+    """A link that carries several devices. ``since``: when it came up, or went down for this ``reason``; null before it was ever
+    up. ``figures`` count since the controller started; which there are depends on the wire.
+    """
+
+    id: str
+    wire: str
+    address: str
+    up: bool
+    since: float | None
+    reason: str
+    devices: tuple[str, ...]
+    figures: Mapping[str, int]
+
+
 View = (
     VehicleView
     | JobView
@@ -309,6 +325,7 @@ View = (
     | DriveView
     | OperationView
     | ParameterView
+    | LineView
 )
 
 
