@@ -21,8 +21,9 @@ class DriveNow:
     """A drive at this moment. ``online`` is None before it was heard or missed on this connection of its line.
 
     ``missed``: it was told offline and not told online since. ``started``: it was told to move and not told to stop since.
-    ``moves_until``: it was seen to move, or told to, so lately that it counts as moving until then. ``place`` is what its next
-    distance is compared with. ``operation`` is the number of what is being done to it that may change or move something.
+    ``jogging``: a jog of ours moves it. ``moves_until``: it was seen to move, or told to, so lately that it counts as moving
+    until then. ``place`` is what its next distance is compared with. ``operation`` is the number of what is being done to it
+    that may change or move something.
     """
 
     spec: DriveUnit
@@ -34,6 +35,7 @@ class DriveNow:
     status: DriveStatus | None = None
     seen: Seconds | None = None
     started: bool = False
+    jogging: bool = False
     moves_until: Seconds = Seconds(-inf)
     place: tuple[Turn | None, Hundredths] | None = None
     operation: int | None = None
@@ -54,7 +56,7 @@ class DriveNow:
             return None
         if self.status.mode is DriveMode.ERROR:
             return False
-        if now < self.moves_until:
+        if self.jogging or now < self.moves_until:
             return True
         if self.status.distance is None:
             return True if self.started else None

@@ -156,7 +156,10 @@ class Operations:
         """An axis begins to move."""
         running = self._running.get(self._waiting.get(event.request, 0))
         if running is not None:
-            self._drives[event.drive].told_to_move(self._books.now)
+            drive = self._drives[event.drive]
+            drive.jogging = True
+            drive.told_to_move(self._books.now)
+            self._show_drive(drive)
             running.work.result["moving"] = True
             self._show(running)
 
@@ -180,6 +183,8 @@ class Operations:
             setting = event.result
             value = DriveValue(event.drive, setting.parameter, setting.value, self._books.utc)
             running.read[event.drive, setting.parameter] = value
+        if asked is not None and asked.drive is not None and isinstance(asked.command, HoldKey):
+            self._drives[asked.drive].jogging = False
         if asked is None or not isinstance(event, DriveDone | DriveUnknown):
             return
         command = asked.command
