@@ -9,7 +9,21 @@ from starlette.middleware import Middleware
 from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
-from app.api import events, jobs, live, plant, problems, stations, vehicles
+from app.api import (
+    drive_backups,
+    drive_jog,
+    drive_parameters,
+    drives,
+    events,
+    jobs,
+    links,
+    live,
+    operations,
+    plant,
+    problems,
+    stations,
+    vehicles,
+)
 from app.api.calls import Ctl, answer_of
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard, Tickets
@@ -76,6 +90,13 @@ def described(settings: Settings) -> FastAPI:
         vehicles.router,
         stations.router,
         stations.carriers,
+        drives.router,
+        drive_parameters.router,
+        drive_parameters.watches,
+        drive_backups.router,
+        drive_jog.router,
+        operations.router,
+        links.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

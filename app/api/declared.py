@@ -117,6 +117,62 @@ OTHERS: Json = {
         "description": "Under way. `cmd_id` null: the command follows when the vehicle has its track.",
         **_object({"vehicle": _TEXT, "cmd_id": _nullable(_TEXT)}),
     },
+    "Jog": _object({"drive": _TEXT, "jog": _TEXT, "hold": {"type": "number", "description": "Seconds."}}),
+    "Watch": _object({"watch": _TEXT, "drive": _TEXT, "parameters": _list(_TEXT), "seconds": {"type": "number"}}),
+    "Backup": _object(
+        {
+            "id": _WHOLE,
+            "drive": _TEXT,
+            "model": _TEXT,
+            "at": _TIME,
+            "actor": _TEXT,
+            "note": _TEXT,
+            "parameters": {"type": "integer", "description": "How many it has."},
+        }
+    ),
+    "BackupWithValues": {
+        "allOf": [
+            ref("Backup"),
+            _object(
+                {
+                    "values": _list(
+                        _object(
+                            {
+                                "parameter": _TEXT,
+                                "raw": _WHOLE,
+                                "name": _TEXT,
+                                "value": _nullable({"type": "number"}),
+                                "unit": _TEXT,
+                            }
+                        )
+                    )
+                }
+            ),
+        ]
+    },
+    "Catalogue": _object(
+        {
+            "model": _TEXT,
+            "description": _TEXT,
+            "parameters": _list(
+                _object(
+                    {
+                        "number": _TEXT,
+                        "name": _TEXT,
+                        "unit": _TEXT,
+                        "scale": {"type": "number"},
+                        "lowest": {"type": "number"},
+                        "highest": {"type": "number"},
+                        "default": _nullable({"type": "number"}),
+                        "read_only": _FLAG,
+                        "while_running": _FLAG,
+                        "description": _TEXT,
+                        "choices": {"type": "object", "additionalProperties": _TEXT},
+                    }
+                )
+            ),
+        }
+    ),
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from app.domain.units import Seconds
     from app.protocols.itsc.simulator import Options, SimulatedVehicle
     from app.runtime.lines import Line
+    from app.runtime.pty import PtyPort
     from app.runtime.transports import DeviceServer, Dialler
     from app.sim.oracle import Oracle
     from app.sim.plantworld import SimulatedPlant
@@ -71,7 +72,7 @@ class _Floor:
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
         self._controller = controller
-        self._ends: list[DeviceServer | Dialler] = []
+        self._ends: list[DeviceServer | Dialler | PtyPort] = []
 
     async def run(self, with_parent: bool) -> int:
         """Serve until told to stop."""
@@ -120,12 +121,15 @@ class _Floor:
     async def _serve_link(self, link: LinkSpec, device: Endpoint) -> None:
         from app.runtime.clock import Clock
         from app.runtime.lines import Line
+        from app.runtime.pty import PtyPort
         from app.runtime.transports import DeviceServer
 
+        line = Line(device, Clock().now)
+        server: PtyPort | DeviceServer
         if link.serial is not None:
-            print(f"hoistway sim: {link.id} is a serial line, which is not simulated", file=sys.stderr, flush=True)
-            return
-        server = DeviceServer(Line(device, Clock().now), self._host or link.host, link.port)
+            server = PtyPort(line, Path(link.serial.device))
+        else:
+            server = DeviceServer(line, self._host or link.host, link.port)
         self._ends.append(server)
         await server.start()
 

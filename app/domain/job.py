@@ -121,6 +121,11 @@ class JobEvent(StrEnum):
     CONTROLLER_PAUSED = "ControllerPaused"
     PORT_CHANGED = "PortStateChanged"
     CARRIER_MOVED = "CarrierLocationChanged"
+    DRIVE_OFFLINE = "DriveOffline"
+    DRIVE_ONLINE = "DriveOnline"
+    DRIVE_ERROR_SET = "DriveErrorSet"
+    DRIVE_ERROR_CLEARED = "DriveErrorCleared"
+    DRIVE_WRITTEN = "DriveParameterWritten"
 
 
 @dataclass(frozen=True, slots=True)

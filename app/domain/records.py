@@ -4,9 +4,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
 from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import Axis, PulseSet
+from app.domain.lockout import Lockout as Lockout
 from app.domain.units import Barcode, Pulses, Timestamp
 
 
@@ -89,16 +91,6 @@ class Hold:
     remedy: str
     since: Timestamp
     doubt: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Lockout:
-    """People are at the vehicle: no remote command, no grant (DOMAIN section 7)."""
-
-    owner: Actor
-    reason: str
-    since: Timestamp
-    releases: tuple[Actor, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,6 +223,7 @@ Record = (
     | VehicleOffset
     | TeachingEvent
     | ControllerRecord
+    | DriveRecords
 )
 """Job, Intent, VehicleRecord, StationRecord, CarrierRecord, ControllerRecord replace the row of their key; the rest append."""
 
@@ -254,6 +247,11 @@ class Kept:
     controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
     next_event: int = 1
     next_order: int = 1
+    drives: tuple[DriveRecord, ...] = ()
+    drive_values: tuple[DriveValue, ...] = ()
+    operations: tuple[DriveOperation, ...] = ()
+    """Those that had not ended."""
+    next_operation: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.commands import Plain
+from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
@@ -246,6 +247,7 @@ Request = (
     | WriteCarrier
     | WriteDest
     | WriteOffset
+    | DriveOrder
 )
 
 

@@ -4,6 +4,7 @@ Plain frozen dataclasses of JSON-able values, so that the API declares them as s
 they are. Times are UTC seconds (the API shows ISO 8601).
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -20,6 +21,8 @@ class Topic(StrEnum):
     COMMANDS = "commands"
     DEVICES = "devices"
     DRIVES = "drives"
+    OPERATIONS = "operations"
+    PARAMETERS = "parameters"
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,7 +223,9 @@ class DeviceView:
 @dataclass(frozen=True, slots=True)
 class DriveView:
     """An axis drive (PROTOCOLS 2.4). ``online`` None: not heard yet on this connection. ``code`` is an error's number in mode
-    error, else the operation's, ``meaning`` its word; ``distance`` in hundredths of the axis's unit (H16).
+    error, else the operation's, ``meaning`` its word; ``distance`` in hundredths of the axis's unit (H16). ``error`` and
+    ``remedy`` explain an error. ``moving``: its distance changes, or it was told to run; None: nobody can tell.
+    ``operation`` is what is being done to it that may change or move something.
     """
 
     id: str
@@ -237,6 +242,76 @@ class DriveView:
     turn: str | None = None
     distance: int | None = None
     seen: float | None = None
+    error: str = ""
+    remedy: str = ""
+    moving: bool | None = None
+    operation: str | None = None
+    lockout: LockoutView | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OperationView:
+    """Something that was asked about a drive, or about all of a ``line`` (``drive`` null): see ``state``.
+
+    ``running``, ``done``, ``failed``, or ``unknown`` (it may have taken effect). ``done`` of ``total`` steps are over.
+    ``body`` is what was asked, ``result`` what has come of it so far; ``reason`` and ``remedy`` say why it is not done.
+    """
+
+    id: str
+    kind: str
+    state: str
+    drive: str | None
+    line: str
+    actor: str
+    opened: float
+    closed: float | None
+    done: int
+    total: int
+    body: Mapping[str, object]
+    result: Mapping[str, object]
+    reason: str
+    remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterView:
+    """A parameter of a drive as last known. ``number`` in hexadecimal; ``raw`` as the drive has it, null if it was not read yet;
+    ``value`` in ``unit``, ``text`` for people; ``lowest``, ``highest``, ``default`` in the same unit. ``named``: a catalogue has
+    it. ``at``: when it was read; ``watched``: it is polled now.
+    """
+
+    drive: str
+    number: str
+    named: bool
+    name: str
+    unit: str
+    raw: int | None
+    value: float | None
+    text: str
+    at: float | None
+    lowest: float | None = None
+    highest: float | None = None
+    default: float | None = None
+    read_only: bool = False
+    while_running: bool = False
+    description: str = ""
+    watched: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class LineView:
+    """A link that carries several devices. ``since``: when it came up, or went down for this ``reason``; null before it was ever
+    up. ``figures`` count since the controller started; which there are depends on the wire.
+    """
+
+    id: str
+    wire: str
+    address: str
+    up: bool
+    since: float | None
+    reason: str
+    devices: tuple[str, ...]
+    figures: Mapping[str, int]
 
 
 View = (
@@ -249,6 +324,9 @@ View = (
     | CommandView
     | DeviceView
     | DriveView
+    | OperationView
+    | ParameterView
+    | LineView
 )
 
 

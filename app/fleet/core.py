@@ -5,6 +5,7 @@ from collections.abc import Callable
 from app.domain.commands import Display, Move, Send, Simple
 from app.domain.devices import DeviceEvent
 from app.domain.drive import DriveEvent
+from app.domain.drive_requests import Word
 from app.domain.events import (
     Acknowledged,
     Answered,
@@ -21,8 +22,9 @@ from app.domain.events import (
 from app.domain.ids import CmdIds, VehicleId
 from app.domain.job import JobEvent, JobState
 from app.domain.layout import Axis, Plant
+from app.domain.links import LinkSend
 from app.domain.records import Intent, IntentState, Kept, TeachingEvent
-from app.domain.requests import Request
+from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
@@ -73,13 +75,13 @@ class Fleet:
         self.alarms = Alarms(self.books, self.recovery)
         self.missions = Missions(self.books, self.motion, self.recovery)
         self.devices = Devices(self.books)
-        self.drives = Drives(self.books)
+        self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
-        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders)
+        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders, self.drives)
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -115,13 +117,15 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
+        next_one = min(self._next_thought, self.drives.deadline)
         if self.books.dirty:
-            return min(self._next_thought, Seconds(self._last_show + SHOW_EVERY))
-        return self._next_thought
+            return min(next_one, Seconds(self._last_show + SHOW_EVERY))
+        return next_one
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
-        self.books.now = now
+        before, self.books.now = self.books.now, now
+        self.drives.tick(before)
         if now < self._next_thought:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
@@ -188,6 +192,15 @@ class Fleet:
         self.books.effects.replies.append((ticket, self._desk.answer(request)))
         self._think_soon()
         self._go_on()
+
+    def tell(self, word: Word, now: Seconds) -> tuple[Reply, list[LinkSend]]:
+        """Take a word that changes nothing that is kept. Its reply, and what it gives the lines to do, need no commit."""
+        self.books.now = now
+        return self.drives.tell(word)
+
+    def link_objection(self, send: LinkSend) -> str:
+        """Return why an order to a link must not leave any more now that it is durable, empty if it may."""
+        return self.drives.objection(send)
 
     def _think_soon(self) -> None:
         """Something changed that dispatch should see; many changes together cost one assignment."""

@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
@@ -30,6 +31,7 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.fleet.books import Books
+from app.fleet.drives import Drives
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
@@ -38,23 +40,26 @@ from app.fleet.plant_orders import PlantOrders
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders) -> None:
+    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders, drives: Drives) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
         self._plant = plant
+        self._drives = drives
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier", "drive", "line"))
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         return reply
 
     def _answer(self, request: Request) -> Reply:
+        if isinstance(request, DriveOrder):
+            return self._drives.answer(request)
         match request:
             case CreateJob():
                 return self._jobs.create(request)
@@ -108,5 +113,7 @@ class Desk:
 
 def _said(request: Request) -> str:
     """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
-    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint"})
+    given = (
+        (f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint", "values"}
+    )
     return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", ()))

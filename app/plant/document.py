@@ -95,12 +95,13 @@ class Unreadable(Exception):
 
 
 class Document:
-    """One plant file's tree and the findings about it.
+    """One file's tree and the findings about it; ``what`` is the file for people.
 
     ``dropped`` are the items of lists that could not be read. Raises: Unreadable: no tree can be made of the text.
     """
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, what: str = "the plant file") -> None:
+        self.what = what
         self.findings: list[Finding] = []
         self.dropped: set[Path] = set()
         self._values = 0

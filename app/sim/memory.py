@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.drive import DriveId, Parameter
+from app.domain.drive_records import DriveOperation, DriveRecord, DriveValue, OperationState
 from app.domain.ids import CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.records import (
@@ -37,6 +39,9 @@ class MemoryLedger:
         self._controller = ControllerRecord(ControllerState.AUTO)
         self._next_event = 1
         self._next_order = 1
+        self._drives: dict[DriveId, DriveRecord] = {}
+        self._values: dict[tuple[DriveId, Parameter], DriveValue] = {}
+        self._operations: dict[int, DriveOperation] = {}
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -53,6 +58,10 @@ class MemoryLedger:
             controller=self._controller,
             next_event=self._next_event,
             next_order=self._next_order,
+            drives=tuple(self._drives.values()),
+            drive_values=tuple(self._values.values()),
+            operations=tuple(one for one in self._operations.values() if one.state is OperationState.RUNNING),
+            next_operation=max(self._operations, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -92,6 +101,17 @@ class MemoryLedger:
                 self._offsets[record.vehicle] = record
             case ControllerRecord():
                 self._controller = record
+            case _:
+                self._keep_of_drive(record)
+
+    def _keep_of_drive(self, record: Record) -> None:
+        match record:
+            case DriveRecord():
+                self._drives[record.drive] = record
+            case DriveValue():
+                self._values[record.drive, record.parameter] = record
+            case DriveOperation():
+                self._operations[record.number] = record
             case _:
                 pass
 

@@ -4,16 +4,20 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import rows
+from app.store import drive_rows, rows
 from app.store.tables import (
     carriers,
     controller,
+    drive_values,
+    drives,
     events,
     going_on,
     intents,
     jobs,
+    operations,
     station_dests,
     stations,
+    under_way,
     unsettled,
     vehicle_offsets,
     vehicles,
@@ -39,6 +43,17 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
         next_event=_next(connection, events.c.seq),
         next_order=_next(connection, jobs.c.number),
+        drives=tuple(sorted(map(drive_rows.drive, _all(connection, drives)), key=lambda record: record.drive)),
+        drive_values=tuple(
+            sorted(map(drive_rows.value, _all(connection, drive_values)), key=lambda one: (one.drive, one.parameter))
+        ),
+        operations=tuple(
+            map(
+                drive_rows.operation,
+                connection.execute(sa.select(operations).where(under_way).order_by(operations.c.number)),
+            )
+        ),
+        next_operation=_next(connection, operations.c.number),
         fresh=fresh,
     )
 

@@ -5,13 +5,25 @@ from typing import Any, TypeVar
 
 import sqlalchemy as sa
 
+from app.domain.drive import DriveId
+from app.domain.drive_records import DriveBackup, DriveOperation
 from app.domain.errors import StoreError
 from app.domain.ids import CmdId, JobId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, TeachingEvent, VehicleOffset
-from app.store import rows
+from app.store import drive_rows, rows
 from app.store.engine import MEMORY, parsed, reading, told
-from app.store.tables import audit, events, intents, jobs, station_dests, teaching_events, vehicle_offsets
+from app.store.tables import (
+    audit,
+    drive_backups,
+    events,
+    intents,
+    jobs,
+    operations,
+    station_dests,
+    teaching_events,
+    vehicle_offsets,
+)
 
 T = TypeVar("T")
 _NOW: dict[str, sa.ColumnElement[float]] = {
@@ -103,6 +115,30 @@ class Reader:
         """Return a vehicle's raw teaching events, newest first."""
         query = sa.select(teaching_events).where(teaching_events.c.vehicle == vehicle)
         return self._list(query.order_by(teaching_events.c.seq.desc()).limit(limit), rows.teaching)
+
+    def operation(self, number: int) -> DriveOperation | None:
+        """Return an operation on drives."""
+        return self._first(sa.select(operations).where(operations.c.number == number), drive_rows.operation)
+
+    def operations(
+        self, *, drive: str | None = None, line: str | None = None, after: int | None = None, limit: int = 100
+    ) -> list[DriveOperation]:
+        """Return operations, newest first; ``after`` is the number of the last one seen."""
+        query = _where(sa.select(operations), {operations.c.drive: drive, operations.c.line: line})
+        if after is not None:
+            query = query.where(operations.c.number < after)
+        return self._list(query.order_by(operations.c.number.desc()).limit(limit), drive_rows.operation)
+
+    def backup(self, number: int) -> DriveBackup | None:
+        """Return a backup of a drive."""
+        return self._first(sa.select(drive_backups).where(drive_backups.c.number == number), drive_rows.backup)
+
+    def backups(self, drive: DriveId, after: int | None = None, limit: int = 100) -> list[DriveBackup]:
+        """Return a drive's backups, newest first; ``after`` is the number of the last one seen."""
+        query = sa.select(drive_backups).where(drive_backups.c.drive == drive)
+        if after is not None:
+            query = query.where(drive_backups.c.number < after)
+        return self._list(query.order_by(drive_backups.c.number.desc()).limit(limit), drive_rows.backup)
 
     def _list(self, query: sa.Select[Any], made: Callable[[rows.Found], T]) -> list[T]:
         with told("the database cannot be read"), self._engine.connect() as connection:

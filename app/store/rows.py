@@ -8,8 +8,7 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any
 
-import sqlalchemy as sa
-
+from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.ids import Actor, CarrierId, CmdId, StationId, VehicleId
 from app.domain.job import Job, JobState, Leg
 from app.domain.layout import Axis, PulseSet
@@ -23,7 +22,6 @@ from app.domain.records import (
     Hold,
     Intent,
     IntentState,
-    Lockout,
     Provenance,
     StationDest,
     StationRecord,
@@ -32,10 +30,10 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.units import Barcode, Pulses, Timestamp
-
-Row = tuple[str | int | float | bool | None, ...]
-Found = sa.Row[Any]
-"""A row as a query gives it."""
+from app.store import drive_rows
+from app.store.row import Found as Found
+from app.store.row import Row as Row
+from app.store.row import lockout_of, lockout_text
 
 _TOP = 1 << 63
 _WRAP = 1 << 64
@@ -198,14 +196,6 @@ def _hold(hold: Hold | None) -> str | None:
     return _json({"reason": hold.reason, "remedy": hold.remedy, "since": hold.since, "doubt": hold.doubt})
 
 
-def _lockout(lockout: Lockout | None) -> str | None:
-    if lockout is None:
-        return None
-    return _json(
-        {"owner": lockout.owner, "reason": lockout.reason, "since": lockout.since, "releases": list(lockout.releases)}
-    )
-
-
 def vehicle_row(record: VehicleRecord) -> Row:
     """Columns of ``vehicles``."""
     return (
@@ -215,7 +205,7 @@ def vehicle_row(record: VehicleRecord) -> Row:
         record.carrier,
         record.believed_loaded,
         _hold(record.hold),
-        _lockout(record.lockout),
+        lockout_text(record.lockout),
         record.out_of_service,
         record.off_rail,
     )
@@ -223,7 +213,6 @@ def vehicle_row(record: VehicleRecord) -> Row:
 
 def vehicle(row: Found) -> VehicleRecord:
     """Undo :func:`vehicle_row`."""
-    lockout = row.lockout
     return VehicleRecord(
         vehicle=row.vehicle,
         barcode=row.barcode,
@@ -231,7 +220,7 @@ def vehicle(row: Found) -> VehicleRecord:
         carrier=row.carrier,
         believed_loaded=row.believed_loaded,
         hold=None if row.hold is None else Hold(**row.hold),
-        lockout=None if lockout is None else Lockout(**{**lockout, "releases": tuple(lockout["releases"])}),
+        lockout=lockout_of(row.lockout),
         out_of_service=row.out_of_service,
         off_rail=row.off_rail,
     )
@@ -377,5 +366,9 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     VehicleOffset: offset_row,
     TeachingEvent: teaching_row,
     ControllerRecord: controller_row,
+    DriveOperation: drive_rows.operation_row,
+    DriveBackup: drive_rows.backup_row,
+    DriveValue: drive_rows.value_row,
+    DriveRecord: drive_rows.drive_row,
 }
 """How each record type becomes a row."""

@@ -8,6 +8,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
 
@@ -218,6 +219,46 @@ teaching_events = sa.Table(
         "vehicle", "connection", "cmd_id", "code", "position", "barcode", name="uq_teaching_events_same"
     ),
 )
+
+drives = sa.Table("drives", metadata, _key("drive"), sa.Column("lockout", JSON))
+
+drive_values = sa.Table("drive_values", metadata, _key("drive"), _key("parameter", BIG), _big("value"), _at("at"))
+
+drive_backups = sa.Table(
+    "drive_backups",
+    metadata,
+    _key("number", BIG),
+    _text("drive"),
+    _text("model"),
+    _at("at"),
+    _text("actor"),
+    _text("note"),
+    sa.Column("raws", JSON, nullable=False),
+)
+sa.Index("ix_drive_backups_drive_number", drive_backups.c.drive, drive_backups.c.number)
+
+operations = sa.Table(
+    "operations",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    _text("state"),
+    _at("opened"),
+    _text("actor"),
+    _text("line"),
+    _maybe("drive"),
+    sa.Column("body", JSON, nullable=False),
+    _big("done"),
+    _big("total"),
+    sa.Column("closed", UTC),
+    sa.Column("result", JSON, nullable=False),
+    _text("reason"),
+    _text("remedy"),
+)
+_index_where_set(operations.c.drive, operations.c.number)
+under_way = operations.c.state == sa.literal_column(f"'{OperationState.RUNNING.value}'")
+"""Operations that a restart must close."""
+sa.Index("ix_operations_under_way", operations.c.number, sqlite_where=under_way, postgresql_where=under_way)
 
 controller = sa.Table(
     "controller",

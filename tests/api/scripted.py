@@ -4,8 +4,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from app.domain import requests as r
+from app.domain.drive import DriveId
+from app.domain.drive_records import DriveBackup, DriveOperation
+from app.domain.drive_requests import DriveOrder, Word
 from app.domain.errors import Refusal
-from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, StationId, VehicleId, ZoneId
+from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, LinkId, StationId, VehicleId, ZoneId
 from app.domain.job import Job, JobState
 from app.domain.layout import Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
 from app.domain.records import (
@@ -22,9 +25,20 @@ from app.domain.records import (
     VehicleOffset,
 )
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
-from app.domain.view import BitView, CarrierView, ControllerView, LinkView, StationView, Topic, Update, VehicleView
+from app.domain.view import (
+    BitView,
+    CarrierView,
+    ControllerView,
+    LineView,
+    LinkView,
+    StationView,
+    Topic,
+    Update,
+    VehicleView,
+)
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
 from app.runtime.hub import Hub, ReadModel
+from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
 B = Barcode
@@ -43,6 +57,9 @@ PLANT = Plant(
     ),
     vehicles=tuple(VehicleSpec(VehicleId(f"V00{n}"), DevId(n)) for n in (1, 2)),
     zones=(Zone(ZoneId("Z1"), frozenset({B("1003"), B("1002")})),),
+    links=LINKS,
+    drives=DRIVES,
+    catalogues=(CATALOGUE,),
 )
 
 
@@ -56,6 +73,27 @@ class MemoryReader:
         self.asked: list[AuditRow] = []
         self.pulses: list[StationDest] = []
         self.corrections: list[VehicleOffset] = []
+        self.drives = ScriptedDrives(NOW)
+
+    def operation(self, number: int) -> DriveOperation | None:
+        return self.drives.operations.get(number)
+
+    def operations(
+        self, *, drive: str | None = None, line: str | None = None, after: int | None = None, limit: int = 100
+    ) -> Sequence[DriveOperation]:
+        found = [
+            one
+            for one in reversed(self.drives.operations.values())
+            if drive in (None, one.drive) and line in (None, one.line) and (after is None or one.number < after)
+        ]
+        return found[:limit]
+
+    def backup(self, number: int) -> DriveBackup | None:
+        return self.drives.backups.get(number)
+
+    def backups(self, drive: DriveId, after: int | None = None, limit: int = 100) -> Sequence[DriveBackup]:
+        found = [one for one in reversed(self.drives.backups.values()) if one.drive == drive]
+        return [one for one in found if after is None or one.number < after][:limit]
 
     def job(self, job: JobId) -> Job | None:
         return self.kept.get(job)
@@ -123,12 +161,23 @@ class Scripted:
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
         self.hub.publish([self._vehicle(v) for v in PLANT.vehicles])
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
+        self.drives = self.reader.drives
+        self.hub.publish(self.drives.shown())
 
     def utc(self) -> Timestamp:
         return NOW
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic
+
+    def tell(self, word: Word) -> r.Reply:
+        return self.drives.tell(word)
+
+    def links(self) -> Sequence[LineView]:
+        return self.drives.links()
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        return self.drives.traffic
 
     async def ask(self, request: r.Request) -> r.Reply:
         self.seen.append(request)
@@ -174,6 +223,10 @@ class Scripted:
                 state = ControllerState.PAUSING if isinstance(request, r.PauseController) else ControllerState.AUTO
                 self.hub.publish([self._controller(ControllerRecord(state, getattr(request, "reason", "")))])
                 return r.Accepted(Topic.CONTROLLER, "controller")
+            case _ if isinstance(request, DriveOrder):
+                reply, updates = self.drives.answer(request)
+                self.hub.publish(updates)
+                return reply
             case _:
                 return self._vehicles(request)
 

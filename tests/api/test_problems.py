@@ -28,6 +28,13 @@ KNOWN = {
     "carrier": "F1",
     "command": "0000000000000001",
     "code": "invalid",
+    "drive": "D1",
+    "number": "1C",
+    "watch": "mine",
+    "backup": "1",
+    "jog": "1",
+    "operation": "1",
+    "link": "AXES",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -44,6 +51,15 @@ EXAMPLES: dict[str, Any] = {
     "StationPut": {"present": True, "carrier": "", "reserved": "", "out_of_service": ""},
     "StationPatch": {"present": True},
     "CarrierPut": {"place": "P1"},
+    "KeyIn": {"key": "run"},
+    "InputsIn": {"step": 3},
+    "ReadIn": {},
+    "WriteIn": {"raw": 5},
+    "BackupIn": {},
+    "CompareIn": {"backup": 1},
+    "RestoreIn": {"backup": 1},
+    "JogIn": {"direction": "cw"},
+    "WatchIn": {"parameters": ["1C"]},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [

@@ -8,6 +8,14 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.drive_records import (
+    DriveBackup,
+    DriveOperation,
+    DriveRecord,
+    DriveValue,
+    OperationKind,
+    OperationState,
+)
 from app.domain.job import TERMINAL, Job, JobState, Leg
 from app.domain.layout import Axis, PulseSet
 from app.domain.records import (
@@ -152,6 +160,35 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         at=TIME,
     ),
     ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
+    DriveOperation: st.builds(
+        DriveOperation,
+        number=st.integers(1, 1 << 62),
+        kind=st.sampled_from(OperationKind),
+        state=st.sampled_from(OperationState),
+        opened=TIME,
+        actor=TEXT,
+        line=TEXT,
+        drive=MAYBE,
+        body=st.dictionaries(TEXT, JSON, max_size=3),
+        done=st.integers(0, 256),
+        total=st.integers(1, 256),
+        closed=st.none() | TIME,
+        result=st.dictionaries(TEXT, JSON, max_size=3),
+        reason=TEXT,
+        remedy=TEXT,
+    ),
+    DriveBackup: st.builds(
+        DriveBackup,
+        number=st.integers(1, 1 << 62),
+        drive=TEXT,
+        model=TEXT,
+        at=TIME,
+        actor=TEXT,
+        note=TEXT,
+        values=st.lists(st.none() | st.integers(0, 9999), max_size=256).map(tuple),
+    ),
+    DriveValue: st.builds(DriveValue, drive=TEXT, parameter=st.integers(0, 255), value=st.integers(0, 9999), at=TIME),
+    DriveRecord: st.builds(DriveRecord, drive=TEXT, lockout=st.none() | LOCKOUTS),
 }
 
 
@@ -168,6 +205,14 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle)],
     TeachingEvent: lambda one, kept, reader: list(reader.teaching(one.vehicle)),
     ControllerRecord: lambda one, kept, reader: [kept.controller],
+    DriveOperation: lambda one, kept, reader: [
+        reader.operation(one.number),
+        *reader.operations(drive=one.drive, line=one.line),
+        *([kept.operations[0]] if one.state is OperationState.RUNNING else []),
+    ],
+    DriveBackup: lambda one, kept, reader: [reader.backup(one.number), *reader.backups(one.drive)],
+    DriveValue: lambda one, kept, reader: list(kept.drive_values),
+    DriveRecord: lambda one, kept, reader: list(kept.drives),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
