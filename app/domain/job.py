@@ -121,6 +121,14 @@ class JobEvent(StrEnum):
     CONTROLLER_PAUSED = "ControllerPaused"
     PORT_CHANGED = "PortStateChanged"
     CARRIER_MOVED = "CarrierLocationChanged"
+    TEACHING_OPENED = "TeachingSessionOpened"
+    TEACHING_ENDED = "TeachingSessionEnded"
+    TEACHING_TAKEN = "TeachingTaken"
+    TEACHING_APPROVED = "TeachingApproved"
+    TEACHING_REJECTED = "TeachingRejected"
+    TEACHING_ROLLED_BACK = "TeachingRolledBack"
+    TEACHING_IMPORTED = "TeachingImported"
+    TEACHING_UNKNOWN = "TeachingCodeUnknown"
 
 
 @dataclass(frozen=True, slots=True)

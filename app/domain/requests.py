@@ -7,6 +7,8 @@ from app.domain.commands import Plain
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
+from app.domain.teaching import RowFate
+from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
 
 
@@ -246,6 +248,7 @@ Request = (
     | WriteCarrier
     | WriteDest
     | WriteOffset
+    | TeachingRequest
 )
 
 
@@ -254,13 +257,14 @@ class Accepted:
     """The request was carried out or is under way, and is durable.
 
     ``topic`` and ``key`` name the object concerned in the read model; ``created`` tells a new one from one that was there.
-    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome.
+    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome. ``fates`` are those of imported rows.
     """
 
     topic: str
     key: str
     created: bool = False
     cmd_id: int | None = None
+    fates: tuple[RowFate, ...] = ()
 
 
 Reply = Accepted | Refusal

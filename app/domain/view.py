@@ -20,6 +20,7 @@ class Topic(StrEnum):
     COMMANDS = "commands"
     DEVICES = "devices"
     DRIVES = "drives"
+    TEACHING = "teaching"
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +130,8 @@ class JobView:
 @dataclass(frozen=True, slots=True)
 class StationView:
     """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it; ``verified`` is
-    true only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only.
+    true only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only, null while
+    it is not complete; ``missing`` are the axes that it lacks. ``teaching`` is the session that closes the port to jobs.
     """
 
     id: str
@@ -144,6 +146,8 @@ class StationView:
     at: float
     target: tuple[int, int, int] | None
     target_version: int | None
+    missing: tuple[str, ...] = ()
+    teaching: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +242,68 @@ class DriveView:
     seen: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class PulsesView:
+    """Positions of the three taught axes in pulses; null where one is not known."""
+
+    shft: int | None
+    rota: int | None
+    lift: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class ProposalView:
+    """A set of teaching events from one vehicle and barcode, and the version that approval would make of it.
+
+    ``side``: ``dest`` (of port ``station``) or ``offset`` (of the vehicle, at the reference port ``station``). ``raw`` are the
+    positions sent, in the teaching events numbered ``events``; ``missing`` the axes that were not. ``result`` is the whole new
+    version, untaught axes carried over from version ``base`` (0: none); ``against_version`` is that of the other side. ``opened``
+    and ``at`` are when the first and the last event came. ``revision`` is its ETag. Its live key is ``proposal-ID``.
+    """
+
+    id: int
+    side: str
+    vehicle: str
+    barcode: str
+    station: str | None
+    session: int | None
+    state: str
+    why: str
+    remedy: str
+    warnings: tuple[str, ...]
+    raw: PulsesView
+    missing: tuple[str, ...]
+    events: tuple[int, ...]
+    asked: str | None
+    asked_by: str | None
+    opened: float
+    at: float
+    result: PulsesView | None
+    base: int
+    against_version: int | None
+    closed: float | None
+    closed_by: str | None
+    reason: str
+    version: int | None
+    revision: int
+
+
+@dataclass(frozen=True, slots=True)
+class TeachingSessionView:
+    """A teaching session: its port is closed to jobs while it is open. Its live key is ``session-ID``."""
+
+    id: int
+    station: str
+    vehicle: str
+    actor: str
+    note: str
+    state: str
+    opened: float
+    ended: float | None
+    ended_by: str | None
+    reason: str
+
+
 View = (
     VehicleView
     | JobView
@@ -248,6 +314,8 @@ View = (
     | CommandView
     | DeviceView
     | DriveView
+    | ProposalView
+    | TeachingSessionView
 )
 
 

@@ -33,23 +33,30 @@ from app.fleet.books import Books
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
+from app.fleet.teaching_desk import TeachingDesk
+
+TARGETS = ("job", "vehicle", "station", "carrier", "proposal", "session", "side")
+"""Parts of a request that name what it is about, the first that is there."""
 
 
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders) -> None:
+    def __init__(
+        self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders, teaching: TeachingDesk
+    ) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
         self._plant = plant
+        self._teaching = teaching
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        named = (getattr(request, name, None) for name in TARGETS)
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         return reply
@@ -76,8 +83,21 @@ class Desk:
                 return self._plant.pause(request)
             case ResumeController():
                 return self._plant.resume(request)
-            case _:
+            case (
+                HandleOnce()
+                | CommandVehicle()
+                | DisplayOnVehicle()
+                | MoveVehicle()
+                | RecoverAlarm()
+                | ReleaseVehicle()
+                | HoldVehicle()
+                | SetService()
+                | LockVehicle()
+                | UnlockVehicle()
+            ):
                 return self._answer_about_vehicle(request)
+            case _:
+                return self._teaching.answer(request)
 
     def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles
@@ -108,5 +128,7 @@ class Desk:
 
 def _said(request: Request) -> str:
     """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
+    if summary := getattr(request, "summary", ""):
+        return str(summary)
     given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint"})
-    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", ()))
+    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", (), frozenset()))

@@ -144,6 +144,7 @@ class Dispatch:
             (vehicle.barred, f"is {vehicle.barred}"),
             (not vehicle.linked, "is not connected"),
             (vehicle.job, f"is on job {vehicle.job}"),
+            (vehicle.teaching is not None, f"is used for teaching (session {vehicle.teaching})"),
             (not vehicle.fit, "is not ready"),
             (self.loaded(vehicle), "is loaded"),
         )

@@ -16,9 +16,11 @@ from app.domain.records import (
     Record,
     StationDest,
     StationRecord,
+    TeachingEvent,
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, SessionState, TeachingSession
 
 
 class MemoryLedger:
@@ -37,6 +39,9 @@ class MemoryLedger:
         self._controller = ControllerRecord(ControllerState.AUTO)
         self._next_event = 1
         self._next_order = 1
+        self._proposals: dict[int, Proposal] = {}
+        self._sessions: dict[int, TeachingSession] = {}
+        self._next_taught = 1
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -53,6 +58,11 @@ class MemoryLedger:
             controller=self._controller,
             next_event=self._next_event,
             next_order=self._next_order,
+            proposals=tuple(p for p in self._proposals.values() if not p.state.over),
+            sessions=tuple(s for s in self._sessions.values() if s.state is SessionState.OPEN),
+            next_taught=self._next_taught,
+            next_proposal=max(self._proposals, default=0) + 1,
+            next_session=max(self._sessions, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -92,6 +102,17 @@ class MemoryLedger:
                 self._offsets[record.vehicle] = record
             case ControllerRecord():
                 self._controller = record
+            case _:
+                self._keep_teaching(record)
+
+    def _keep_teaching(self, record: Record) -> None:
+        match record:
+            case Proposal():
+                self._proposals[record.number] = record
+            case TeachingSession():
+                self._sessions[record.number] = record
+            case TeachingEvent():
+                self._next_taught = max(self._next_taught, record.number + 1)
             case _:
                 pass
 

@@ -4,16 +4,21 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import rows
+from app.store import rows, teaching
 from app.store.tables import (
     carriers,
     controller,
     events,
     going_on,
+    going_on_teaching,
     intents,
     jobs,
     station_dests,
     stations,
+    teaching_events,
+    teaching_proposals,
+    teaching_sessions,
+    undecided,
     unsettled,
     vehicle_offsets,
     vehicles,
@@ -32,19 +37,29 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         vehicles=tuple(sorted(map(rows.vehicle, _all(connection, vehicles)), key=lambda record: record.vehicle)),
         stations=tuple(sorted(map(rows.station, _all(connection, stations)), key=lambda record: record.station)),
         carriers=tuple(sorted(map(rows.carrier, _all(connection, carriers)), key=lambda record: record.carrier)),
-        dests=tuple(sorted(map(rows.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
+        dests=tuple(sorted(map(teaching.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
         offsets=tuple(
-            sorted(map(rows.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
+            sorted(map(teaching.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
         ),
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
         next_event=_next(connection, events.c.seq),
         next_order=_next(connection, jobs.c.number),
+        proposals=tuple(map(teaching.proposal, _those(connection, teaching_proposals, undecided))),
+        sessions=tuple(map(teaching.session, _those(connection, teaching_sessions, going_on_teaching))),
+        next_taught=_next(connection, teaching_events.c.seq),
+        next_proposal=_next(connection, teaching_proposals.c.number),
+        next_session=_next(connection, teaching_sessions.c.number),
         fresh=fresh,
     )
 
 
 def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
     return connection.execute(sa.select(table))
+
+
+def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
+    """Return the rows wanted, in the order of their number."""
+    return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
 
 
 def _newest(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:

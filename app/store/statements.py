@@ -21,8 +21,10 @@ from app.domain.records import (
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, TeachingSession
 from app.store import tables
-from app.store.rows import ROW_OF, Row
+from app.store.columns import Row
+from app.store.rows import ROW_OF
 
 REPLACED: dict[type, sa.Table] = {
     Job: tables.jobs,
@@ -31,6 +33,8 @@ REPLACED: dict[type, sa.Table] = {
     StationRecord: tables.stations,
     CarrierRecord: tables.carriers,
     ControllerRecord: tables.controller,
+    Proposal: tables.teaching_proposals,
+    TeachingSession: tables.teaching_sessions,
 }
 """A record replaces the row of its key, the first column."""
 
