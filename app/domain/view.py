@@ -243,7 +243,7 @@ class DriveView:
 
 
 @dataclass(frozen=True, slots=True)
-class PulsesView:
+class AxesView:
     """Positions of the three taught axes in pulses; null where one is not known."""
 
     shft: int | None
@@ -271,14 +271,14 @@ class ProposalView:
     why: str
     remedy: str
     warnings: tuple[str, ...]
-    raw: PulsesView
+    raw: AxesView
     missing: tuple[str, ...]
     events: tuple[int, ...]
     asked: str | None
     asked_by: str | None
     opened: float
     at: float
-    result: PulsesView | None
+    result: AxesView | None
     base: int
     against_version: int | None
     closed: float | None

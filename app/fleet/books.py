@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
-from app.domain.layout import Plant, Station
+from app.domain.layout import Plant, Station, StationKind
 from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
@@ -131,7 +131,7 @@ class Books:
         for carrier, place in self.plant.carriers:
             self.put_carrier(carrier, place, Provenance.PLANT)
         for station in self.plant.stations:
-            if station.dest:
+            if station.dest and station.kind is StationKind.PORT:
                 self.keep_dest(StationDest(station.id, 1, station.dest, SYSTEM, "plant file", self.utc))
         for spec in self.plant.vehicles:
             if not spec.in_service:

@@ -3,12 +3,12 @@
 from app.domain.layout import Axis
 from app.domain.pulses import AxisPulses, missing, pulses_of
 from app.domain.teaching import Proposal, TeachingSession
-from app.domain.view import ProposalView, PulsesView, TeachingSessionView
+from app.domain.view import AxesView, ProposalView, TeachingSessionView
 
 
-def pulses_view(pulses: AxisPulses | None) -> PulsesView | None:
+def axes_view(pulses: AxisPulses | None) -> AxesView | None:
     """Return pulses as people see them, null where an axis is not known."""
-    return None if pulses is None else PulsesView(pulses.of(Axis.SHFT), pulses.of(Axis.ROTA), pulses.of(Axis.LIFT))
+    return None if pulses is None else AxesView(pulses.of(Axis.SHFT), pulses.of(Axis.ROTA), pulses.of(Axis.LIFT))
 
 
 def view_of_proposal(proposal: Proposal) -> ProposalView:
@@ -25,14 +25,14 @@ def view_of_proposal(proposal: Proposal) -> ProposalView:
         why=proposal.why,
         remedy=proposal.remedy,
         warnings=proposal.warnings,
-        raw=PulsesView(raw.of(Axis.SHFT), raw.of(Axis.ROTA), raw.of(Axis.LIFT)),
+        raw=AxesView(raw.of(Axis.SHFT), raw.of(Axis.ROTA), raw.of(Axis.LIFT)),
         missing=tuple(axis.value for axis in missing(raw)),
         events=tuple(sorted(number for reading in proposal.readings for number in reading.events)),
         asked=None if proposal.asked is None else f"{proposal.asked:016x}",
         asked_by=proposal.asked_by,
         opened=proposal.opened,
         at=proposal.at,
-        result=pulses_view(proposal.result),
+        result=axes_view(proposal.result),
         base=proposal.base,
         against_version=proposal.against_version,
         closed=proposal.closed,

@@ -86,7 +86,11 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     await client.put("/carriers/F1", json={"place": "P1"})
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
+    await client.put("/stations/P1/dest", json=pulses)
+    await client.put("/vehicles/V001/offset", json=pulses)
+    controller.teach()
     known = {"job": "LOT-1", "vehicle": "V001", "station": "P1", "carrier": "F1", "command": command, "code": "invalid"}
+    known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):
