@@ -1,7 +1,8 @@
 """Where a vehicle's axes must go at a station: DEST + OFFSET, or why that cannot be said (DOMAIN section 3)."""
 
 from app.domain.errors import Refusal
-from app.domain.layout import PulseSet, Station, StationKind
+from app.domain.ids import StationId
+from app.domain.layout import PulseSet, Station, StationKind, VehicleKind
 from app.domain.pulses import AxisPulses, beyond, missing, named, target
 from app.fleet.books import Books
 from app.fleet.vehicle import VehicleNow
@@ -30,23 +31,39 @@ def target_for(
     return given
 
 
+def no_dest(books: Books, station: StationId) -> Refusal | None:
+    """Refusal for a port whose DEST lacks an axis, None if it is complete."""
+    dest = books.dests.get(station)
+    lacking = missing(dest.pulses if dest else None)
+    if not lacking:
+        return None
+    return Refusal(
+        "not-now",
+        f"{station} has no DEST ({named(lacking)})",
+        f"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{station}/dest",
+    )
+
+
+def no_offset(books: Books, vehicle: VehicleNow) -> Refusal | None:
+    """Refusal for a hoist whose OFFSET lacks an axis, None if it is complete."""
+    lacking = missing(_offset_of(books, vehicle))
+    if not lacking or vehicle.spec.kind is not VehicleKind.HOIST:
+        return None
+    return Refusal(
+        "not-now",
+        f"{vehicle.id} has no OFFSET ({named(lacking)})",
+        f"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{vehicle.id}/offset",
+    )
+
+
+def _offset_of(books: Books, vehicle: VehicleNow) -> AxisPulses | None:
+    return books.teaching.offset_of(vehicle.id, books.offsets.get(vehicle.id))
+
+
 def _taught(books: Books, vehicle: VehicleNow, station: Station) -> PulseSet | Refusal:
-    dest = books.dests.get(station.id)
-    offset = books.teaching.offset_of(vehicle.id, books.offsets.get(vehicle.id))
-    dest_pulses: AxisPulses | None = dest.pulses if dest else None
-    if lacking := missing(dest_pulses):
-        return Refusal(
-            "not-now",
-            f"{station.id} has no DEST ({named(lacking)})",
-            f"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{station.id}/dest",
-        )
-    if lacking := missing(offset):
-        return Refusal(
-            "not-now",
-            f"{vehicle.id} has no OFFSET ({named(lacking)})",
-            f"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{vehicle.id}/offset",
-        )
-    sum_ = target(dest_pulses, offset)
+    if refusal := no_dest(books, station.id) or no_offset(books, vehicle):
+        return refusal
+    sum_ = target(books.dests[station.id].pulses, _offset_of(books, vehicle))
     if not isinstance(sum_, PulseSet):
         raise TypeError(f"{station.id} and {vehicle.id} are complete, their sum is not")
     return sum_

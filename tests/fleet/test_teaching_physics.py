@@ -1,5 +1,7 @@
 """Physical truth: what is taught by one vehicle is right for every other one, and for no other port (I40, DOMAIN section 3)."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.domain.errors import Refusal
@@ -8,7 +10,7 @@ from app.domain.layout import Axis
 from app.domain.pulses import PartialPulses
 from app.domain.requests import WriteDest, WriteOffset
 from app.domain.teaching import Side
-from tests.fleet.script import P1, P2, V1, Script
+from tests.fleet.script import P1, P2, V1, Script, small, transfer
 from tests.fleet.teaching import KIM, V3, V7, Teacher, approve, dest, last, offset, plant_of_two, pulses, sent_to
 
 
@@ -113,3 +115,26 @@ def test_a_value_written_by_a_person_has_no_origin_and_the_taught_axes_beside_it
     two.accept(approve(last(two)))
     assert dest(two).pulses == pulses(1, 2, 40960)
     assert [basis.axis for basis in dest(two).basis] == [Axis.LIFT]
+
+
+def test_a_job_is_refused_with_the_missing_axis_named_and_accepted_once_it_is_taught(two: Script) -> None:
+    for station in (P1, P2):
+        two.accept(WriteDest(KIM, station, pulses(1, 2, 41000)))
+    Teacher(two, V3, "114").send(TeachingKind.SHFT_DEST, 900)
+    two.wait(11)
+    two.accept(approve(last(two)))
+    assert two.refuse(transfer("P1", "P3")).reason == "P3 has no DEST (ROTA, LIFT)"
+    assert two.refuse(transfer("P1", "P3")).field == "destination"
+    two.accept(transfer("P1", "P2"))
+
+
+def test_a_job_for_a_vehicle_without_offset_is_refused_with_the_missing_axes_named() -> None:
+    plant = small()
+    script = Script(replace(plant, vehicles=tuple(replace(v, offset=None) for v in plant.vehicles)))
+    refusal = script.refuse(transfer("P1", "P3", vehicle=V1))
+    assert (refusal.reason, refusal.field) == ("V001 has no OFFSET (SHFT, ROTA, LIFT)", "vehicle")
+    script.accept(transfer("B1", "B2", vehicle=V1))
+    script.obey()
+    script.accept(transfer("P1", "P3", job="J2"))
+    script.run(3)
+    assert "no vehicle can serve both stations" in script.job("J2").reason
