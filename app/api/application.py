@@ -22,6 +22,9 @@ from app.api import (
     plant,
     problems,
     stations,
+    taught,
+    taught_files,
+    teaching,
     vehicles,
 )
 from app.api.calls import Ctl, answer_of
@@ -97,6 +100,10 @@ def described(settings: Settings) -> FastAPI:
         drive_jog.router,
         operations.router,
         links.router,
+        teaching.router,
+        taught.router,
+        taught.roll_backs,
+        taught_files.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

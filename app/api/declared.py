@@ -8,6 +8,7 @@ from pydantic import TypeAdapter
 from starlette.responses import Response
 
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
+from app.api.teaching_declared import TEACHING
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
 
@@ -91,9 +92,6 @@ OTHERS: Json = {
     "ProblemKind": _object({"code": _TEXT, "status": _WHOLE, "title": _TEXT}),
     "JobWithHistory": {"allOf": [ref("Job"), _object({"history": _list(ref("Event"))})]},
     "Pulses": _object({"shft": _WHOLE, "rota": _WHOLE, "lift": _WHOLE}),
-    "PulsesVersion": {
-        "allOf": [ref("Pulses"), _object({"version": _WHOLE, "actor": _TEXT, "source": _TEXT, "at": _TIME})]
-    },
     "Frame": _object(
         {
             "at": _TIME,
@@ -254,7 +252,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS)
+    schemas.update(view_schemas() | OTHERS | TEACHING)
     components["schemas"] = dict(sorted(schemas.items()))
     components["securitySchemes"] = {
         "key": {"type": "http", "scheme": "bearer", "description": "Wanted where the server has an access key."}

@@ -3,20 +3,21 @@
 from collections.abc import Sequence
 from typing import Protocol
 
+from app.api.teaching_port import TeachingReader
 from app.domain.drive import DriveId
 from app.domain.drive_records import DriveBackup, DriveOperation
 from app.domain.drive_requests import Word
-from app.domain.ids import CmdId, JobId, LinkId, StationId, VehicleId
+from app.domain.ids import CmdId, JobId, LinkId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import Plant
-from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, VehicleOffset
+from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
 from app.domain.view import LineView
 from app.runtime.hub import Hub, ReadModel
 
 
-class Reader(Protocol):
+class Reader(TeachingReader, Protocol):
     """Committed history; blocking, called from the thread pool. Raises StoreError."""
 
     def job(self, job: JobId) -> Job | None:
@@ -59,14 +60,6 @@ class Reader(Protocol):
 
     def audit(self, after: int = 0, limit: int = 100) -> Sequence[tuple[int, AuditRow]]:
         """Return numbered audit rows above ``after``, oldest first."""
-        ...
-
-    def dests(self, station: StationId) -> Sequence[StationDest]:
-        """Return all versions of a station's DEST, oldest first."""
-        ...
-
-    def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
-        """Return all versions of a vehicle's OFFSET, oldest first."""
         ...
 
     def operation(self, number: int) -> DriveOperation | None:

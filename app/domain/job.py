@@ -126,6 +126,14 @@ class JobEvent(StrEnum):
     DRIVE_ERROR_SET = "DriveErrorSet"
     DRIVE_ERROR_CLEARED = "DriveErrorCleared"
     DRIVE_WRITTEN = "DriveParameterWritten"
+    TEACHING_OPENED = "TeachingSessionOpened"
+    TEACHING_ENDED = "TeachingSessionEnded"
+    TEACHING_TAKEN = "TeachingTaken"
+    TEACHING_APPROVED = "TeachingApproved"
+    TEACHING_REJECTED = "TeachingRejected"
+    TEACHING_ROLLED_BACK = "TeachingRolledBack"
+    TEACHING_IMPORTED = "TeachingImported"
+    TEACHING_UNKNOWN = "TeachingCodeUnknown"
 
 
 @dataclass(frozen=True, slots=True)

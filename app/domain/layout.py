@@ -322,6 +322,8 @@ class Plant:
     charging: ChargingRules = ChargingRules()
     drives: tuple[DriveUnit, ...] = ()
     catalogues: tuple[Catalogue, ...] = ()
+    reference_vehicles: frozenset[VehicleId] = frozenset()
+    """Vehicles whose OFFSET is zero by declaration (I40): what they teach is the DEST itself."""
 
     def station(self, station: StationId) -> Station | None:
         """Return the station of that name, or None."""

@@ -7,8 +7,10 @@ from enum import StrEnum
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
 from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
-from app.domain.layout import Axis, PulseSet
+from app.domain.layout import Axis
 from app.domain.lockout import Lockout as Lockout
+from app.domain.pulses import AxisPulses
+from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
 
 
@@ -158,31 +160,47 @@ class CarrierGone:
 
 @dataclass(frozen=True, slots=True)
 class StationDest:
-    """A version of a port's DEST, all three axes (DOMAIN section 3). Versions count from 1 per station."""
+    """A version of a port's DEST (DOMAIN section 3). Versions count from 1 per station; the newest holds, if it is complete.
+
+    ``source`` says how it came: ``plant file``, ``rest``, ``teaching``, ``roll-back``, ``import``. ``basis`` has what each taught
+    axis was derived from, frozen (I40); an axis that a person wrote has none. ``proposal`` is what was approved, ``restores``
+    the version that was rolled back to, ``reason`` the person's.
+    """
 
     station: StationId
     version: int
-    pulses: PulseSet
+    pulses: AxisPulses
     actor: Actor
     source: str
     at: Timestamp
+    basis: tuple[Basis, ...] = ()
+    proposal: int | None = None
+    restores: int | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class VehicleOffset:
-    """A version of a vehicle's OFFSET, all three axes."""
+    """A version of a vehicle's OFFSET; fields as in :class:`StationDest`."""
 
     vehicle: VehicleId
     version: int
-    pulses: PulseSet
+    pulses: AxisPulses
     actor: Actor
     source: str
     at: Timestamp
+    basis: tuple[Basis, ...] = ()
+    proposal: int | None = None
+    restores: int | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class TeachingEvent:
-    """A raw teaching event 0x2070-0x2075, kept for ever (I40). Same connection, CMD_ID and payload: same event."""
+    """A raw teaching event 0x2070-0x2075, kept for ever (I40). Same connection, CMD_ID and payload: same event.
+
+    ``number`` rises; ``asked_by`` is who asked for it, None where the vehicle sent it unasked.
+    """
 
     vehicle: VehicleId
     connection: str
@@ -192,6 +210,8 @@ class TeachingEvent:
     position: Pulses
     barcode: Barcode
     at: Timestamp
+    number: int
+    asked_by: Actor | None = None
 
 
 class ControllerState(StrEnum):
@@ -222,10 +242,13 @@ Record = (
     | StationDest
     | VehicleOffset
     | TeachingEvent
+    | Proposal
+    | TeachingSession
     | ControllerRecord
     | DriveRecords
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, ControllerRecord replace the row of their key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord replace the row of their
+key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,7 +256,8 @@ class Kept:
     """All that a controller needs to go on after a restart.
 
     ``jobs`` are those not ended; ``intents`` those not closed; ``dests`` and ``offsets`` the newest version of each;
-    ``next_event`` and ``next_order`` the first numbers not yet used; ``epoch`` has been raised for this process life.
+    ``proposals`` and ``sessions`` those not over; ``next_...`` the first numbers not yet used;
+    ``epoch`` has been raised for this process life.
     """
 
     epoch: Epoch
@@ -252,6 +276,11 @@ class Kept:
     operations: tuple[DriveOperation, ...] = ()
     """Those that had not ended."""
     next_operation: int = 1
+    proposals: tuple[Proposal, ...] = ()
+    sessions: tuple[TeachingSession, ...] = ()
+    next_taught: int = 1
+    next_proposal: int = 1
+    next_session: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

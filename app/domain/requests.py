@@ -8,6 +8,8 @@ from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
+from app.domain.teaching import RowFate
+from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
 
 
@@ -235,20 +237,13 @@ VehicleRequest = (
 )
 """About one vehicle of the plant."""
 
-Request = (
-    VehicleRequest
-    | CreateJob
-    | CancelJob
-    | AbortJob
-    | ChangeJob
-    | PauseController
-    | ResumeController
-    | WriteStation
-    | WriteCarrier
-    | WriteDest
-    | WriteOffset
-    | DriveOrder
-)
+JobRequest = CreateJob | CancelJob | AbortJob | ChangeJob
+"""About transfer jobs."""
+
+PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier | WriteDest | WriteOffset
+"""About the plant as a whole, and what is believed and taught of it."""
+
+Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,13 +251,14 @@ class Accepted:
     """The request was carried out or is under way, and is durable.
 
     ``topic`` and ``key`` name the object concerned in the read model; ``created`` tells a new one from one that was there.
-    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome.
+    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome. ``fates`` are those of imported rows.
     """
 
     topic: str
     key: str
     created: bool = False
     cmd_id: int | None = None
+    fates: tuple[RowFate, ...] = ()
 
 
 Reply = Accepted | Refusal

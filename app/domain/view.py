@@ -23,6 +23,7 @@ class Topic(StrEnum):
     DRIVES = "drives"
     OPERATIONS = "operations"
     PARAMETERS = "parameters"
+    TEACHING = "teaching"
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +134,8 @@ class JobView:
 class StationView:
     """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it (None: we
     never learnt anything); ``verified`` is true only where the host or a person wrote it. ``target`` is the DEST in
-    pulses (shft, rota, lift), ports only.
+    pulses (shft, rota, lift), ports only, null while it is not complete; ``missing`` are the axes that it lacks.
+    ``teaching`` is the session that closes the port to jobs.
     """
 
     id: str
@@ -148,6 +150,8 @@ class StationView:
     at: float | None
     target: tuple[int, int, int] | None
     target_version: int | None
+    missing: tuple[str, ...] = ()
+    teaching: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,6 +318,68 @@ class LineView:
     figures: Mapping[str, int]
 
 
+@dataclass(frozen=True, slots=True)
+class AxesView:
+    """Positions of the three taught axes in pulses; null where one is not known."""
+
+    shft: int | None
+    rota: int | None
+    lift: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class ProposalView:
+    """A set of teaching events from one vehicle and barcode, and the version that approval would make of it.
+
+    ``side``: ``dest`` (of port ``station``) or ``offset`` (of the vehicle, at the reference port ``station``). ``raw`` are the
+    positions sent, in the teaching events numbered ``events``; ``missing`` the axes that were not. ``result`` is the whole new
+    version, untaught axes carried over from version ``base`` (0: none); ``against_version`` is that of the other side. ``opened``
+    and ``at`` are when the first and the last event came. ``revision`` is its ETag. Its live key is ``proposal-ID``.
+    """
+
+    id: int
+    side: str
+    vehicle: str
+    barcode: str
+    station: str | None
+    session: int | None
+    state: str
+    why: str
+    remedy: str
+    warnings: tuple[str, ...]
+    raw: AxesView
+    missing: tuple[str, ...]
+    events: tuple[int, ...]
+    asked: str | None
+    asked_by: str | None
+    opened: float
+    at: float
+    result: AxesView | None
+    base: int
+    against_version: int | None
+    closed: float | None
+    closed_by: str | None
+    reason: str
+    version: int | None
+    revision: int
+
+
+@dataclass(frozen=True, slots=True)
+class TeachingSessionView:
+    """A teaching session: its port is closed to jobs while it is open. Its live key is ``session-ID``."""
+
+    id: int
+    station: str
+    vehicle: str
+    actor: str
+    note: str
+    state: str
+    opened: float
+    ended: float | None
+    ended_by: str | None
+    reason: str
+
+
 View = (
     VehicleView
     | JobView
@@ -327,6 +393,8 @@ View = (
     | OperationView
     | ParameterView
     | LineView
+    | ProposalView
+    | TeachingSessionView
 )
 
 

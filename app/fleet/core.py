@@ -21,9 +21,9 @@ from app.domain.events import (
 )
 from app.domain.ids import CmdIds, VehicleId
 from app.domain.job import JobEvent, JobState
-from app.domain.layout import Axis, Plant
+from app.domain.layout import Plant
 from app.domain.links import LinkSend
-from app.domain.records import Intent, IntentState, Kept, TeachingEvent
+from app.domain.records import Intent, IntentState, Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
@@ -41,6 +41,10 @@ from app.fleet.motion import Motion, OffPath
 from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.teaching import Teaching
+from app.fleet.teaching_desk import TeachingDesk
+from app.fleet.teaching_sessions import TeachingSessions
+from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import Stage, VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
 
@@ -81,7 +85,10 @@ class Fleet:
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
-        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders, self.drives)
+        self.teaching = Teaching(self.books)
+        sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
+        teaching = TeachingDesk(self.books, self.teaching, sessions)
+        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders, self.drives, teaching)
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -108,6 +115,10 @@ class Fleet:
             books.show_station(station)
         for carrier in books.carriers:
             books.show_carrier(carrier)
+        for session in books.teaching.sessions.values():
+            books.show(Topic.TEACHING, f"session-{session.number}", view_of_session(session))
+        for proposal in books.teaching.proposals.values():
+            books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -129,6 +140,7 @@ class Fleet:
         if now < self._next_thought:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
+        self.teaching.tick()
         for vehicle in self.books.vehicles.values():
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
@@ -156,6 +168,7 @@ class Fleet:
                 self._link_up(vehicle)
             case LinkDown(reason=reason):
                 self.alarms.link_lost(vehicle)
+                self.teaching.lost(vehicle, reason)
                 self.recovery.link_lost(vehicle, reason)
             case Reported():
                 self._reported(vehicle, event)
@@ -168,7 +181,7 @@ class Fleet:
             case NotSent():
                 self._not_sent(vehicle, event)
             case Taught():
-                self._taught(vehicle, event)
+                self.teaching.take(vehicle, event)
             case Garbled():
                 self.books.touch(vehicle)
         if any(self._wants_dispatch(name) for name in self.books.woken):
@@ -303,6 +316,7 @@ class Fleet:
                 vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
             )
             self.alarms.answered(vehicle, event)
+            self.teaching.answered(vehicle, event.cmd_id, "" if event.ok else event.reason or "RESULT 1")
 
     def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
         """RESP1 brings the place too; a barcode that was not reported before is followed now."""
@@ -346,6 +360,7 @@ class Fleet:
             return
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
         self.alarms.unanswered(vehicle, event.cmd_id, event.why)
+        self.teaching.answered(vehicle, event.cmd_id, event.why.value)
         if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
             self.recovery.begin(vehicle)
 
@@ -380,25 +395,6 @@ class Fleet:
             return ""
         return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
 
-    def _taught(self, vehicle: VehicleNow, event: Taught) -> None:
-        """A teaching event is kept raw before it is acknowledged (DOMAIN section 3)."""
-        axes = {"shft": Axis.SHFT, "rota": Axis.ROTA, "lift": Axis.LIFT}
-        axis = axes[event.kind.value.split("_")[0]] if event.kind else None
-        link_since = self.books.utc_at(vehicle.link_since)
-        self.books.effects.records.append(
-            TeachingEvent(
-                vehicle=vehicle.id,
-                connection=f"{self.books.epoch}/{link_since:.3f}",
-                cmd_id=event.cmd_id,
-                code=event.code,
-                axis=axis,
-                position=event.position,
-                barcode=event.barcode,
-                at=self.books.utc,
-            )
-        )
-        self.books.effects.stored.append((vehicle.id, event.receipt))
-
     # -- going on -----------------------------------------------------------------------------------------------------
 
     def _go_on(self) -> None:
@@ -411,6 +407,7 @@ class Fleet:
             self.missions.proceed(vehicle)
             if vehicle.errand:
                 self._courtesy.explain(vehicle, self.motion.advance(vehicle))
+        self.teaching.reassess()
         self._plant_orders.note_rest()
 
     def _wants_dispatch(self, name: VehicleId) -> bool:

@@ -68,6 +68,7 @@ class Courtesy:
             return f"{name}, which is {what} at {other.handling.station} ({since} s)"
         states = (
             (other.barred, f"{name}, which is {other.barred}"),
+            (other.teaching is not None, f"{name}, which is used for teaching (session {other.teaching})"),
             (other.stage is Stage.ABSENT, f"{name}, which is silent ({other.link_reason})"),
             (other.oper is Oper.ALARM, f"{name}, which has an alarm"),
             (other.stage is Stage.SETTLING, f"{name}, which is being asked where it is"),
@@ -80,7 +81,7 @@ class Courtesy:
 
     def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
         """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
-        if not other.fit or not other.at_rest or other.order or other.errand:
+        if not other.fit or not other.at_rest or other.order or other.errand or other.teaching is not None:
             return
         if other.job and not self._stands_by(other):
             return

@@ -14,9 +14,11 @@ from app.domain.requests import (
     DisplayOnVehicle,
     HandleOnce,
     HoldVehicle,
+    JobRequest,
     LockVehicle,
     MoveVehicle,
     PauseController,
+    PlantRequest,
     RecoverAlarm,
     ReleaseVehicle,
     Reply,
@@ -30,36 +32,60 @@ from app.domain.requests import (
     WriteOffset,
     WriteStation,
 )
+from app.domain.teaching_requests import TeachingRequest
 from app.fleet.books import Books
 from app.fleet.drives import Drives
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
+from app.fleet.teaching_desk import TeachingDesk
+
+TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "proposal", "session", "side")
+"""Parts of a request that name what it is about, the first that is there."""
+
+UNSAID = frozenset({"actor", "fingerprint", "values"})
+"""Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders, drives: Drives) -> None:
+    def __init__(
+        self,
+        books: Books,
+        jobs: Jobs,
+        vehicles: VehicleOrders,
+        plant: PlantOrders,
+        drives: Drives,
+        teaching: TeachingDesk,
+    ) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
         self._plant = plant
         self._drives = drives
+        self._teaching = teaching
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier", "drive", "line"))
+        named = (getattr(request, name, None) for name in TARGETS)
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         return reply
 
     def _answer(self, request: Request) -> Reply:
+        if isinstance(request, VehicleRequest):
+            return self._answer_about_vehicle(request)
         if isinstance(request, DriveOrder):
             return self._drives.answer(request)
+        if isinstance(request, TeachingRequest):
+            return self._teaching.answer(request)
+        return self._answer_about_plant(request)
+
+    def _answer_about_plant(self, request: JobRequest | PlantRequest) -> Reply:
         match request:
             case CreateJob():
                 return self._jobs.create(request)
@@ -81,8 +107,6 @@ class Desk:
                 return self._plant.pause(request)
             case ResumeController():
                 return self._plant.resume(request)
-            case _:
-                return self._answer_about_vehicle(request)
 
     def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles
@@ -113,7 +137,7 @@ class Desk:
 
 def _said(request: Request) -> str:
     """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
-    given = (
-        (f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint", "values"}
-    )
-    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", ()))
+    if summary := getattr(request, "summary", ""):
+        return str(summary)
+    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in UNSAID)
+    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", (), frozenset()))

@@ -11,6 +11,7 @@ from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.missions import Missions
 from app.fleet.plant_orders import unfit_name
+from app.fleet.targets import no_dest, no_offset
 
 OUR_NAMES = "HW-"
 """Jobs without a name from the host are called HW-1, HW-2 ...; hosts may not use the prefix."""
@@ -95,8 +96,10 @@ class Jobs:
             return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
-        return self._untaught(request.source, request.destination) or self._no_route(
-            request.source, request.destination
+        return (
+            self._untaught(request.source, request.destination)
+            or self._unfit(request)
+            or self._no_route(request.source, request.destination)
         )
 
     def _unknown_ends(self, source: str, destination: str, fallbacks: tuple[StationId, ...]) -> Refusal | None:
@@ -115,14 +118,18 @@ class Jobs:
         """Ports without DEST are refused with the missing axes named (DOMAIN section 3)."""
         for name, field in ((source, "source"), (destination, "destination")):
             spec = self._books.specs.get(StationId(name))
-            if spec and spec.kind is StationKind.PORT and spec.id not in self._books.dests:
-                return Refusal(
-                    "not-now",
-                    f"{name} has no DEST for SHFT, ROTA and LIFT",
-                    f"teach it, or PUT /api/v1/stations/{name}/dest",
-                    field,
-                )
+            if spec and spec.kind is StationKind.PORT and (refusal := no_dest(self._books, spec.id)):
+                return replace(refusal, field=field)
         return None
+
+    def _unfit(self, request: CreateJob) -> Refusal | None:
+        """The one vehicle that may do the job lacks an OFFSET that a port needs: the missing axes are named."""
+        only = self._books.vehicles.get(request.vehicle or VehicleId(request.source))
+        ends = (self._books.specs.get(StationId(name)) for name in (request.source, request.destination))
+        if only is None or not any(spec and spec.kind is StationKind.PORT for spec in ends):
+            return None
+        refusal = no_offset(self._books, only)
+        return replace(refusal, field="vehicle" if request.vehicle else "source") if refusal else None
 
     def _no_route(self, source: str, destination: str) -> Refusal | None:
         books = self._books

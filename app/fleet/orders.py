@@ -83,7 +83,7 @@ class VehicleOrders:
 
     def command(self, vehicle: VehicleNow, request: CommandVehicle) -> Reply:
         """Send a command without data. Its outcome is the intent's."""
-        if refusal := self._unready(vehicle, request.what):
+        if refusal := self.unready(vehicle, request.what):
             return refusal
         if request.what is Plain.STATUS:
             self._books.effects.polls.append(vehicle.id)
@@ -93,7 +93,7 @@ class VehicleOrders:
             self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
         return self._accepted(vehicle, intent.cmd_id)
 
-    def _unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
+    def unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
         """Return why a command cannot be sent now, with what would help."""
         lock = vehicle.record.lockout
         if lock and what not in HARMLESS:
@@ -117,7 +117,7 @@ class VehicleOrders:
 
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """Show a text on the vehicle."""
-        if refusal := self._unready(vehicle, Plain.STOP_BY_HOST):
+        if refusal := self.unready(vehicle, Plain.STOP_BY_HOST):
             return replace(
                 refusal, reason=refusal.reason.replace("stop_by_host", "display"), remedy="switch it to AUTO"
             )

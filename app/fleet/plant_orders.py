@@ -27,6 +27,7 @@ from app.domain.requests import (
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.orders import no_station, no_vehicle
+from app.fleet.teaching_desk import reference_refusal, stale
 from app.fleet.vehicle import VehicleNow
 
 SHORTER = "use a shorter id, as the vehicles' displays show it"
@@ -175,7 +176,7 @@ class PlantOrders:
             )
         now = self._books.dests.get(request.station)
         version = now.version if now else 0
-        if refusal := self._stale(request.expected, version):
+        if refusal := stale(request.expected, version):
             return refusal
         self._books.keep_dest(
             StationDest(request.station, version + 1, request.pulses, request.actor, "rest", self._books.utc)
@@ -186,21 +187,16 @@ class PlantOrders:
         """A new version of a vehicle's OFFSET."""
         if request.vehicle not in self._books.vehicles:
             return no_vehicle(request.vehicle)
+        if self._books.teaching.is_reference(request.vehicle):
+            return reference_refusal(request.vehicle)
         now = self._books.offsets.get(request.vehicle)
         version = now.version if now else 0
-        if refusal := self._stale(request.expected, version):
+        if refusal := stale(request.expected, version):
             return refusal
         self._books.keep_offset(
             VehicleOffset(request.vehicle, version + 1, request.pulses, request.actor, "rest", self._books.utc)
         )
         return Accepted(Topic.VEHICLES, request.vehicle, created=version == 0)
-
-    def _stale(self, expected: int | None, version: int) -> Refusal | None:
-        if expected is None or expected == version:
-            return None
-        return Refusal(
-            "stale", f"it is version {version} now, not {expected}", "read it again, then decide", "If-Match"
-        )
 
     # -- the controller -----------------------------------------------------------------------------------------------
 

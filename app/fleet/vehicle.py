@@ -121,7 +121,7 @@ class VehicleNow:
     barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
     agree; ``trusted``: a named person vouched for what it reports next.
-    ``missed`` counts handlings or moves in a row that ended abnormally.
+    ``missed`` counts handlings or moves in a row that ended abnormally. ``teaching`` is its open teaching session.
     """
 
     spec: VehicleSpec
@@ -151,6 +151,7 @@ class VehicleNow:
     accounted: bool = False
     failed_handling: str = ""
     missed: int = 0
+    teaching: int | None = None
     unfit_since: Seconds | None = None
     waiting: str = ""
     waiting_since: Seconds = Seconds(0.0)
@@ -218,4 +219,5 @@ class VehicleNow:
     def available(self) -> bool:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
-        return self.fit and free and self.job is None and self.order is None and self.handling is None
+        bound = self.job or self.order or self.handling or self.teaching is not None
+        return self.fit and free and not bound

@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable
 
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
-from app.domain.layout import Plant, Station
+from app.domain.layout import Plant, PulseSet, Station
+from app.domain.pulses import missing
 from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
@@ -14,6 +15,7 @@ from app.domain.records import (
     StationDest,
     StationRecord,
 )
+from app.domain.teaching import TeachingSession
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
@@ -80,7 +82,9 @@ def view_of_event(event: HistoryEvent) -> EventView:
     )
 
 
-def view_of_station(spec: Station, record: StationRecord, dest: StationDest | None) -> StationView:
+def view_of_station(
+    spec: Station, record: StationRecord, dest: StationDest | None, teaching: TeachingSession | None = None
+) -> StationView:
     """Return a station and what is believed of it."""
     return StationView(
         id=spec.id,
@@ -93,9 +97,17 @@ def view_of_station(spec: Station, record: StationRecord, dest: StationDest | No
         provenance=record.provenance.value,
         verified=record.provenance in VERIFIED,
         at=record.at or None,
-        target=(dest.pulses.shft, dest.pulses.rota, dest.pulses.lift) if dest else None,
+        target=_complete(dest),
         target_version=dest.version if dest else None,
+        missing=tuple(axis.value for axis in missing(dest.pulses)) if dest else (),
+        teaching=teaching.number if teaching else None,
     )
+
+
+def _complete(dest: StationDest | None) -> tuple[int, int, int] | None:
+    if dest is None or not isinstance(dest.pulses, PulseSet):
+        return None
+    return (dest.pulses.shft, dest.pulses.rota, dest.pulses.lift)
 
 
 def view_of_carrier(record: CarrierRecord) -> CarrierView:

@@ -18,9 +18,11 @@ from app.domain.records import (
     Record,
     StationDest,
     StationRecord,
+    TeachingEvent,
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, SessionState, TeachingSession
 
 
 class MemoryLedger:
@@ -42,6 +44,9 @@ class MemoryLedger:
         self._drives: dict[DriveId, DriveRecord] = {}
         self._values: dict[tuple[DriveId, Parameter], DriveValue] = {}
         self._operations: dict[int, DriveOperation] = {}
+        self._proposals: dict[int, Proposal] = {}
+        self._sessions: dict[int, TeachingSession] = {}
+        self._next_taught = 1
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -62,6 +67,11 @@ class MemoryLedger:
             drive_values=tuple(self._values.values()),
             operations=tuple(one for one in self._operations.values() if one.state is OperationState.RUNNING),
             next_operation=max(self._operations, default=0) + 1,
+            proposals=tuple(p for p in self._proposals.values() if not p.state.over),
+            sessions=tuple(s for s in self._sessions.values() if s.state is SessionState.OPEN),
+            next_taught=self._next_taught,
+            next_proposal=max(self._proposals, default=0) + 1,
+            next_session=max(self._sessions, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -112,6 +122,17 @@ class MemoryLedger:
                 self._values[record.drive, record.parameter] = record
             case DriveOperation():
                 self._operations[record.number] = record
+            case _:
+                self._keep_teaching(record)
+
+    def _keep_teaching(self, record: Record) -> None:
+        match record:
+            case Proposal():
+                self._proposals[record.number] = record
+            case TeachingSession():
+                self._sessions[record.number] = record
+            case TeachingEvent():
+                self._next_taught = max(self._next_taught, record.number + 1)
             case _:
                 pass
 

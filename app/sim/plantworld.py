@@ -1,6 +1,7 @@
 """The simulated plant: every device of a plant file, in one physical world."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from app.domain.ids import VehicleId
 from app.domain.layout import Plant
@@ -42,6 +43,7 @@ class SimulatedPlant:
                 surroundings=self.truth,
                 options=options,
                 start=starts[spec.id],
+                aligned=partial(self.truth.aligned, spec.id),
             )
             for spec in plant.hoists
         }

@@ -8,7 +8,7 @@ from app.domain.drive_records import (
     OperationKind,
     OperationState,
 )
-from app.store.row import Found, Row, lockout_of, lockout_text, text_of
+from app.store.columns import Found, Row, as_json, lockout_of, lockout_text
 
 
 def operation_row(operation: DriveOperation) -> Row:
@@ -21,11 +21,11 @@ def operation_row(operation: DriveOperation) -> Row:
         operation.actor,
         operation.line,
         operation.drive,
-        text_of(dict(operation.body)),
+        as_json(dict(operation.body)),
         operation.done,
         operation.total,
         operation.closed,
-        text_of(dict(operation.result)),
+        as_json(dict(operation.result)),
         operation.reason,
         operation.remedy,
     )
@@ -53,7 +53,7 @@ def operation(row: Found) -> DriveOperation:
 
 def backup_row(backup: DriveBackup) -> Row:
     """Columns of ``drive_backups``."""
-    raws = text_of(backup.values)
+    raws = as_json(backup.values)
     return (backup.number, backup.drive, backup.model, backup.at, backup.actor, backup.note, raws)
 
 

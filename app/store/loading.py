@@ -4,7 +4,7 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import drive_rows, rows
+from app.store import drive_rows, rows, teaching
 from app.store.tables import (
     carriers,
     controller,
@@ -12,11 +12,16 @@ from app.store.tables import (
     drives,
     events,
     going_on,
+    going_on_teaching,
     intents,
     jobs,
     operations,
     station_dests,
     stations,
+    teaching_events,
+    teaching_proposals,
+    teaching_sessions,
+    undecided,
     under_way,
     unsettled,
     vehicle_offsets,
@@ -36,9 +41,9 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         vehicles=tuple(sorted(map(rows.vehicle, _all(connection, vehicles)), key=lambda record: record.vehicle)),
         stations=tuple(sorted(map(rows.station, _all(connection, stations)), key=lambda record: record.station)),
         carriers=tuple(sorted(map(rows.carrier, _all(connection, carriers)), key=lambda record: record.carrier)),
-        dests=tuple(sorted(map(rows.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
+        dests=tuple(sorted(map(teaching.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
         offsets=tuple(
-            sorted(map(rows.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
+            sorted(map(teaching.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
         ),
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
         next_event=_next(connection, events.c.seq),
@@ -54,12 +59,22 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
             )
         ),
         next_operation=_next(connection, operations.c.number),
+        proposals=tuple(map(teaching.proposal, _those(connection, teaching_proposals, undecided))),
+        sessions=tuple(map(teaching.session, _those(connection, teaching_sessions, going_on_teaching))),
+        next_taught=_next(connection, teaching_events.c.seq),
+        next_proposal=_next(connection, teaching_proposals.c.number),
+        next_session=_next(connection, teaching_sessions.c.number),
         fresh=fresh,
     )
 
 
 def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
     return connection.execute(sa.select(table))
+
+
+def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
+    """Return the rows wanted, in the order of their number."""
+    return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
 
 
 def _newest(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:

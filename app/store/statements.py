@@ -22,8 +22,10 @@ from app.domain.records import (
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, TeachingSession
 from app.store import tables
-from app.store.rows import ROW_OF, Row
+from app.store.columns import Row
+from app.store.rows import ROW_OF
 
 REPLACED: dict[type, sa.Table] = {
     Job: tables.jobs,
@@ -35,6 +37,8 @@ REPLACED: dict[type, sa.Table] = {
     DriveOperation: tables.operations,
     DriveValue: tables.drive_values,
     DriveRecord: tables.drives,
+    Proposal: tables.teaching_proposals,
+    TeachingSession: tables.teaching_sessions,
 }
 """A record replaces the row of its key: the table's first columns."""
 

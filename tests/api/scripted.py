@@ -4,13 +4,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from app.domain import requests as r
+from app.domain import teaching_requests as t
 from app.domain.drive import DriveId
 from app.domain.drive_records import DriveBackup, DriveOperation
 from app.domain.drive_requests import DriveOrder, Word
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, LinkId, StationId, VehicleId, ZoneId
 from app.domain.job import Job, JobState
-from app.domain.layout import Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
+from app.domain.layout import Axis, Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
 from app.domain.records import (
     AuditRow,
     CarrierRecord,
@@ -22,8 +23,10 @@ from app.domain.records import (
     Provenance,
     StationDest,
     StationRecord,
+    TeachingEvent,
     VehicleOffset,
 )
+from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
     BitView,
@@ -36,6 +39,7 @@ from app.domain.view import (
     Update,
     VehicleView,
 )
+from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
 from app.runtime.hub import Hub, ReadModel
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
@@ -74,6 +78,9 @@ class MemoryReader:
         self.pulses: list[StationDest] = []
         self.corrections: list[VehicleOffset] = []
         self.drives = ScriptedDrives(NOW)
+        self.sent: list[TeachingEvent] = []
+        self.proposed: dict[int, Proposal] = {}
+        self.taught_in: dict[int, TeachingSession] = {}
 
     def operation(self, number: int) -> DriveOperation | None:
         return self.drives.operations.get(number)
@@ -143,6 +150,46 @@ class MemoryReader:
 
     def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
         return [row for row in self.corrections if row.vehicle == vehicle]
+
+    def all_dests(self, *, history: bool = False) -> Sequence[StationDest]:
+        return self.pulses if history else list({row.station: row for row in self.pulses}.values())
+
+    def all_offsets(self, *, history: bool = False) -> Sequence[VehicleOffset]:
+        return self.corrections if history else list({row.vehicle: row for row in self.corrections}.values())
+
+    def taught(
+        self, after: int = 0, limit: int = 100, *, vehicle: str | None = None, barcode: str | None = None
+    ) -> Sequence[TeachingEvent]:
+        return [row for row in self.sent if row.number > after][:limit]
+
+    def proposals(
+        self,
+        *,
+        state: str | None = None,
+        station: str | None = None,
+        vehicle: str | None = None,
+        session: int | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[Proposal]:
+        return list(self.proposed.values())[:limit]
+
+    def proposal(self, number: int) -> Proposal | None:
+        return self.proposed.get(number)
+
+    def sessions(
+        self,
+        *,
+        state: str | None = None,
+        station: str | None = None,
+        vehicle: str | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[TeachingSession]:
+        return list(self.taught_in.values())[:limit]
+
+    def session(self, number: int) -> TeachingSession | None:
+        return self.taught_in.get(number)
 
 
 class Scripted:
@@ -227,6 +274,15 @@ class Scripted:
                 reply, updates = self.drives.answer(request)
                 self.hub.publish(updates)
                 return reply
+            case t.OpenTeaching():
+                self.teach()
+                return r.Accepted(Topic.TEACHING, "session-1", created=True)
+            case t.ImportTaught():
+                return r.Accepted(Topic.TEACHING, "import", fates=(RowFate(2, "P1", Fate.SAME, version=1),))
+            case t.EndTeaching() | t.ApproveProposal() | t.RejectProposal() | t.AssignProposal():
+                return r.Accepted(Topic.TEACHING, "proposal-1")
+            case t.StartTeaching():
+                return r.Accepted(Topic.TEACHING, "session-1", cmd_id=self._cmd)
             case _:
                 return self._vehicles(request)
 
@@ -314,6 +370,26 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def teach(self) -> None:
+        """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""
+        v1, p1, b = VehicleId("V001"), StationId("P1"), B("1001")
+        cmd = CmdId(1 << 63)
+        self.reader.sent = [
+            TeachingEvent(v1, "1/1", cmd, 0x2074, Axis.LIFT, Pulses(7), b, NOW, 1, ACTOR),
+            TeachingEvent(v1, "1/1", cmd, 0x2079, None, Pulses(7), b, NOW, 2),
+        ]
+        session = TeachingSession(1, p1, v1, ACTOR, NOW)
+        self.reader.taught_in = {1: session}
+        readings = (Reading(Axis.LIFT, Pulses(7), cmd, (1,)),)
+        proposal = Proposal(1, Side.DEST, v1, b, NOW, NOW, readings, ProposalState.READY, station=p1, session=1)
+        self.reader.proposed = {1: replace(proposal, result=PulseSet(Pulses(1), Pulses(2), Pulses(4)), base=2)}
+        self.hub.publish(
+            [
+                Update(Topic.TEACHING, "session-1", view_of_session(session)),
+                Update(Topic.TEACHING, "proposal-1", view_of_proposal(self.reader.proposed[1])),
+            ]
+        )
 
     def forget_commands(self) -> None:
         """Let all commands leave the model."""

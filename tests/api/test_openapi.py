@@ -91,6 +91,10 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     controller.drives.traffic = [(NOW, "out", b"\x02M1SSQ@#8\x03"), (NOW, "in", b"\x06")]
     known = {"job": "LOT-1", "vehicle": "V001", "station": "P1", "carrier": "F1", "command": command, "code": "invalid"}
     known |= {"drive": "D1", "operation": "1", "backup": "1", "jog": "1", "number": "1C", "link": "AXES"}
+    await client.put("/stations/P1/dest", json=pulses)
+    await client.put("/vehicles/V001/offset", json=pulses)
+    controller.teach()
+    known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):

@@ -21,7 +21,11 @@ SCHEMAS: dict[str, Any] = DOCUMENT["components"]["schemas"]
 OPERATIONS = [
     (method.upper(), path, operation) for path, ops in DOCUMENT["paths"].items() for method, operation in ops.items()
 ]
-WITH_BODY = [(method, path, op["requestBody"]) for method, path, op in OPERATIONS if "requestBody" in op]
+WITH_BODY = [
+    (method, path, op["requestBody"])
+    for method, path, op in OPERATIONS
+    if "requestBody" in op and "text/csv" not in op["requestBody"]["content"]
+]
 KNOWN = {
     "job": "LOT-1",
     "vehicle": "V001",
@@ -36,6 +40,11 @@ KNOWN = {
     "jog": "1",
     "operation": "1",
     "link": "AXES",
+    "session": "1",
+    "proposal": "1",
+    "other": "V002",
+    "old": "1",
+    "new": "2",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -61,6 +70,13 @@ EXAMPLES: dict[str, Any] = {
     "RestoreIn": {"backup": 1},
     "JogIn": {"direction": "cw"},
     "WatchIn": {"parameters": ["1C"]},
+    "SessionIn": {"station": "P1", "vehicle": "V001"},
+    "StartIn": {"what": "dest"},
+    "EndIn": {},
+    "ApproveIn": {},
+    "RejectIn": {"reason": "x"},
+    "AssignIn": {"station": "P1"},
+    "RollBackIn": {"version": 1, "reason": "x"},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [

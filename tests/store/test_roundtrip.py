@@ -17,7 +17,8 @@ from app.domain.drive_records import (
     OperationState,
 )
 from app.domain.job import TERMINAL, Job, JobState, Leg
-from app.domain.layout import Axis, PulseSet
+from app.domain.layout import Axis
+from app.domain.pulses import pulses_of
 from app.domain.records import (
     AuditRow,
     CarrierGone,
@@ -38,6 +39,8 @@ from app.domain.records import (
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
+from app.domain.units import Pulses
 from app.store import tables
 from app.store.reading import Reader
 from app.store.rows import ROW_OF
@@ -57,15 +60,33 @@ JSON = st.recursive(
 NAMES = st.lists(TEXT, max_size=4).map(tuple)
 MAYBE = st.none() | TEXT
 PROVENANCE = st.sampled_from(Provenance)
-PULSE_SETS = st.builds(PulseSet, PULSES, PULSES, PULSES)
 HOLDS = st.builds(Hold, reason=TEXT, remedy=TEXT, since=TIME)
 LOCKOUTS = st.builds(Lockout, owner=TEXT, reason=TEXT, since=TIME, releases=NAMES)
+SOME_PULSES = st.dictionaries(st.sampled_from(Axis), PULSES.map(Pulses), max_size=3).map(pulses_of)
+NUMBER = st.integers(1, 1 << 62)
+NUMBERS = st.lists(NUMBER, max_size=3).map(tuple)
+BASES = st.builds(
+    Basis,
+    axis=st.sampled_from(Axis),
+    raw=PULSES,
+    vehicle=TEXT,
+    barcode=TEXT,
+    events=NUMBERS,
+    against=TEXT,
+    version=st.none() | NUMBER,
+    less=PULSES,
+)
+READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_id=UINT64, events=NUMBERS)
 TAUGHT: dict[str, st.SearchStrategy[Any]] = {
     "version": st.integers(1, 1 << 31),
-    "pulses": PULSE_SETS,
+    "pulses": SOME_PULSES,
     "actor": TEXT,
     "source": TEXT,
     "at": TIME,
+    "basis": st.lists(BASES, max_size=3).map(tuple),
+    "proposal": st.none() | NUMBER,
+    "restores": st.none() | NUMBER,
+    "reason": TEXT,
 }
 
 RECORDS: dict[type, st.SearchStrategy[Any]] = {
@@ -158,6 +179,50 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         position=PULSES,
         barcode=TEXT,
         at=TIME,
+        number=NUMBER,
+        asked_by=MAYBE,
+    ),
+    Proposal: st.builds(
+        Proposal,
+        number=NUMBER,
+        side=st.sampled_from(Side),
+        vehicle=TEXT,
+        barcode=TEXT,
+        opened=TIME,
+        at=TIME,
+        readings=st.lists(READINGS, max_size=3).map(tuple),
+        state=st.sampled_from(ProposalState),
+        why=TEXT,
+        remedy=TEXT,
+        warnings=NAMES,
+        station=MAYBE,
+        session=st.none() | NUMBER,
+        asked=st.none() | UINT64,
+        asked_by=MAYBE,
+        collecting=st.booleans(),
+        broken=TEXT,
+        mode=TEXT,
+        result=st.none() | SOME_PULSES,
+        base=NUMBER,
+        against_version=st.none() | NUMBER,
+        closed=st.none() | TIME,
+        closed_by=MAYBE,
+        reason=TEXT,
+        version=st.none() | NUMBER,
+        revision=NUMBER,
+    ),
+    TeachingSession: st.builds(
+        TeachingSession,
+        number=NUMBER,
+        station=TEXT,
+        vehicle=TEXT,
+        actor=TEXT,
+        opened=TIME,
+        note=TEXT,
+        state=st.sampled_from(SessionState),
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+        reason=TEXT,
     ),
     ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
     DriveOperation: st.builds(
@@ -201,9 +266,14 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     StationRecord: lambda one, kept, reader: list(kept.stations),
     CarrierRecord: lambda one, kept, reader: list(kept.carriers),
     CarrierGone: lambda one, kept, reader: [one, *kept.carriers],
-    StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station)],
-    VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle)],
-    TeachingEvent: lambda one, kept, reader: list(reader.teaching(one.vehicle)),
+    StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station), *reader.all_dests()],
+    VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle), *reader.all_offsets()],
+    TeachingEvent: lambda one, kept, reader: [*reader.teaching(one.vehicle), *reader.taught()],
+    Proposal: lambda one, kept, reader: [reader.proposal(one.number), *([] if one.state.over else [kept.proposals[0]])],
+    TeachingSession: lambda one, kept, reader: [
+        reader.session(one.number),
+        *([kept.sessions[0]] if one.state is SessionState.OPEN else []),
+    ],
     ControllerRecord: lambda one, kept, reader: [kept.controller],
     DriveOperation: lambda one, kept, reader: [
         reader.operation(one.number),
