@@ -10,11 +10,12 @@ from dataclasses import dataclass
 
 from app.control.lines import VehicleLine
 from app.control.links import DriveLine, HallLink
-from app.domain.devices import DeviceEvent
+from app.domain.devices import DeviceEvent, DeviceNotSent, DeviceRequest
 from app.domain.drive import DriveEvent
 from app.domain.events import Event, NotSent
 from app.domain.ids import CmdIds, LinkId, VehicleId
 from app.domain.layout import Plant, Wire
+from app.domain.links import LinkSend
 from app.domain.ports import Endpoint
 from app.domain.records import Kept, Record
 from app.domain.requests import Reply, Request
@@ -95,6 +96,11 @@ class Control:
     def frames(self, vehicle: VehicleId) -> list[tuple[Timestamp, str, bytes]]:
         """Return the last packets on a vehicle's line, oldest first: when (UTC), ``in`` or ``out``, bytes."""
         session = self._lines[vehicle]
+        return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
+
+    def link_frames(self, link: LinkId) -> list[tuple[Timestamp, str, bytes]]:
+        """Return the last packets on a link, oldest first: when (UTC), ``in`` or ``out``, bytes."""
+        session = self._links[link]
         return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
 
     def hint(self, vehicle: VehicleId) -> str:
@@ -211,13 +217,22 @@ class Control:
             else:
                 self._lines[send.vehicle].send(send, now)
         for link_send in effects.link_sends:
-            self._links[link_send.link].order(link_send.order, now)
+            self._order(link_send, now)
             self._dirty[link_send.link] = None
         for name in effects.polls:
             self._lines[name].ask(now)
             self._dirty[name] = None
         self._publish(effects.updates)
         self._replies += effects.replies
+
+    def _order(self, send: LinkSend, now: Seconds) -> None:
+        """Give a link what it has to send, unless something came between."""
+        order = send.order
+        objection = self.fleet.device_objection(order) if isinstance(order, DeviceRequest) else ""
+        if isinstance(order, DeviceRequest) and objection:
+            self.fleet.handle_device(DeviceNotSent(order.device, order.id, objection), now)
+        else:
+            self._links[send.link].order(order, now)
 
     def _tell(self, line: VehicleLine, now: Seconds) -> None:
         """Hand what a session said while sending (NotSent) to the fleet."""

@@ -121,6 +121,9 @@ class JobEvent(StrEnum):
     CONTROLLER_PAUSED = "ControllerPaused"
     PORT_CHANGED = "PortStateChanged"
     CARRIER_MOVED = "CarrierLocationChanged"
+    DEVICE_CHANGED = "DeviceChanged"
+    EMERGENCY_SET = "EmergencySet"
+    EMERGENCY_RELEASED = "EmergencyReleased"
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.commands import Plain
+from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
@@ -246,6 +247,9 @@ Request = (
     | WriteCarrier
     | WriteDest
     | WriteOffset
+    | DeviceOrder
+    | RaiseEmergency
+    | ReleaseEmergency
 )
 
 
@@ -254,7 +258,7 @@ class Accepted:
     """The request was carried out or is under way, and is durable.
 
     ``topic`` and ``key`` name the object concerned in the read model; ``created`` tells a new one from one that was there.
-    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome.
+    ``cmd_id`` is set for commands to a vehicle or device: the intent that carries their outcome.
     """
 
     topic: str

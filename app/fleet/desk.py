@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
@@ -30,6 +31,8 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.fleet.books import Books
+from app.fleet.device_orders import DeviceOrders
+from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
@@ -38,23 +41,35 @@ from app.fleet.plant_orders import PlantOrders
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders) -> None:
+    def __init__(
+        self,
+        books: Books,
+        jobs: Jobs,
+        vehicles: VehicleOrders,
+        plant: PlantOrders,
+        devices: DeviceOrders,
+        emergency: EmergencyDesk,
+    ) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
         self._plant = plant
+        self._devices = devices
+        self._emergency = emergency
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier", "device"))
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         return reply
 
     def _answer(self, request: Request) -> Reply:
+        if isinstance(request, DeviceOrder | RaiseEmergency | ReleaseEmergency):
+            return self._answer_about_hall(request)
         match request:
             case CreateJob():
                 return self._jobs.create(request)
@@ -78,6 +93,11 @@ class Desk:
                 return self._plant.resume(request)
             case _:
                 return self._answer_about_vehicle(request)
+
+    def _answer_about_hall(self, request: DeviceOrder | RaiseEmergency | ReleaseEmergency) -> Reply:
+        if isinstance(request, RaiseEmergency | ReleaseEmergency):
+            return self._emergency.answer(request)
+        return self._devices.answer(request)
 
     def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles

@@ -186,7 +186,9 @@ class VehicleOrders:
             return target
         if vehicle.loaded is request.pickup:
             return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
-        obstacle = "" if request.pickup else against_putting_down(self._books, station.id, None)
+        obstacle = self._books.buffer_trouble.get(station.id, "")
+        if not request.pickup:
+            obstacle = against_putting_down(self._books, station.id, None)
         if obstacle:
             return Refusal("conflict", obstacle, f"if it is not so, PUT /api/v1/stations/{station.id}", "station")
         vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)

@@ -19,6 +19,7 @@ from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
     HistoryEvent,
     Hold,
     Intent,
@@ -32,6 +33,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.store.device_rows import device_row, emergencies, emergencies_text
 
 Row = tuple[str | int | float | bool | None, ...]
 Found = sa.Row[Any]
@@ -356,12 +358,12 @@ def teaching(row: Found) -> TeachingEvent:
 
 def controller_row(record: ControllerRecord) -> Row:
     """Columns of ``controller``."""
-    return (1, record.state.value, record.reason)
+    return (1, record.state.value, record.reason, emergencies_text(record.emergencies))
 
 
 def controller(row: Found) -> ControllerRecord:
     """Undo :func:`controller_row`."""
-    return ControllerRecord(ControllerState(row.state), row.reason)
+    return ControllerRecord(ControllerState(row.state), row.reason, emergencies(row.emergencies))
 
 
 ROW_OF: dict[type, Callable[[Any], Row]] = {
@@ -377,5 +379,6 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     VehicleOffset: offset_row,
     TeachingEvent: teaching_row,
     ControllerRecord: controller_row,
+    DeviceRecord: device_row,
 }
 """How each record type becomes a row."""

@@ -12,6 +12,7 @@ from app.domain.records import (
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    DeviceRecord,
     HistoryEvent,
     Intent,
     Record,
@@ -31,6 +32,7 @@ REPLACED: dict[type, sa.Table] = {
     StationRecord: tables.stations,
     CarrierRecord: tables.carriers,
     ControllerRecord: tables.controller,
+    DeviceRecord: tables.devices,
 }
 """A record replaces the row of its key, the first column."""
 

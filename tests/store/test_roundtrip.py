@@ -12,16 +12,22 @@ from app.domain.job import TERMINAL, Job, JobState, Leg
 from app.domain.layout import Axis, PulseSet
 from app.domain.records import (
     AuditRow,
+    BufferLock,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
+    DoorPosition,
+    Emergency,
+    EmergencyKind,
     HistoryEvent,
     Hold,
     Intent,
     IntentState,
     Kept,
     Lockout,
+    Pin,
     Provenance,
     Record,
     StationDest,
@@ -52,6 +58,9 @@ PROVENANCE = st.sampled_from(Provenance)
 PULSE_SETS = st.builds(PulseSet, PULSES, PULSES, PULSES)
 HOLDS = st.builds(Hold, reason=TEXT, remedy=TEXT, since=TIME)
 LOCKOUTS = st.builds(Lockout, owner=TEXT, reason=TEXT, since=TIME, releases=NAMES)
+PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
+BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
+EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
 TAUGHT: dict[str, st.SearchStrategy[Any]] = {
     "version": st.integers(1, 1 << 31),
     "pulses": PULSE_SETS,
@@ -151,7 +160,21 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         barcode=TEXT,
         at=TIME,
     ),
-    ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
+    ControllerRecord: st.builds(
+        ControllerRecord,
+        state=st.sampled_from(ControllerState),
+        reason=TEXT,
+        emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+    ),
+    DeviceRecord: st.builds(
+        DeviceRecord,
+        device=TEXT,
+        lockout=st.none() | LOCKOUTS,
+        pin=st.none() | PINS,
+        lock=st.none() | BUFFER_LOCKS,
+        locked=st.none() | st.booleans(),
+        out_of_service=TEXT,
+    ),
 }
 
 
@@ -168,6 +191,7 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle)],
     TeachingEvent: lambda one, kept, reader: list(reader.teaching(one.vehicle)),
     ControllerRecord: lambda one, kept, reader: [kept.controller],
+    DeviceRecord: lambda one, kept, reader: list(kept.devices),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
