@@ -5,6 +5,7 @@ device's Status what became of it; what a restart or a lost line leaves open is 
 while (COMMANDS sections 1 and 3). Who decides what to ask is elsewhere: ``doors``, ``buffers``, ``device_orders``.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from app.domain.devices import (
@@ -48,6 +49,12 @@ SILENT = Seconds(5.0)
 """A device that is not known is an alarm after so long: 10 s after its last word (PROTOCOLS E14 and our choice)."""
 
 LOCKS = frozenset({DeviceAct.LOCK, DeviceAct.UNLOCK})
+FAULTS: Mapping[DoorState | BufferState, str] = {
+    DoorState.ERROR: "reports an error (255)",
+    BufferState.ERROR: "reports an error (255)",
+    DoorState.UNKNOWN: "does not know its state (3)",
+    BufferState.UNKNOWN: "does not know its state (3)",
+}
 Spec = DoorSpec | BufferSpec | ChargerSpec
 State = DoorState | BufferState
 
@@ -58,7 +65,8 @@ class DeviceNow:
 
     ``since`` is when it came to this state, or fell silent; ``back`` when it was heard again after a silence. ``opened`` are
     commands whose outcome is not known yet, ``live`` those of them that its session is still watching. ``failed``: when an act
-    last came to nothing; ``refusal`` in words, until something succeeds. ``trouble`` and ``contradiction`` are said of it by
+    last came to nothing; ``refusal`` in words, until something succeeds; ``faulty``: an error, until it shows a state that is
+    none. ``trouble`` and ``contradiction`` are said of it by
     those who use it.
     """
 
@@ -74,6 +82,7 @@ class DeviceNow:
     live: set[CmdId] = field(default_factory=set)
     failed: dict[DeviceAct, Seconds] = field(default_factory=dict)
     refusal: tuple[str, str] | None = None
+    faulty: str = ""
     alarm: str = ""
     remedy: str = ""
     trouble: tuple[str, str] | None = None
@@ -167,6 +176,10 @@ class Devices:
     def _reported(self, device: DeviceNow, state: State, at: Seconds) -> None:
         if device.state is not state:
             device.since = at
+            if state in FAULTS:
+                device.faulty = FAULTS[state]
+            elif state not in (DoorState.BUSY, BufferState.BUSY):
+                device.faulty, device.refusal = "", None
         device.fresh, device.state, device.seen, device.reason = True, state, at, ""
 
     def _ended(
@@ -305,11 +318,9 @@ class Devices:
         if not device.fresh:
             silent = self._books.now - device.since >= SILENT
             return (f"is silent: {device.reason}", "see its line and its power") if silent else None
-        if device.state in (DoorState.ERROR, BufferState.ERROR):
+        if device.faulty:
             again = ", then open or close it" if device.kind is DeviceKind.DOOR else ""
-            return "reports an error (255)", f"see what is in its way at the {device.kind.value}{again}"
-        if device.state in (DoorState.UNKNOWN, BufferState.UNKNOWN):
-            return "does not know its state (3)", f"look at the {device.kind.value}"
+            return device.faulty, f"see what is in its way at the {device.kind.value}{again}"
         if device.contradiction:
             return device.contradiction, "look there, then PUT /api/v1/stations/ID with what is there"
         return device.trouble or device.refusal

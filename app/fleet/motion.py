@@ -220,12 +220,15 @@ class Motion:
         return room >= braking_distance(spec.max_speed, spec) + int(spec.max_speed * REACTION)
 
     def recall(self, vehicle: VehicleNow, why: str) -> None:
-        """Take back what a vehicle is granted ahead: one that stands plans anew, one that drives is stopped first."""
+        """Take back what a vehicle is granted ahead: one that stands plans anew, one that drives is stopped first.
+
+        One that is being asked where it is keeps what it has until it is settled.
+        """
         drive = vehicle.drive
         if drive is None:
-            errand = vehicle.errand
+            errand, before = vehicle.errand, len(vehicle.ahead)
             self.shrink_ahead(vehicle)
-            if errand:
+            if errand and len(vehicle.ahead) < before:
                 self._set_out_anew_on(vehicle, errand)
         elif not drive.recalled and halt(self._books, vehicle, SYSTEM, why):
             drive.recalled = True
