@@ -286,6 +286,12 @@ class Devices:
             self._books.effects.records.append(record)
         self.touch(device)
 
+    def charging(self, charger: DeviceId, vehicle: VehicleId | None) -> None:
+        """Say which vehicle charges at a charger, or is on its way to; None: nobody."""
+        if device := self.all.get(charger):
+            device.vehicles = () if vehicle is None else (vehicle,)
+            self.touch(device)
+
     # -- alarms -------------------------------------------------------------------------------------------------------
 
     def tick(self) -> None:
