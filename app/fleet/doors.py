@@ -172,9 +172,14 @@ class Doors:
 
     # -- people -------------------------------------------------------------------------------------------------------
 
-    def opened_by(self, door: DeviceNow, actor: Actor) -> int:
-        """A person opens a door. Returns the command's CMD_ID."""
+    def opened_by(self, door: DeviceNow, actor: Actor) -> int | None:
+        """A person opens a door. Returns the command's CMD_ID; None: it is open and somebody drives through, so nothing is sent.
+
+        A door that is asked to open reports busy first, even an open one (5.3): that would stop who comes.
+        """
         self._by_hand[door.id] = self._books.now
+        if not self._passages.against(door) and self._passages.engaged(door):
+            return None
         return self._devices.ask(door, DeviceAct.OPEN, actor).cmd_id
 
     def closed_by(self, door: DeviceNow, actor: Actor) -> int:
