@@ -9,7 +9,7 @@ from starlette.middleware import Middleware
 from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
-from app.api import events, jobs, live, plant, problems, stations, vehicles
+from app.api import devices, emergency, events, jobs, live, plant, problems, stations, vehicles
 from app.api.calls import Ctl, answer_of
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard, Tickets
@@ -76,6 +76,8 @@ def described(settings: Settings) -> FastAPI:
         vehicles.router,
         stations.router,
         stations.carriers,
+        devices.router,
+        emergency.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

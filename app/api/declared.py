@@ -117,6 +117,10 @@ OTHERS: Json = {
         "description": "Under way. `cmd_id` null: the command follows when the vehicle has its track.",
         **_object({"vehicle": _TEXT, "cmd_id": _nullable(_TEXT)}),
     },
+    "DeviceTaken": {
+        "description": "Under way. `cmd_id` null: nothing had to be sent.",
+        **_object({"device": _TEXT, "cmd_id": _nullable(_TEXT)}),
+    },
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),

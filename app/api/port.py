@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Protocol
 
-from app.domain.ids import CmdId, JobId, StationId, VehicleId
+from app.domain.ids import CmdId, JobId, LinkId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import Plant
 from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, VehicleOffset
@@ -100,6 +100,10 @@ class Controller(Protocol):
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a vehicle's line, oldest first, as (when, ``in`` or ``out``, bytes)."""
+        ...
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a link, oldest first, as (when, ``in`` or ``out``, bytes)."""
         ...
 
     def utc(self) -> Timestamp:

@@ -100,8 +100,8 @@ class Control:
 
     def link_frames(self, link: LinkId) -> list[tuple[Timestamp, str, bytes]]:
         """Return the last packets on a link, oldest first: when (UTC), ``in`` or ``out``, bytes."""
-        session = self._links[link]
-        return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
+        utc_at = self.fleet.books.utc_at
+        return [(utc_at(when), way, packet) for when, way, packet in self._links[link].last_frames]
 
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""

@@ -14,7 +14,7 @@ from structlog.typing import FilteringBoundLogger
 
 from app.control import Control, Transaction
 from app.domain.errors import Refusal
-from app.domain.ids import VehicleId
+from app.domain.ids import LinkId, VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
@@ -36,7 +36,16 @@ from app.store.ledger import SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
-NOTEWORTHY = frozenset({JobEvent.VEHICLE_HELD, JobEvent.VEHICLE_RELEASED, JobEvent.ALARM_SET, JobEvent.ALARM_CLEARED})
+NOTEWORTHY = frozenset(
+    {
+        JobEvent.VEHICLE_HELD,
+        JobEvent.VEHICLE_RELEASED,
+        JobEvent.ALARM_SET,
+        JobEvent.ALARM_CLEARED,
+        JobEvent.EMERGENCY_SET,
+        JobEvent.EMERGENCY_RELEASED,
+    }
+)
 """Events that the log has too, for a person on duty without the page."""
 GONE = Refusal("not-now", "This controller has stopped.", "Ask the one that holds the plant now, or start it again.")
 
@@ -130,6 +139,10 @@ class Controller:
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a vehicle's line, oldest first."""
         return self._control.frames(vehicle)
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a link, oldest first."""
+        return self._control.link_frames(link)
 
     def utc(self) -> Timestamp:
         """Return the present moment."""

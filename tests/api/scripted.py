@@ -4,8 +4,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from app.domain import requests as r
+from app.domain.device_requests import (
+    CommandDevice,
+    LiftDeviceLockout,
+    LockOutDevice,
+    PinDoor,
+    RaiseEmergency,
+    ReleaseEmergency,
+    SetDeviceService,
+    UnpinDoor,
+)
 from app.domain.errors import Refusal
-from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, StationId, VehicleId, ZoneId
+from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, LinkId, StationId, VehicleId, ZoneId
 from app.domain.job import Job, JobState
 from app.domain.layout import Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
 from app.domain.records import (
@@ -22,7 +32,17 @@ from app.domain.records import (
     VehicleOffset,
 )
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
-from app.domain.view import BitView, CarrierView, ControllerView, LinkView, StationView, Topic, Update, VehicleView
+from app.domain.view import (
+    BitView,
+    CarrierView,
+    ControllerView,
+    DeviceView,
+    LinkView,
+    StationView,
+    Topic,
+    Update,
+    VehicleView,
+)
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
 from app.runtime.hub import Hub, ReadModel
 
@@ -44,6 +64,9 @@ PLANT = Plant(
     vehicles=tuple(VehicleSpec(VehicleId(f"V00{n}"), DevId(n)) for n in (1, 2)),
     zones=(Zone(ZoneId("Z1"), frozenset({B("1003"), B("1002")})),),
 )
+
+
+DOOR = DeviceView("DOOR1", "door", "HALL", 30, fresh=True, state="closed", since=NOW, seen=NOW)
 
 
 class MemoryReader:
@@ -123,11 +146,15 @@ class Scripted:
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
         self.hub.publish([self._vehicle(v) for v in PLANT.vehicles])
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
+        self.hub.publish([Update(Topic.DEVICES, DOOR.id, DOOR)])
 
     def utc(self) -> Timestamp:
         return NOW
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        return self.traffic
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic
 
     async def ask(self, request: r.Request) -> r.Reply:
@@ -173,6 +200,12 @@ class Scripted:
             case r.PauseController() | r.ResumeController():
                 state = ControllerState.PAUSING if isinstance(request, r.PauseController) else ControllerState.AUTO
                 self.hub.publish([self._controller(ControllerRecord(state, getattr(request, "reason", "")))])
+                return r.Accepted(Topic.CONTROLLER, "controller")
+            case CommandDevice():
+                return self._device(request)
+            case PinDoor() | UnpinDoor() | LockOutDevice() | LiftDeviceLockout() | SetDeviceService():
+                return r.Accepted(Topic.DEVICES, request.device)
+            case RaiseEmergency() | ReleaseEmergency():
                 return r.Accepted(Topic.CONTROLLER, "controller")
             case _:
                 return self._vehicles(request)
@@ -245,6 +278,14 @@ class Scripted:
         view = CarrierView(row.carrier, row.place, row.provenance.value, verified=True, at=row.at)
         self.hub.publish([Update(Topic.CARRIERS, row.carrier, view)])
         return r.Accepted(Topic.CARRIERS, row.carrier, created=created)
+
+    def _device(self, request: CommandDevice) -> r.Reply:
+        self._cmd += 1
+        name = VehicleId(request.device)
+        intent = Intent(CmdId(self._cmd), name, request.act.value, IntentState.OPEN, NOW, request.actor)
+        self.reader.commands[self._cmd] = intent
+        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent))])
+        return r.Accepted(Topic.DEVICES, request.device, cmd_id=self._cmd)
 
     def _vehicles(self, request: r.Request) -> r.Reply:
         vehicle = VehicleId(getattr(request, "vehicle", ""))

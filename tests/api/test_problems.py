@@ -26,6 +26,7 @@ KNOWN = {
     "carrier": "F1",
     "command": "0000000000000001",
     "code": "invalid",
+    "device": "DOOR1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -42,6 +43,9 @@ EXAMPLES: dict[str, Any] = {
     "StationPut": {"present": True, "carrier": "", "reserved": "", "out_of_service": ""},
     "StationPatch": {"present": True},
     "CarrierPut": {"place": "P1"},
+    "DeviceCommandIn": {"command": "open"},
+    "PinIn": {"position": "open", "reason": "x"},
+    "EmergencyIn": {"kind": "fire", "reason": "x"},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [

@@ -9,6 +9,7 @@ from app.domain.devices import DeviceId
 from app.domain.ids import StationId
 from app.domain.layout import Plant
 from app.domain.records import Intent
+from app.domain.units import Millimetres
 from app.sim.world import World
 from tests.fleet.hall_plants import BUFFER1, DOOR1, HALL, ring
 
@@ -18,7 +19,7 @@ QUICK = 3000
 def busy_ring() -> Plant:
     """Return the ring with vehicles at their usual speed, P2 with its buffer."""
     plant = ring()
-    return replace(plant, vehicles=tuple(replace(v, max_speed=QUICK) for v in plant.vehicles))
+    return replace(plant, vehicles=tuple(replace(v, max_speed=Millimetres(QUICK)) for v in plant.vehicles))
 
 
 def begun(seed: int) -> World:
