@@ -10,10 +10,12 @@ from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
 from app.api import (
+    devices,
     drive_backups,
     drive_jog,
     drive_parameters,
     drives,
+    emergency,
     events,
     jobs,
     links,
@@ -104,6 +106,8 @@ def described(settings: Settings) -> FastAPI:
         taught.router,
         taught.roll_backs,
         taught_files.router,
+        devices.router,
+        emergency.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

@@ -171,6 +171,10 @@ OTHERS: Json = {
             ),
         }
     ),
+    "DeviceTaken": {
+        "description": "Under way. `cmd_id` null: nothing had to be sent.",
+        **_object({"device": _TEXT, "cmd_id": _nullable(_TEXT)}),
+    },
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),

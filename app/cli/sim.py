@@ -175,6 +175,7 @@ class _Floor:
             for device in floor.devices.values():
                 device.tick(now)
             oracle.look(floor.places(now), floor.loaded(), now)
+            oracle.look_at_doors({name: door.leaf_open for name, door in floor.halls.doors.items()}, now)
             for violation in oracle.violations[told:]:
                 print(f"hoistway sim: {violation}", file=sys.stderr, flush=True)
                 self._write({"deed": "violation", "what": violation})

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from app.control.lines import VehicleLine
 from app.control.links import DriveLine, HallLink
-from app.domain.devices import DeviceEvent
+from app.domain.devices import DeviceEvent, DeviceNotSent, DeviceRequest
 from app.domain.drive import DriveEvent, DriveFailed, DriveRequest, Jog
 from app.domain.drive_requests import Word
 from app.domain.events import Event, NotSent
@@ -258,12 +258,16 @@ class Control:
         self._replies += effects.replies
 
     def _send_to_link(self, send: LinkSend, now: Seconds) -> None:
-        objection = self.fleet.link_objection(send)
-        if objection and isinstance(send.order, DriveRequest | Jog):
-            self.fleet.handle_drive(DriveFailed(send.order.drive, send.order.id, objection), now)
-            return
-        self._links[send.link].order(send.order, now)
+        """Give a link what it has to send, unless something came between."""
+        order = send.order
         self._dirty[send.link] = None
+        objection = self.fleet.link_objection(send)
+        if objection and isinstance(order, DriveRequest | Jog):
+            self.fleet.handle_drive(DriveFailed(order.drive, order.id, objection), now)
+        elif objection and isinstance(order, DeviceRequest):
+            self.fleet.handle_device(DeviceNotSent(order.device, order.id, objection), now)
+        else:
+            self._links[send.link].order(order, now)
 
     def _tell(self, line: VehicleLine, now: Seconds) -> None:
         """Hand what a session said while sending (NotSent) to the fleet."""

@@ -134,6 +134,9 @@ class JobEvent(StrEnum):
     TEACHING_ROLLED_BACK = "TeachingRolledBack"
     TEACHING_IMPORTED = "TeachingImported"
     TEACHING_UNKNOWN = "TeachingCodeUnknown"
+    DEVICE_CHANGED = "DeviceChanged"
+    EMERGENCY_SET = "EmergencySet"
+    EMERGENCY_RELEASED = "EmergencyReleased"
 
 
 @dataclass(frozen=True, slots=True)

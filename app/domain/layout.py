@@ -184,6 +184,14 @@ class LinkSpec:
     dialect: dict[str, object] = field(default_factory=dict)
 
 
+class OnEmergency(StrEnum):
+    """What a door does when a fire or an earthquake is told (DOMAIN section 7)."""
+
+    LEAVE = "leave"
+    OPEN = "open"
+    CLOSE = "close"
+
+
 @dataclass(frozen=True, slots=True)
 class DoorSpec:
     """A door across the track (PROTOCOLS 3.3). ``passages`` are the pieces of track that lead through it, either way.
@@ -196,6 +204,7 @@ class DoorSpec:
     number: DeviceNumber
     passages: frozenset[tuple[Barcode, Barcode]]
     normally_open: bool = False
+    on_emergency: OnEmergency = OnEmergency.LEAVE
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.devices import DeviceId
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
 from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
@@ -34,6 +35,8 @@ class IntentState(StrEnum):
 @dataclass(frozen=True, slots=True)
 class Intent:
     """A command as durable fact. ``kind`` is the command's name (``move``, ``pickup``, ``servo_on`` ...).
+
+    ``vehicle`` names the vehicle, or the device (``open``, ``lock`` ...): no two in a plant have the same name.
 
     ``path`` is every barcode of a MOVE or XMOVE in order; ``body`` the rest for people (JSON-able; pulses, pinned teaching
     versions). ``amends`` names the MOVE that an XMOVE amends. ``acknowledged`` is set by the vehicle's ACK.
@@ -122,6 +125,7 @@ class Provenance(StrEnum):
     PLACED = "placed"
     PICKED = "picked"
     PERSON = "person"
+    SENSOR = "sensor"
     INFERRED = "inferred"
     PLANT = "plant"
 
@@ -139,6 +143,48 @@ class StationRecord:
     out_of_service: str = ""
     provenance: Provenance = Provenance.INFERRED
     at: Timestamp = Timestamp(0.0)
+
+
+class DoorPosition(StrEnum):
+    """How a person keeps a door."""
+
+    OPEN = "open"
+    CLOSED = "closed"
+
+
+@dataclass(frozen=True, slots=True)
+class Pin:
+    """A person keeps a door open or closed, whatever vehicles want (DOMAIN section 7)."""
+
+    position: DoorPosition
+    owner: Actor
+    reason: str
+    since: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class BufferLock:
+    """For whom a buffer is locked: the vehicle that serves it, or a person."""
+
+    owner: str
+    person: bool
+    since: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceRecord:
+    """What must be known of a door, buffer or charger after a restart.
+
+    ``lock`` is who wants a buffer locked; ``locked`` what its last settled command made of it, None while that is not known:
+    no Status says whether a buffer is locked (PROTOCOLS 3.3).
+    """
+
+    device: DeviceId
+    lockout: Lockout | None = None
+    pin: Pin | None = None
+    lock: BufferLock | None = None
+    locked: bool | None = False
+    out_of_service: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,12 +268,30 @@ class ControllerState(StrEnum):
     PAUSED = "paused"
 
 
+class EmergencyKind(StrEnum):
+    """What may be told to the controller so that everything stops (DOMAIN section 7)."""
+
+    FIRE = "fire"
+    EARTHQUAKE = "earthquake"
+
+
+@dataclass(frozen=True, slots=True)
+class Emergency:
+    """A fire or an earthquake that somebody has told and nobody has released yet."""
+
+    kind: EmergencyKind
+    actor: Actor
+    reason: str
+    since: Timestamp
+
+
 @dataclass(frozen=True, slots=True)
 class ControllerRecord:
-    """State of the controller as a whole."""
+    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves."""
 
     state: ControllerState
     reason: str = ""
+    emergencies: tuple[Emergency, ...] = ()
 
 
 Record = (
@@ -246,9 +310,10 @@ Record = (
     | TeachingSession
     | ControllerRecord
     | DriveRecords
+    | DeviceRecord
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord replace the row of their
-key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord and DeviceRecord replace
+the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,6 +333,7 @@ class Kept:
     carriers: tuple[CarrierRecord, ...] = ()
     dests: tuple[StationDest, ...] = ()
     offsets: tuple[VehicleOffset, ...] = ()
+    devices: tuple[DeviceRecord, ...] = ()
     controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
     next_event: int = 1
     next_order: int = 1

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.commands import Plain
+from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
@@ -243,7 +244,10 @@ JobRequest = CreateJob | CancelJob | AbortJob | ChangeJob
 PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier | WriteDest | WriteOffset
 """About the plant as a whole, and what is believed and taught of it."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest
+HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
+"""About doors, buffers and chargers, and the signals that stop all."""
+
+Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,7 +255,8 @@ class Accepted:
     """The request was carried out or is under way, and is durable.
 
     ``topic`` and ``key`` name the object concerned in the read model; ``created`` tells a new one from one that was there.
-    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome. ``fates`` are those of imported rows.
+    ``cmd_id`` is set for commands to a vehicle or device: the intent that carries their outcome. ``fates`` are those of
+    imported rows.
     """
 
     topic: str

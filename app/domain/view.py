@@ -167,7 +167,10 @@ class CarrierView:
 
 @dataclass(frozen=True, slots=True)
 class ControllerView:
-    """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses."""
+    """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
+
+    ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
+    """
 
     plant: str
     state: str
@@ -176,6 +179,7 @@ class ControllerView:
     started: float
     waiting_for: tuple[str, ...] = ()
     trouble: str = ""
+    emergencies: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +201,7 @@ class EventView:
 
 @dataclass(frozen=True, slots=True)
 class CommandView:
-    """A command to a vehicle and what became of it (an intent). ``cmd_id`` as 16 hex digits."""
+    """A command to a vehicle or device (``vehicle`` names it) and what became of it (an intent). ``cmd_id`` as 16 hex digits."""
 
     cmd_id: str
     vehicle: str
@@ -211,17 +215,57 @@ class CommandView:
 
 
 @dataclass(frozen=True, slots=True)
+class PinView:
+    """A person keeps a door ``open`` or ``closed``."""
+
+    position: str
+    owner: str
+    reason: str
+    since: float
+
+
+@dataclass(frozen=True, slots=True)
+class LockView:
+    """For whom a buffer is locked: a vehicle, or a person. ``locked`` null: not known whether it is by now."""
+
+    owner: str
+    person: bool
+    since: float
+    locked: bool | None
+
+
+@dataclass(frozen=True, slots=True)
 class DeviceView:
-    """A door or buffer (PROTOCOLS 3.3). ``state`` in the specification's words, its last one; it counts only while ``fresh``."""
+    """A door, buffer or charger (PROTOCOLS 3.2, 3.3). A charger has no link, number or state of its own.
+
+    ``state`` in the specification's words, its last one, ``since`` that time; it counts only while ``fresh``. ``pending`` is the
+    command under way. ``vehicles`` are in the door or granted the way through it, or charge there; ``waiting`` want it soon.
+    ``alarm`` and ``remedy`` say what is wrong and what helps; ``contradiction`` what a buffer reports against our books.
+    """
 
     id: str
     kind: str
-    link: str
-    number: int
+    link: str | None
+    number: int | None
     fresh: bool
     reason: str = ""
     state: str | None = None
+    since: float | None = None
     seen: float | None = None
+    service: str = "in_service"
+    out_of_service: str = ""
+    barcode: str | None = None
+    station: str | None = None
+    passages: tuple[tuple[str, str], ...] = ()
+    pending: str = ""
+    vehicles: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()
+    pin: PinView | None = None
+    lock: LockView | None = None
+    lockout: LockoutView | None = None
+    alarm: str = ""
+    remedy: str = ""
+    contradiction: str = ""
 
 
 @dataclass(frozen=True, slots=True)

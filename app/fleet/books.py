@@ -100,6 +100,10 @@ class Books:
         self._note_teaching()
         self.controller = kept.controller
         self.roll_call: dict[VehicleId, None] = {}
+        self.buffer_trouble: dict[StationId, str] = {}
+        """Why the buffer of a station cannot be used now."""
+        self.sensed: dict[StationId, bool] = {}
+        """Whether the buffer of a station reports a cart, where it says so now."""
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Display, Move, Send, Simple
-from app.domain.devices import DeviceEvent
+from app.domain.commands import Display, Move, Send, Simple, Xmove
+from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
 from app.domain.drive import DriveEvent
 from app.domain.drive_requests import Word
 from app.domain.events import (
@@ -30,15 +30,20 @@ from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
+from app.fleet.buffers import Buffers
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
+from app.fleet.device_orders import DeviceOrders
 from app.fleet.devices import Devices
 from app.fleet.dispatch import Dispatch
+from app.fleet.doors import Doors
 from app.fleet.drives import Drives
+from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
 from app.fleet.motion import Motion, OffPath
 from app.fleet.orders import VehicleOrders
+from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
 from app.fleet.teaching import Teaching
@@ -74,11 +79,14 @@ class Fleet:
         link: Callable[[VehicleId], LinkView],
     ) -> None:
         self.books = Books(plant, kept, cmd_ids, now, utc)
-        self.motion = Motion(self.books)
+        self.devices = Devices(self.books, kept)
+        passages = Passages(self.books, self.devices)
+        self.motion = Motion(self.books, passages)
+        self.doors = Doors(self.books, self.devices, passages, self.motion)
+        self.buffers = Buffers(self.books, self.devices)
         self.recovery = Recovery(self.books, self.motion)
         self.alarms = Alarms(self.books, self.recovery)
-        self.missions = Missions(self.books, self.motion, self.recovery)
-        self.devices = Devices(self.books)
+        self.missions = Missions(self.books, self.motion, self.recovery, self.buffers)
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
@@ -88,7 +96,11 @@ class Fleet:
         self.teaching = Teaching(self.books)
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)
-        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders, self.drives, teaching)
+        device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
+        emergency = EmergencyDesk(self.books, self._plant_orders)
+        self._desk = Desk(
+            self.books, self._jobs, orders, self._plant_orders, self.drives, teaching, device_orders, emergency
+        )
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -122,6 +134,7 @@ class Fleet:
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
+        self.devices.show()
 
     # -- inputs -------------------------------------------------------------------------------------------------------
 
@@ -141,6 +154,7 @@ class Fleet:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         self.teaching.tick()
+        self.devices.tick()
         for vehicle in self.books.vehicles.values():
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
@@ -191,7 +205,12 @@ class Fleet:
     def handle_device(self, event: DeviceEvent, now: Seconds) -> None:
         """Take one event of an ENIG link."""
         self.books.now = now
-        self.devices.handle(event)
+        if device := self.devices.handle(event):
+            if device.kind is DeviceKind.DOOR:
+                self.doors.told(device)
+            else:
+                self.buffers.told(device, event)
+                self._think_soon()
         self._go_on()
 
     def handle_drive(self, event: DriveEvent, now: Seconds) -> None:
@@ -213,6 +232,8 @@ class Fleet:
 
     def link_objection(self, send: LinkSend) -> str:
         """Return why an order to a link must not leave any more now that it is durable, empty if it may."""
+        if isinstance(send.order, DeviceRequest):
+            return self.device_objection(send.order)
         return self.drives.objection(send)
 
     def _think_soon(self) -> None:
@@ -302,7 +323,7 @@ class Fleet:
             drive.acknowledged = drive.acknowledged or self.books.now
             self._follow_answer(vehicle, event)
             if self.motion.answer(vehicle, drive, event):
-                self._moved(vehicle, event)
+                self._moved(vehicle, event, recalled=drive.recalled)
         elif drive and drive.amendment and event.cmd_id == drive.amendment.cmd_id:
             if event.ok:
                 self.motion.amended(vehicle, drive, drive.amendment)
@@ -323,12 +344,13 @@ class Fleet:
         if event.condition.recognised and event.barcode in vehicle.ahead:
             self._follow(vehicle, VehicleStatus(event.condition, event.barcode, event.seq))
 
-    def _moved(self, vehicle: VehicleNow, event: Answered) -> None:
+    def _moved(self, vehicle: VehicleNow, event: Answered, *, recalled: bool) -> None:
         """The MOVE is over. After an abnormal end the vehicle is asked before anything else is sent."""
         if event.ok:
             vehicle.missed = 0
             return
-        self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
+        if not recalled:
+            self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
         if vehicle.stage is Stage.READY:
             self.recovery.begin(vehicle)
 
@@ -379,7 +401,8 @@ class Fleet:
             self.alarms.unanswered(vehicle, event.cmd_id, event.reason)
             return
         if vehicle.linked and vehicle.stage is Stage.READY:
-            if vehicle.fit and isinstance(event.command, Move):
+            barred = self._barrier(Send(event.vehicle, event.cmd_id, event.command))
+            if vehicle.fit and isinstance(event.command, Move) and not barred:
                 self._missed(vehicle, f"could not be sent {MAX_MISSES} times ({event.reason})")
             self.recovery.begin(vehicle)
 
@@ -391,9 +414,29 @@ class Fleet:
         vehicle = self.books.vehicles[send.vehicle]
         if send.cmd_id not in vehicle.opened:
             return "it was settled before it could be sent"
-        if isinstance(send.command, Simple | Display) or vehicle.fit:
+        if isinstance(send.command, Simple | Display):
+            return ""
+        if barrier := self._barrier(send):
+            return barrier
+        if vehicle.fit:
             return ""
         return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
+
+    def _barrier(self, send: Send) -> str:
+        """Return what came between the decision and the sending that is not the vehicle's doing; empty if nothing did."""
+        told = ", ".join(e.kind.value for e in self.books.controller.emergencies)
+        if told or not isinstance(send.command, Move | Xmove):
+            return told
+        passages = self.motion.passages
+        doors = passages.shut_on([element.barcode for element in send.command.path])
+        return next((f"{door.id} on its way is {passages.against(door)}" for door in doors), "")
+
+    def device_objection(self, request: DeviceRequest) -> str:
+        """Return why a command to a door or buffer must not leave any more now that it is durable, empty if it may."""
+        device = self.devices.all.get(request.device)
+        if device is None or not isinstance(request.command, DeviceAct):
+            return ""
+        return self.devices.may_leave(device, request.id) or self.doors.may_leave(device, request.command)
 
     # -- going on -----------------------------------------------------------------------------------------------------
 
@@ -401,14 +444,25 @@ class Fleet:
         """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
         books = self.books
         while books.woken:
-            name = next(iter(books.woken))
-            del books.woken[name]
-            vehicle = books.vehicles[name]
-            self.missions.proceed(vehicle)
-            if vehicle.errand:
-                self._courtesy.explain(vehicle, self.motion.advance(vehicle))
+            while books.woken:
+                name = next(iter(books.woken))
+                del books.woken[name]
+                vehicle = books.vehicles[name]
+                self.missions.proceed(vehicle)
+                if vehicle.errand:
+                    self._courtesy.explain(vehicle, self.motion.advance(vehicle))
+                self.doors.follow(vehicle)
+            self._mind_devices()
+        self._mind_devices()
         self.teaching.reassess()
         self._plant_orders.note_rest()
+
+    def _mind_devices(self) -> None:
+        """Doors open and close, buffers are locked and unlocked, by what vehicles do now."""
+        if self.devices.all:
+            self.doors.mind()
+            self.buffers.mind()
+            self.devices.show()
 
     def _wants_dispatch(self, name: VehicleId) -> bool:
         """Whether a woken vehicle could take a job now."""

@@ -43,6 +43,10 @@ class Courtesy:
         """Return what keeps every vehicle, or all in its area, from moving; empty if nothing does."""
         if not vehicle.fit or self._motion.arrived(vehicle):
             return ""
+        emergencies = self._books.controller.emergencies
+        if emergencies:
+            told = ", ".join(f"{e.kind.value}, told by {e.actor}" for e in emergencies)
+            return f"{vehicle.id} waits at {vehicle.barcode}: {told}"
         state = self._books.controller.state
         if state is not ControllerState.AUTO:
             return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
@@ -55,6 +59,8 @@ class Courtesy:
             BlockReason.CONFLICT: f"{blocked.at}, which excludes track",
             BlockReason.ZONE: f"{blocked.at} in zone {blocked.zone}",
         }.get(blocked.why)
+        if blocked.why is BlockReason.DOOR:
+            return f"{vehicle.id} waits at {vehicle.barcode} for door {blocked.note}"
         if what is None or blocked.by is None:
             return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
         return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self._doing(blocked.by)}"

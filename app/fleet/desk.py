@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.requests import (
@@ -12,6 +13,7 @@ from app.domain.requests import (
     CommandVehicle,
     CreateJob,
     DisplayOnVehicle,
+    HallRequest,
     HandleOnce,
     HoldVehicle,
     JobRequest,
@@ -34,13 +36,15 @@ from app.domain.requests import (
 )
 from app.domain.teaching_requests import TeachingRequest
 from app.fleet.books import Books
+from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
+from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.teaching_desk import TeachingDesk
 
-TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "proposal", "session", "side")
+TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
 """Parts of a request that name what it is about, the first that is there."""
 
 UNSAID = frozenset({"actor", "fingerprint", "values"})
@@ -58,6 +62,8 @@ class Desk:
         plant: PlantOrders,
         drives: Drives,
         teaching: TeachingDesk,
+        devices: DeviceOrders,
+        emergency: EmergencyDesk,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -65,6 +71,8 @@ class Desk:
         self._plant = plant
         self._drives = drives
         self._teaching = teaching
+        self._devices = devices
+        self._emergency = emergency
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -83,6 +91,8 @@ class Desk:
             return self._drives.answer(request)
         if isinstance(request, TeachingRequest):
             return self._teaching.answer(request)
+        if isinstance(request, HallRequest):
+            return self._answer_about_hall(request)
         return self._answer_about_plant(request)
 
     def _answer_about_plant(self, request: JobRequest | PlantRequest) -> Reply:
@@ -107,6 +117,11 @@ class Desk:
                 return self._plant.pause(request)
             case ResumeController():
                 return self._plant.resume(request)
+
+    def _answer_about_hall(self, request: HallRequest) -> Reply:
+        if isinstance(request, RaiseEmergency | ReleaseEmergency):
+            return self._emergency.answer(request)
+        return self._devices.answer(request)
 
     def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles

@@ -19,7 +19,11 @@ def against_picking_up(books: Books, job: Job) -> str:
     record = books.stations[StationId(job.source)]
     if record.out_of_service:
         return f"{job.source} is out of service: {record.out_of_service}"
-    if record.present is False:
+    if trouble := books.buffer_trouble.get(record.station):
+        return trouble
+    if books.sensed.get(record.station) is False:
+        return f"{job.source} is empty: its buffer reports no cart"
+    if record.present is False and record.station not in books.sensed:
         return f"{job.source} is empty"
     if job.carrier and record.carrier and record.carrier != job.carrier:
         return f"{job.source} holds {record.carrier}, not {job.carrier}"
@@ -48,6 +52,10 @@ def against_putting_down(books: Books, station: StationId, job: JobId | None) ->
         return f"{station} is out of service: {record.out_of_service}"
     if record.reserved and record.reserved != job:
         return f"{station} is reserved: {record.reserved}"
+    if trouble := books.buffer_trouble.get(station):
+        return trouble
+    if books.sensed.get(station):
+        return f"{station} is occupied: its buffer reports a cart"
     if record.present and not _expired(books, record):
         return f"{station} is occupied by {record.carrier or 'a carrier'}"
     return ""

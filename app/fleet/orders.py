@@ -187,7 +187,9 @@ class VehicleOrders:
         if vehicle.loaded is request.pickup:
             what, instead = ("loaded", "place") if vehicle.loaded else ("empty", "pickup")
             return Refusal("not-now", f"{vehicle.id} is {what}", f"it can only {instead} now")
-        obstacle = "" if request.pickup else against_putting_down(self._books, station.id, None)
+        obstacle = self._books.buffer_trouble.get(station.id, "")
+        if not request.pickup:
+            obstacle = against_putting_down(self._books, station.id, None)
         if obstacle:
             return Refusal("conflict", obstacle, f"if it is not so, PUT /api/v1/stations/{station.id}", "station")
         vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)

@@ -216,7 +216,10 @@ class PlantOrders:
             books.event(JobEvent.CONTROLLER_PAUSED)
 
     def resume(self, request: ResumeController) -> Reply:
-        """Go on."""
+        """Go on; not before every emergency is released."""
+        if emergencies := self._books.controller.emergencies:
+            told = ", ".join(f"{e.kind.value} told by {e.actor}: {e.reason}" for e in emergencies)
+            return Refusal("not-now", told, "release it first: POST /api/v1/controller/emergency/release")
         if self._books.controller.state is not ControllerState.AUTO:
             self._books.save_controller(ControllerRecord(ControllerState.AUTO))
             self._books.event(JobEvent.CONTROLLER_AUTO, detail=str(Actor(request.actor)))

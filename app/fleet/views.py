@@ -33,7 +33,7 @@ from app.domain.view import (
 )
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
-VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON})
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
 
 BITS_KEPT = 4096
@@ -126,6 +126,7 @@ def view_of_controller(
         epoch=epoch,
         started=started,
         waiting_for=tuple(waiting_for),
+        emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
     )
 
 

@@ -47,6 +47,8 @@ NOTEWORTHY = frozenset(
         JobEvent.DRIVE_ONLINE,
         JobEvent.DRIVE_ERROR_SET,
         JobEvent.DRIVE_ERROR_CLEARED,
+        JobEvent.EMERGENCY_SET,
+        JobEvent.EMERGENCY_RELEASED,
     }
 )
 """Events that the log has too, for a person on duty without the page."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.devices import DeviceId
 from app.domain.drive import DriveId, Parameter
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveValue, OperationState
 from app.domain.ids import CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
@@ -12,6 +13,7 @@ from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
     HistoryEvent,
     Intent,
     Kept,
@@ -38,6 +40,7 @@ class MemoryLedger:
         self._carriers: dict[CarrierId, CarrierRecord] = {}
         self._dests: dict[StationId, StationDest] = {}
         self._offsets: dict[VehicleId, VehicleOffset] = {}
+        self._devices: dict[DeviceId, DeviceRecord] = {}
         self._controller = ControllerRecord(ControllerState.AUTO)
         self._next_event = 1
         self._next_order = 1
@@ -60,6 +63,7 @@ class MemoryLedger:
             carriers=tuple(self._carriers.values()),
             dests=tuple(self._dests.values()),
             offsets=tuple(self._offsets.values()),
+            devices=tuple(self._devices.values()),
             controller=self._controller,
             next_event=self._next_event,
             next_order=self._next_order,
@@ -109,6 +113,8 @@ class MemoryLedger:
                 self._dests[record.station] = record
             case VehicleOffset():
                 self._offsets[record.vehicle] = record
+            case DeviceRecord():
+                self._devices[record.device] = record
             case ControllerRecord():
                 self._controller = record
             case _:

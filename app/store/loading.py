@@ -5,9 +5,11 @@ import sqlalchemy as sa
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
 from app.store import drive_rows, rows, teaching
+from app.store.device_rows import device
 from app.store.tables import (
     carriers,
     controller,
+    devices,
     drive_values,
     drives,
     events,
@@ -45,6 +47,7 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         offsets=tuple(
             sorted(map(teaching.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
         ),
+        devices=tuple(sorted(map(device, _all(connection, devices)), key=lambda record: record.device)),
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
         next_event=_next(connection, events.c.seq),
         next_order=_next(connection, jobs.c.number),

@@ -16,6 +16,7 @@ from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
     HistoryEvent,
     Hold,
     Intent,
@@ -27,6 +28,7 @@ from app.domain.records import (
 from app.domain.units import Timestamp
 from app.store import drive_rows, teaching
 from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
+from app.store.device_rows import device_row, emergencies, emergencies_text
 
 
 def job_row(job: Job) -> Row:
@@ -240,12 +242,12 @@ def gone_row(record: CarrierGone) -> Row:
 
 def controller_row(record: ControllerRecord) -> Row:
     """Columns of ``controller``."""
-    return (1, record.state.value, record.reason)
+    return (1, record.state.value, record.reason, emergencies_text(record.emergencies))
 
 
 def controller(row: Found) -> ControllerRecord:
     """Undo :func:`controller_row`."""
-    return ControllerRecord(ControllerState(row.state), row.reason)
+    return ControllerRecord(ControllerState(row.state), row.reason, emergencies(row.emergencies))
 
 
 ROW_OF: dict[type, Callable[[Any], Row]] = {
@@ -263,5 +265,6 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     DriveBackup: drive_rows.backup_row,
     DriveValue: drive_rows.value_row,
     DriveRecord: drive_rows.drive_row,
+    DeviceRecord: device_row,
 }
 """How each record type becomes a row."""

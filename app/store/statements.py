@@ -13,6 +13,7 @@ from app.domain.records import (
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    DeviceRecord,
     HistoryEvent,
     Intent,
     Record,
@@ -39,6 +40,7 @@ REPLACED: dict[type, sa.Table] = {
     DriveRecord: tables.drives,
     Proposal: tables.teaching_proposals,
     TeachingSession: tables.teaching_sessions,
+    DeviceRecord: tables.devices,
 }
 """A record replaces the row of its key: the table's first columns."""
 

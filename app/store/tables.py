@@ -328,5 +328,17 @@ controller = sa.Table(
     _key("one", BIG),
     _text("state"),
     _text("reason"),
+    sa.Column("emergencies", JSON),
     sa.CheckConstraint("one = 1", name="only"),
+)
+
+devices = sa.Table(
+    "devices",
+    metadata,
+    _key("device"),
+    sa.Column("lockout", JSON),
+    sa.Column("pin", JSON),
+    sa.Column("lock", JSON),
+    sa.Column("locked", sa.Boolean()),
+    _text("out_of_service"),
 )

@@ -5,6 +5,11 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.device_requests import (
+    CommandDevice,
+    RaiseEmergency,
+    ReleaseEmergency,
+)
 from app.domain.drive import DriveId
 from app.domain.drive_records import DriveBackup, DriveOperation
 from app.domain.drive_requests import DriveOrder, Word
@@ -32,6 +37,7 @@ from app.domain.view import (
     BitView,
     CarrierView,
     ControllerView,
+    DeviceView,
     LineView,
     LinkView,
     StationView,
@@ -65,6 +71,9 @@ PLANT = Plant(
     drives=DRIVES,
     catalogues=(CATALOGUE,),
 )
+
+
+DOOR = DeviceView("DOOR1", "door", "HALL", 30, fresh=True, state="closed", since=NOW, seen=NOW)
 
 
 class MemoryReader:
@@ -210,6 +219,7 @@ class Scripted:
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
         self.drives = self.reader.drives
         self.hub.publish(self.drives.shown())
+        self.hub.publish([Update(Topic.DEVICES, DOOR.id, DOOR)])
 
     def utc(self) -> Timestamp:
         return NOW
@@ -283,8 +293,19 @@ class Scripted:
                 return r.Accepted(Topic.TEACHING, "proposal-1")
             case t.StartTeaching():
                 return r.Accepted(Topic.TEACHING, "session-1", cmd_id=self._cmd)
+            case _ if isinstance(request, r.HallRequest):
+                return self._hall(request)
             case _:
                 return self._vehicles(request)
+
+    def _hall(self, request: r.HallRequest) -> r.Reply:
+        match request:
+            case CommandDevice():
+                return self._device(request)
+            case RaiseEmergency() | ReleaseEmergency():
+                return r.Accepted(Topic.CONTROLLER, "controller")
+            case _:
+                return r.Accepted(Topic.DEVICES, request.device)
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1
@@ -354,6 +375,14 @@ class Scripted:
         view = CarrierView(row.carrier, row.place, row.provenance.value, verified=True, at=row.at)
         self.hub.publish([Update(Topic.CARRIERS, row.carrier, view)])
         return r.Accepted(Topic.CARRIERS, row.carrier, created=created)
+
+    def _device(self, request: CommandDevice) -> r.Reply:
+        self._cmd += 1
+        name = VehicleId(request.device)
+        intent = Intent(CmdId(self._cmd), name, request.act.value, IntentState.OPEN, NOW, request.actor)
+        self.reader.commands[self._cmd] = intent
+        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent))])
+        return r.Accepted(Topic.DEVICES, request.device, cmd_id=self._cmd)
 
     def _vehicles(self, request: r.Request) -> r.Reply:
         vehicle = VehicleId(getattr(request, "vehicle", ""))

@@ -83,6 +83,7 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     await client.post("/jobs", json=ORDER)
     command = (await client.post("/vehicles/V001/commands", json={"command": "status"})).json()["cmd_id"]
+    opened = (await client.post("/devices/DOOR1/commands", json={"command": "open"})).json()["cmd_id"]
     await client.put("/carriers/F1", json={"place": "P1"})
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
@@ -99,7 +100,8 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):
             continue
-        answer = await client.get("http://localhost" + path.format(**known))
+        named = known | ({"device": "DOOR1", "command": opened} if "{device}" in path else {})
+        answer = await client.get("http://localhost" + path.format(**named))
         assert answer.status_code == 200, path
         pointer = path.replace("~", "~0").replace("/", "~1").replace("{", "%7B").replace("}", "%7D")
         where = f"openapi.json#/paths/{pointer}/get/responses/200/content/application~1json/schema"

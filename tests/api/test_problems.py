@@ -45,6 +45,7 @@ KNOWN = {
     "other": "V002",
     "old": "1",
     "new": "2",
+    "device": "DOOR1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -77,6 +78,9 @@ EXAMPLES: dict[str, Any] = {
     "RejectIn": {"reason": "x"},
     "AssignIn": {"station": "P1"},
     "RollBackIn": {"version": 1, "reason": "x"},
+    "DeviceCommandIn": {"command": "open"},
+    "PinIn": {"position": "open", "reason": "x"},
+    "EmergencyIn": {"kind": "fire", "reason": "x"},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [

@@ -21,16 +21,22 @@ from app.domain.layout import Axis
 from app.domain.pulses import pulses_of
 from app.domain.records import (
     AuditRow,
+    BufferLock,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
+    DoorPosition,
+    Emergency,
+    EmergencyKind,
     HistoryEvent,
     Hold,
     Intent,
     IntentState,
     Kept,
     Lockout,
+    Pin,
     Provenance,
     Record,
     StationDest,
@@ -77,6 +83,9 @@ BASES = st.builds(
     less=PULSES,
 )
 READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_id=UINT64, events=NUMBERS)
+PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
+BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
+EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
 TAUGHT: dict[str, st.SearchStrategy[Any]] = {
     "version": st.integers(1, 1 << 31),
     "pulses": SOME_PULSES,
@@ -224,7 +233,6 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         ended_by=MAYBE,
         reason=TEXT,
     ),
-    ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
     DriveOperation: st.builds(
         DriveOperation,
         number=st.integers(1, 1 << 62),
@@ -254,6 +262,21 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
     ),
     DriveValue: st.builds(DriveValue, drive=TEXT, parameter=st.integers(0, 255), value=st.integers(0, 9999), at=TIME),
     DriveRecord: st.builds(DriveRecord, drive=TEXT, lockout=st.none() | LOCKOUTS),
+    ControllerRecord: st.builds(
+        ControllerRecord,
+        state=st.sampled_from(ControllerState),
+        reason=TEXT,
+        emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+    ),
+    DeviceRecord: st.builds(
+        DeviceRecord,
+        device=TEXT,
+        lockout=st.none() | LOCKOUTS,
+        pin=st.none() | PINS,
+        lock=st.none() | BUFFER_LOCKS,
+        locked=st.none() | st.booleans(),
+        out_of_service=TEXT,
+    ),
 }
 
 
@@ -283,6 +306,7 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveBackup: lambda one, kept, reader: [reader.backup(one.number), *reader.backups(one.drive)],
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
+    DeviceRecord: lambda one, kept, reader: list(kept.devices),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
