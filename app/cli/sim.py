@@ -12,10 +12,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.panel import set_panels
 from app.cli.plainly import plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from app.domain.layout import LinkSpec, Plant, VehicleSpec
     from app.domain.ports import Endpoint
     from app.domain.units import Seconds
@@ -44,6 +47,9 @@ def sim(
         float,
         typer.Option(callback=positive, help="steps of a pick-up or place, and of homing, are so many times as quick"),
     ] = 1.0,
+    panel: Annotated[
+        list[str] | None, typer.Option(help="set a drive's panel: DRIVE=jog, =monitoring, =parameter_select, =error7")
+    ] = None,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
     ] = False,
@@ -55,7 +61,7 @@ def sim(
     with plainly():
         found = plant_of(plant)
         try:
-            code = on_loop(_Floor(found, journal, host, controller, haste).run(with_parent))
+            code = on_loop(_Floor(found, journal, host, controller, haste, panel or []).run(with_parent))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
             remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
@@ -66,8 +72,17 @@ def sim(
 class _Floor:
     """The simulated plant on real sockets, watched by the oracle."""
 
-    def __init__(self, plant: Plant, journal: Path | None, host: str | None, controller: str, haste: float) -> None:
+    def __init__(
+        self,
+        plant: Plant,
+        journal: Path | None,
+        host: str | None,
+        controller: str,
+        haste: float,
+        panels: Sequence[str] = (),
+    ) -> None:
         self._haste = haste
+        self._panels = panels
         self._plant = plant
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
@@ -84,6 +99,7 @@ class _Floor:
         stop = stop_signal()
         options = _hasty(self._haste)
         floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
+        set_panels(self._panels, floor.halls.drives, now())
         oracle = Oracle(self._plant, floor.truth)
         parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
         try:
