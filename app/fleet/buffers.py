@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from app.domain.devices import BufferState, DeviceAct, DeviceEvent, DeviceId, DeviceKind, DeviceReported
 from app.domain.ids import Actor, StationId, VehicleId
-from app.domain.job import Leg
+from app.domain.job import JobEvent, Leg
 from app.domain.layout import Station
 from app.domain.records import BufferLock, Provenance
 from app.domain.units import Seconds
@@ -55,6 +55,9 @@ class Buffers:
         if (lock and not lock.person) or (record.present is present and record.provenance is Provenance.SENSOR):
             return
         self._books.save_station(replace(record, present=present, provenance=Provenance.SENSOR, at=self._books.utc))
+        if record.present is not present:
+            detail = f"{'occupied' if present else 'empty'}, reported by {buffer.id}"
+            self._books.event(JobEvent.PORT_CHANGED, destination=station, carrier=record.carrier, detail=detail)
 
     # -- lending ------------------------------------------------------------------------------------------------------
 
@@ -158,7 +161,11 @@ class Buffers:
         """Return what a buffer reports against our books while nobody is at work there; empty if they agree."""
         lock, record = buffer.record.lock, self._books.stations[station]
         sensed = self._books.sensed.get(station)
-        if sensed is None or (lock and not lock.person) or buffer.opened:
+        if lock and not lock.person:
+            return ""
+        if buffer.busy or buffer.opened:
+            return buffer.contradiction
+        if sensed is None:
             return ""
         if not sensed and record.carrier:
             return f"reports no cart, but {record.carrier} is believed at {station}"

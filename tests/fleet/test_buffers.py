@@ -241,6 +241,8 @@ def test_what_a_buffer_reports_is_known_of_its_station_by_sensor() -> None:
     del script.world[P2]
     script.run(2)
     assert script.station(P2).present is False
+    told = [(e.event, e.destination, e.detail) for e in script.history()]
+    assert told == [("PortStateChanged", P2, "empty, reported by BUFFER1")]
 
 
 def test_a_pick_up_from_a_buffer_that_reports_no_cart_waits_and_says_so() -> None:
