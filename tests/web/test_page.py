@@ -6,6 +6,7 @@ import pytest
 
 from app.domain.requests import CreateJob
 from tests.web.served import served
+from tests.web.whole import device, whole
 from tools.chromium import Page, browser, installed
 
 pytestmark = [
@@ -117,3 +118,55 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
 def use(page: Page, key: str) -> None:
     page.ask(fill("dialog input", key))
     page.ask("document.querySelector('dialog form').requestSubmit()")
+
+
+def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.until(text_of(".chip", "AGV1") + " && " + text_of(".chip", "AGV2"))
+        page.ask(tab("Devices"))
+        page.until(text_of("[data-device=DOOR1]", "closed") + " && " + text_of("[data-device=BUFFER1]", "cart there"))
+        server.place("AGV1", "0142", activity="moving", granted=("0143", "0144"))
+        server.place("AGV2", "0153", activity="charging")
+        server.show([device("door", "DOOR1", 30, "open")])
+        page.until(text_of("[data-device=DOOR1]", "open") + " && " + text_of("[data-device=DOOR1]", "AGV1"))
+        page.until(text_of("[data-device=CHARGER1]", "charging") + " && " + text_of("[data-device=CHARGER1]", "AGV2"))
+        page.ask(tab("Drives"))
+        for drive in ("STK01-LIFT", "STK01-FORK", "SORT01-TURN"):
+            page.until(text_of(f"[data-drive={drive}]", "monitoring"))
+        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        assert page.complaints == []
+
+
+def test_a_door_that_is_not_heard_says_so_and_why() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Devices"))
+        page.until("document.querySelector('[data-device=DOOR1]')")
+        page.ask("document.querySelector('[data-device=DOOR1]').click()")
+        page.until(text_of(".panel h2", "DOOR1"))
+        server.show([device("door", "DOOR1", 30, "open", fresh=False, reason="no Status for 5 s")])
+        page.until(text_of(".panel .note", "no Status for 5 s"))
+        page.until(text_of(".panel dd", "last said: open"))
+
+
+def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        ends = "[...document.querySelectorAll('.transfer label:nth-of-type(2) option')].map((e) => e.value).join()"
+        page.ask(fill(".transfer label:nth-of-type(1) select", "AB1", "change"))
+        page.until(f"{ends} === ',AB1,AB2,AB3,AB4'")
+        page.ask(fill(".transfer label:nth-of-type(2) select", "AB2", "change"))
+        page.ask(fill(".transfer label:nth-of-type(1) select", "ETCH01-P1", "change"))
+        page.until(f"{ends}.includes('SBA-L1') && !{ends}.includes('AB1')")
+        assert page.ask("document.querySelector('.transfer label:nth-of-type(2) select').value") == ""
+
+
+def tab(name: str) -> str:
+    """Choose a list below the map."""
+    return (
+        f"[...document.querySelectorAll('.below .tabs button')].find((e) => e.textContent.includes({name!r})).click()"
+    )
