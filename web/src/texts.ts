@@ -210,6 +210,14 @@ const WORDS = {
   ccw: ["counter-clockwise", "반시계 방향"],
   distance: ["Distance", "이동 거리"],
   model: ["Model", "모델"],
+  stop_reset: ["Stop / reset", "정지 / 리셋"],
+  parameters: ["Parameters", "파라미터"],
+  read_parameters: ["Read parameters", "파라미터 읽기"],
+  reading: ["Read {0} of {1}", "{1}개 중 {0}개 읽음"],
+  no_parameters: ["None read yet", "아직 읽지 않음"],
+  op_done: ["{0}: done", "{0}: 완료"],
+  op_running: ["{0}: asked for", "{0}: 요청됨"],
+  op_unknown: ["It is not known whether it took effect", "적용 여부를 알 수 없음"],
   no_model: ["none: parameters by number", "없음: 번호로만 파라미터 접근"],
 } as const satisfies Record<string, readonly [string, string]>;
 

@@ -114,6 +114,30 @@ export interface Drive {
   lockout?: Lockout | null;
 }
 
+/** Something that was asked about a drive: running, done, failed, or unknown (it may have taken effect). */
+export interface Operation {
+  id: string;
+  kind: string;
+  state: string;
+  done: number;
+  total: number;
+  reason: string;
+  remedy: string;
+}
+
+/** A parameter of a drive as last known; `number` in hexadecimal, `raw` null if it was not read yet. */
+export interface Parameter {
+  number: string;
+  named: boolean;
+  name: string;
+  unit: string;
+  raw: number | null;
+  text: string;
+  at: string | null;
+  read_only: boolean;
+  description: string;
+}
+
 export interface Job {
   id: string;
   order: number;
@@ -166,6 +190,8 @@ export interface Controller {
   started: string;
   waiting_for: string[];
   trouble: string;
+  /** Fires and earthquakes that nobody has released yet, in words. */
+  emergencies?: string[];
 }
 
 export interface Happening {

@@ -53,7 +53,7 @@ export function DeviceBody({ id }: { id: string }) {
         {now?.pending && <Fact name={t("pending")}>{now.pending}</Fact>}
         {barcode && <Fact name={t("barcode")}>{barcode}</Fact>}
         {now?.link && <Fact name={t("on_line")}>{t("line_number", now.link, now.number ?? "")}</Fact>}
-        {kind !== "charger" && (
+        {kind !== "charger" && !now?.fresh && (
           <Fact name={t("seen")}>{now?.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"}</Fact>
         )}
       </dl>

@@ -1,10 +1,13 @@
 /** One axis drive: what it says of itself, and what is wrong. */
-import { serverNow } from "../api";
+import { useSignal } from "@preact/signals";
+import { post, serverNow } from "../api";
 import { hundredths, lookOfDrive, span } from "../shows";
 import { driveNow, tick } from "../store";
 import { said, t } from "../texts";
-import type { Drive } from "../types";
+import type { Drive, Operation } from "../types";
 import { Fact, Panel } from "./Panel";
+import { Outcome, Parameters } from "./Parameters";
+import { Problem } from "./Problem";
 
 const COLOURS = { calm: "var(--dim)", go: "var(--accent)", wait: "var(--wait)", good: "var(--good)", bad: "var(--bad)" };
 
@@ -33,9 +36,37 @@ export function DrivePanel({ id }: { id: string }) {
         )}
         <Fact name={t("model")}>{now.model || t("no_model")}</Fact>
         <Fact name={t("on_line")}>{t("line_number", now.line, now.address)}</Fact>
-        <Fact name={t("seen")}>{now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"}</Fact>
+        {!now.online && (
+          <Fact name={t("seen")}>{now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"}</Fact>
+        )}
       </dl>
+      <StopKey id={id} />
+      <Parameters id={id} />
     </Panel>
+  );
+}
+
+/** Stops the axis, or resets an error: at once, since a stop asks nobody whether he is sure. */
+function StopKey({ id }: { id: string }) {
+  const error = useSignal<unknown>(null);
+  const done = useSignal<Operation | null>(null);
+  const press = (): void => {
+    error.value = done.value = null;
+    post<Operation>(`/drives/${encodeURIComponent(id)}/keys?wait=5`, { key: "stop_reset" }).then(
+      (operation) => (done.value = operation),
+      (failure: unknown) => (error.value = failure),
+    );
+  };
+  return (
+    <>
+      <div class="buttons">
+        <button type="button" class="halt" onClick={press}>
+          {t("stop_reset")}
+        </button>
+      </div>
+      <Problem error={error.value} />
+      <Outcome operation={done.value} label={t("stop_reset")} />
+    </>
   );
 }
 
