@@ -2,6 +2,7 @@
 import { doorMarks } from "./doors";
 import { Glide } from "./glide";
 import type { Now, Scene } from "./paint/ink";
+import { Labels } from "./paint/labels";
 import { paintPlant } from "./paint/plant";
 import { wingOf } from "./paint/doors";
 import { type Body, paintGrant, paintVehicle, Signs } from "./paint/vehicles";
@@ -26,7 +27,8 @@ export class Painter {
   private readonly last = new Map<string, Vehicle>();
   private readonly signs = new Signs();
   private bodies: Body[] = [];
-  private names: readonly Box[] = [];
+  private names = new Labels();
+  private specs = new Map<string, LayoutVehicle>();
   private ground: CanvasRenderingContext2D;
   private front: CanvasRenderingContext2D;
   private stale = true;
@@ -60,6 +62,7 @@ export class Painter {
     const marks = clusters.flatMap((cluster) => cluster.marks);
     const doors = doorMarks(layout.value, track.value);
     this.scene = { layout: layout.value, track: track.value, marks, clusters, doors };
+    this.specs = new Map(layout.value.vehicles.map((spec) => [spec.id, spec]));
     this.glides.clear();
     this.last.clear();
     this.fit();
@@ -95,7 +98,7 @@ export class Painter {
       this.last.set(vehicle.id, vehicle);
       let glide = this.glides.get(vehicle.id);
       if (!glide) {
-        glide = new Glide(this.scene.track, this.spec(vehicle.id)?.max_speed);
+        glide = new Glide(this.scene.track, this.specs.get(vehicle.id)?.max_speed);
         this.glides.set(vehicle.id, glide);
       }
       const moving = vehicle.link.up && vehicle.activity === "moving";
@@ -123,10 +126,6 @@ export class Painter {
       if (away < least) [least, best] = [away, { kind: mark.kind === "charger" ? "device" : "station", id: mark.id }];
     }
     return best;
-  }
-
-  private spec(id: string): LayoutVehicle | undefined {
-    return this.scene?.layout.vehicles.find((spec) => spec.id === id);
   }
 
   private forget(id: string): void {
@@ -171,7 +170,7 @@ export class Painter {
   private placed(now: number): Body[] {
     const bodies: Body[] = [];
     for (const vehicle of this.last.values()) {
-      const spec = this.spec(vehicle.id);
+      const spec = this.specs.get(vehicle.id);
       const agv = spec?.kind === "agv";
       const length = Math.min(spec?.length ?? 1000, 1200);
       const glide = vehicle.activity === "off_rail" ? undefined : this.glides.get(vehicle.id);

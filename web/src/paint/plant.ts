@@ -1,13 +1,13 @@
 /** Drawing of what stands still: track, zones, barcodes, and, over them, stations and doors. */
-import type { Box, View } from "../view";
+import type { View } from "../view";
 import type { Track, Way } from "../track";
 import { paintDoors } from "./doors";
 import { type Ctx, font, INK, type Now, type Scene, text } from "./ink";
 import { Labels, type Place } from "./labels";
 import { paintStations } from "./stations";
 
-/** Draws the plant; returns the boxes that names and marks take, for those that are drawn over it. */
-export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): readonly Box[] {
+/** Draws the plant; returns what room names and marks take, for those that are drawn over it. */
+export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): Labels {
   ctx.clearRect(0, 0, view.width, view.height);
   ctx.lineCap = "round";
   ctx.lineJoin = "round";
@@ -21,7 +21,7 @@ export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): readon
   paintDoors(ctx, view, scene, now, labels);
   paintStations(ctx, view, scene, now, labels);
   nameBarcodes(ctx, view, scene.track, rail, labels);
-  return labels.boxes;
+  return labels;
 }
 
 function paintZones(ctx: Ctx, view: View, scene: Scene, rail: number): void {

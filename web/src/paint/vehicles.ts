@@ -118,14 +118,15 @@ export class Signs {
   private readonly sides = new Map<string, number>();
 
   /** `still`: what the names of all that stands still take; they are covered only where there is no other room. */
-  paint(ctx: Ctx, view: View, bodies: Body[], first: (body: Body) => boolean, still: readonly Box[]): void {
+  paint(ctx: Ctx, view: View, bodies: Body[], first: (body: Body) => boolean, still: Labels): void {
     const labels = new Labels();
-    for (const body of bodies) labels.block(hullOf(view, body));
+    const seen = bodies.filter((body) => visible(view, body));
+    for (const body of seen) labels.block(hullOf(view, body));
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
-    for (const body of bodies.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, labels, still);
+    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, labels, still);
   }
 
-  private sign(ctx: Ctx, view: View, body: Body, must: boolean, labels: Labels, still: readonly Box[]): void {
+  private sign(ctx: Ctx, view: View, body: Body, must: boolean, labels: Labels, still: Labels): void {
     const { vehicle } = body;
     const look = lookOf(vehicle);
     const words = SIGNS[look] ? `${vehicle.id} ${SIGNS[look]}` : vehicle.id;
@@ -135,7 +136,7 @@ export class Signs {
     const side = this.sides.get(vehicle.id) ?? 0;
     const order = [side, ...places.keys()].filter((one) => one < places.length);
     const clear = order.filter((one) => labels.free(grown(places[one] as Place, width)));
-    const found = clear.find((one) => !touches(still, grown(places[one] as Place, width))) ?? clear[0] ?? (must ? 0 : undefined);
+    const found = clear.find((one) => still.free(grown(places[one] as Place, width))) ?? clear[0] ?? (must ? 0 : undefined);
     if (found === undefined) return;
     this.sides.set(vehicle.id, found);
     const { x, y } = places[found] as Place;
@@ -157,8 +158,9 @@ function grown(place: Place, width: number): Box {
   return boxOf(place, width - 3);
 }
 
-function touches(boxes: readonly Box[], box: Box): boolean {
-  return boxes.some((b) => b.x0 < box.x1 && b.x1 > box.x0 && b.y0 < box.y1 && b.y1 > box.y0);
+function visible(view: View, { spot }: Body): boolean {
+  const [px, py] = [view.px(spot.x), view.py(spot.y)];
+  return px > -50 && py > -50 && px < view.width + 50 && py < view.height + 50;
 }
 
 const sizeOf = (view: View, { length, agv }: Body): [number, number] => [
