@@ -152,6 +152,39 @@ def test_a_door_that_is_not_heard_says_so_and_why() -> None:
         page.until(text_of(".panel dd", "last said: open"))
 
 
+@pytest.mark.parametrize(("name", "kind"), [("DOOR1", "Door"), ("CHARGER1", "Charger"), ("AB2", "AGV buffer")])
+def test_what_stands_in_the_hall_is_chosen_on_the_map(name: str, kind: str) -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        click(page, *place_on_map(page, name))
+        page.until(text_of(".panel h2", name) + " && " + text_of(".panel .tag", kind))
+        assert page.complaints == []
+
+
+def place_on_map(page: Page, name: str) -> tuple[float, float]:
+    """Return where the map names something under the pointer."""
+    found = page.ask(f"""(async () => {{
+      const canvas = document.querySelectorAll('.map canvas')[1];
+      const {{ left, top, width, height }} = canvas.getBoundingClientRect();
+      for (let x = width - 5; x > width / 2; x -= 7) for (let y = 40; y < height; y += 7) {{
+        const at = {{ clientX: left + x, clientY: top + y, bubbles: true }};
+        canvas.dispatchEvent(new PointerEvent('pointermove', at));
+        if (canvas.style.cursor !== 'pointer') continue;
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        if (document.querySelector('.tip b')?.textContent === {name!r}) return [at.clientX, at.clientY];
+      }}
+      return null;
+    }})()""")
+    assert found is not None, f"{name} is nowhere on the map"
+    return found[0], found[1]
+
+
+def click(page: Page, x: float, y: float) -> None:
+    for kind in ("mousePressed", "mouseReleased"):
+        page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+
 def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
     with served(controller=whole()) as server, browser() as page:
         page.open(server.url)
