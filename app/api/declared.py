@@ -201,7 +201,16 @@ OTHERS: Json = {
                 _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
             ),
             "vehicles": _list(
-                _object({"id": _TEXT, "kind": _TEXT, "length": _WHOLE, "max_speed": _WHOLE, "curve_speed": _WHOLE})
+                _object(
+                    {
+                        "id": _TEXT,
+                        "kind": _TEXT,
+                        "link": _nullable(_TEXT),
+                        "length": _WHOLE,
+                        "max_speed": _WHOLE,
+                        "curve_speed": _WHOLE,
+                    }
+                )
             ),
             "links": _list(_object({"id": _TEXT, "protocol": _TEXT, "address": _TEXT})),
             "doors": _list(

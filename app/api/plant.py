@@ -91,6 +91,7 @@ def _drawn(plant: Plant) -> dict[str, object]:
             {
                 "id": v.id,
                 "kind": v.kind.value,
+                "link": v.link,
                 "length": v.length,
                 "max_speed": v.max_speed,
                 "curve_speed": v.curve_speed,

@@ -30,7 +30,7 @@ async def test_the_layout_names_every_device_and_where_it_stands(
         ("AB2", "BUFFER2"),
         ("AB3", None),
     ]
-    assert {vehicle["kind"] for vehicle in layout["vehicles"]} == {"agv"}
+    assert {(vehicle["kind"], vehicle["link"]) for vehicle in layout["vehicles"]} == {("agv", "hall")}
     assert layout["links"][0] == {"id": "hall", "protocol": "enig", "address": "127.0.0.1:17121"}
 
 

@@ -91,6 +91,8 @@ const WORDS = {
   your_name: ["Your name", "이름"],
   name_hint: ["Kept with everything that you ask for", "모든 요청에 기록됩니다"],
   status_bits: ["Status bits", "상태 비트"],
+  status: ["Status", "상태 보고 내용"],
+  tag: ["Tag", "태그"],
   no_status: ["No status yet", "상태 보고 없음"],
   last_frames: ["Last frames", "최근 프레임"],
   no_frames: ["No traffic yet", "통신 없음"],

@@ -239,6 +239,8 @@ export interface LayoutEdge {
 export interface LayoutVehicle {
   id: string;
   kind: string;
+  /** The line of an AGV; a hoist has one of its own. */
+  link: string | null;
   length: number;
   max_speed: number;
   curve_speed: number;

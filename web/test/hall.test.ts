@@ -21,8 +21,8 @@ const HALL: Layout = {
   stations: [station("AB1", "agv_buffer", "t4"), station("P1", "port", "r1"), station("L1", "sbfl", "r2")],
   zones: [],
   vehicles: [
-    { id: "AGV1", kind: "agv", length: 1000, max_speed: 500, curve_speed: 500 },
-    { id: "V1", kind: "hoist", length: 1000, max_speed: 3000, curve_speed: 1000 },
+    { id: "AGV1", kind: "agv", link: "hall", length: 1000, max_speed: 500, curve_speed: 500 },
+    { id: "V1", kind: "hoist", link: null, length: 1000, max_speed: 3000, curve_speed: 1000 },
   ],
   links: [],
   doors: [{ id: "DOOR1", link: "hall", number: 30, passages: [["t3", "t2"]], normally_open: false }],

@@ -74,7 +74,7 @@ export function Parameters({ id }: { id: string }) {
       <Problem error={error.value} />
       {!running && <Outcome operation={operation.value} label={t("read_parameters")} />}
       {known.length === 0 && <p class="nothing">{t("no_parameters")}</p>}
-      <table class="bits">
+      <table class="bits numbered">
         <tbody>
           {known.map((parameter) => (
             <tr key={parameter.number} title={parameter.description}>
