@@ -112,6 +112,7 @@ const WORDS = {
   picked: ["a vehicle took it", "차량이 가져감"],
   person: ["a person", "작업자"],
   inferred: ["inferred", "추론"],
+  sensor: ["its sensor", "센서"],
   plant: ["the plant file", "플랜트 파일"],
   reserved: ["Reserved", "예약"],
   out_of_service: ["Out of service", "사용 중지"],
