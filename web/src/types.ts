@@ -31,6 +31,18 @@ export interface Lockout {
   releases: string[];
 }
 
+/** What only AGVs report. `beyond`: the tag on the way to which it was stopped. */
+export interface Agv {
+  cart: string;
+  lift: string;
+  charging: boolean;
+  in_position: boolean;
+  steering: string;
+  path: number;
+  tag: string;
+  beyond: string | null;
+}
+
 export interface Vehicle {
   id: string;
   dev_id: number;
@@ -60,6 +72,7 @@ export interface Vehicle {
   hold: Hold | null;
   lockout: Lockout | null;
   seen: string | null;
+  agv?: Agv | null;
 }
 
 /** A door, a buffer or a charger. Its state is its last word, and counts only while it is fresh. */

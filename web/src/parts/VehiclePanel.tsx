@@ -5,7 +5,7 @@ import { actor, get, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { layout, selected, tick, vehicleNow } from "../store";
 import { language, said, t, type Word } from "../texts";
-import type { Traffic, Vehicle } from "../types";
+import type { Agv, Traffic, Vehicle } from "../types";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 
@@ -45,7 +45,7 @@ export function VehiclePanel({ id }: { id: string }) {
         </Fact>
       </dl>
       <Decide vehicle={now} />
-      <Bits vehicle={now} />
+      {now.agv ? <AgvFacts agv={now.agv} /> : <Bits vehicle={now} />}
       <LinkFacts vehicle={now} />
       <Frames id={id} />
     </Panel>
@@ -103,6 +103,26 @@ function Bits({ vehicle }: { vehicle: Vehicle }) {
         </tbody>
       </table>
     </details>
+  );
+}
+
+function AgvFacts({ agv }: { agv: Agv }) {
+  const word = (name: string): string => said(`agv_${name}`);
+  const flag = (on: boolean): string => t(on ? "yes" : "no");
+  return (
+    <section class="part">
+      <h3>{t("status")}</h3>
+      <dl>
+        <Fact name={t("cart")}>{word(agv.cart)}</Fact>
+        <Fact name={t("lift")}>{word(agv.lift)}</Fact>
+        <Fact name={t("steering")}>{word(agv.steering)}</Fact>
+        <Fact name={t("in_position")}>{flag(agv.in_position)}</Fact>
+        <Fact name={t("charges_now")}>{flag(agv.charging)}</Fact>
+        <Fact name={t("last_tag")}>{agv.tag}</Fact>
+        {agv.beyond && <Fact name={t("beyond")}>{agv.beyond}</Fact>}
+        <Fact name={t("path")}>{agv.path}</Fact>
+      </dl>
+    </section>
   );
 }
 
