@@ -5,7 +5,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from app.domain.requests import CreateJob
-from tests.web.served import served
+from tests.web.served import Served, served
 from tests.web.whole import device, whole
 from tools.chromium import Page, browser, installed
 
@@ -150,6 +150,36 @@ def test_a_door_that_is_not_heard_says_so_and_why() -> None:
         server.show([device("door", "DOOR1", 30, "open", fresh=False, reason="no Status for 5 s")])
         page.until(text_of(".panel .note", "no Status for 5 s"))
         page.until(text_of(".panel dd", "last said: open"))
+
+
+def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Drives"))
+        page.until("document.querySelector('[data-drive=D1]')")
+        page.ask("document.querySelector('[data-drive=D1]').click()")
+        page.until("document.querySelector('.panel .halt')")
+        page.ask("document.querySelector('.panel .halt').click()")
+        end_of_operation(server, page, 1)
+        page.until(text_of(".panel .done", "Stop / reset: done"))
+        page.ask("document.querySelector('.panel .part h3 button').click()")
+        end_of_operation(server, page, 2)
+        page.until(text_of(".panel .done", "Read parameters: done"))
+        page.until("[...document.querySelectorAll('.panel .numbered tr')].length > 0")
+        asked = [type(request).__name__ for request in server.controller.seen]
+        assert asked == ["PressDriveKey", "ReadDrive"]
+        assert page.complaints == []
+
+
+def end_of_operation(server: Served, page: Page, number: int) -> None:
+    """Let an operation end once the page has asked for it."""
+    drives = server.controller.drives
+    for _ in range(600):
+        if number in drives.operations:
+            break
+        page.ask("new Promise(requestAnimationFrame)")
+    server.show([drives.end(number)])
 
 
 @pytest.mark.parametrize(("name", "kind"), [("DOOR1", "Door"), ("CHARGER1", "Charger"), ("AB2", "AGV buffer")])

@@ -123,16 +123,16 @@ export class Signs {
     const seen = bodies.filter((body) => visible(view, body));
     for (const body of seen) labels.block(hullOf(view, body));
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
-    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, labels, still);
+    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
   }
 
-  private sign(ctx: Ctx, view: View, body: Body, must: boolean, labels: Labels, still: Labels): void {
+  private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: Labels): void {
     const { vehicle } = body;
     const look = lookOf(vehicle);
     const words = SIGNS[look] ? `${vehicle.id} ${SIGNS[look]}` : vehicle.id;
     ctx.font = font(11, 700);
     const width = ctx.measureText(words).width + 8;
-    const places = placesFor(view, body, width);
+    const places = placesFor(view, body, width, ringed);
     const side = this.sides.get(vehicle.id) ?? 0;
     const order = [side, ...places.keys()].filter((one) => one < places.length);
     const clear = order.filter((one) => labels.free(grown(places[one] as Place, width)));
@@ -176,9 +176,16 @@ function hullOf(view: View, body: Body): Box {
   return { x0: px - w, x1: px + w, y0: py - h, y1: py + h };
 }
 
+/** Around the ring of one that is looked at. */
+function ringOf(view: View, body: Body): Box {
+  const radius = sizeOf(view, body)[0] * 0.8;
+  const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+  return { x0: px - radius, x1: px + radius, y0: py - radius, y1: py + radius };
+}
+
 /** Beside the hull, across the track first; then a line further off. */
-function placesFor(view: View, body: Body, width: number): Place[] {
-  const hull = hullOf(view, body);
+function placesFor(view: View, body: Body, width: number, ringed: boolean): Place[] {
+  const hull = ringed ? ringOf(view, body) : hullOf(view, body);
   const [px, py] = [(hull.x0 + hull.x1) / 2, (hull.y0 + hull.y1) / 2];
   const above = { x: px, y: hull.y0 - 7 };
   const below = { x: px, y: hull.y1 + 15 };
