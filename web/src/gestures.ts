@@ -3,7 +3,11 @@ import type { Painter } from "./painter";
 import { type Selection, selected } from "./store";
 
 /** Listens on the map; `show` is told what lies under the pointer, and where that is. Returns how to stop. */
-export function listenTo(canvas: HTMLCanvasElement, paint: Painter, show: (hit: Selection, x: number, y: number) => void): () => void {
+export function listenTo(
+  canvas: HTMLCanvasElement,
+  paint: Painter,
+  show: (hit: Selection, x: number, y: number) => void,
+): () => void {
   const ends = new AbortController();
   const { signal } = ends;
   let from: { x: number; y: number; moved: boolean } | null = null;

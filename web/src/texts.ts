@@ -54,7 +54,7 @@ const WORDS = {
   fit: ["Fit", "전체 보기"],
   zoom_in: ["Zoom in", "확대"],
   zoom_out: ["Zoom out", "축소"],
-  map: ["Map of the track. Drag to move, wheel to zoom, click a vehicle or a station.", "트랙 지도. 드래그로 이동, 휠로 확대, 차량이나 스테이션을 클릭하세요."],
+  map: ["Map of the track. Drag to move, wheel to zoom, click what you want to know about.", "트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요."],
   state: ["State", "상태"],
   activity: ["Activity", "동작"],
   mode: ["Mode", "모드"],

@@ -118,7 +118,9 @@ function nameBarcodes(ctx: Ctx, view: View, track: Track, rail: number, labels: 
 /** Where a barcode's name can stand, from the barcode: on the sides where no track leaves. */
 function besides(track: Track, barcode: string, away: number, width: number): Place[] {
   const angles = [
-    ...(track.next.get(barcode) ?? []).flatMap((edge) => track.way(edge.start, edge.end) ?? []).map((way) => track.along(way, 0).angle),
+    ...(track.next.get(barcode) ?? [])
+      .flatMap((edge) => track.way(edge.start, edge.end) ?? [])
+      .map((way) => track.along(way, 0).angle),
     ...(track.before.get(barcode) ?? [])
       .flatMap((edge) => track.way(edge.start, edge.end) ?? [])
       .map((way) => track.along(way, way.edge.length).angle + Math.PI),

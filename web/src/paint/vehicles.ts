@@ -123,7 +123,9 @@ export class Signs {
     const seen = bodies.filter((body) => visible(view, body));
     for (const body of seen) labels.block(hullOf(view, body));
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
-    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
+    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) {
+      this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
+    }
   }
 
   private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: Labels): void {
