@@ -129,7 +129,7 @@ def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() ->
         page.until(text_of("[data-device=DOOR1]", "closed") + " && " + text_of("[data-device=BUFFER1]", "cart there"))
         server.place("AGV1", "0142", activity="moving", granted=("0143", "0144"))
         server.place("AGV2", "0153", activity="charging")
-        server.show([device("door", "DOOR1", 30, "open")])
+        server.show([device("door", "DOOR1", 30, "open", vehicles=("AGV1",))])
         page.until(text_of("[data-device=DOOR1]", "open") + " && " + text_of("[data-device=DOOR1]", "AGV1"))
         page.until(text_of("[data-device=CHARGER1]", "charging") + " && " + text_of("[data-device=CHARGER1]", "AGV2"))
         page.ask(tab("Drives"))
@@ -170,6 +170,22 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         asked = [type(request).__name__ for request in server.controller.seen]
         assert asked == ["PressDriveKey", "ReadDrive"]
         assert page.complaints == []
+
+
+def test_a_door_is_commanded_by_two_presses() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Devices"))
+        page.until("document.querySelector('[data-device=DOOR1]')")
+        page.ask("document.querySelector('[data-device=DOOR1]').click()")
+        page.until("document.querySelector('[data-commands=DOOR1] button')")
+        page.ask("document.querySelector('[data-commands=DOOR1] button').click()")
+        page.until(text_of("[data-commands=DOOR1] .armed", "Sure?"))
+        assert not server.controller.seen
+        page.ask("document.querySelector('[data-commands=DOOR1] .armed').click()")
+        page.until(text_of(".panel .done", "Open door"))
+        assert [type(request).__name__ for request in server.controller.seen] == ["CommandDevice"]
 
 
 def end_of_operation(server: Served, page: Page, number: int) -> None:

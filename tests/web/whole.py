@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from app.domain.layout import Plant
 from app.domain.units import Barcode
@@ -42,6 +43,7 @@ def _devices(plant: Plant) -> list[Update]:
     buffers = {station.buffer: station.id in carts for station in plant.stations if station.buffer}
     return [
         *(device("door", door.id, door.number, "closed") for door in plant.doors),
+        *(Update(Topic.DEVICES, c.id, DeviceView(c.id, "charger", None, None, fresh=True)) for c in plant.chargers),
         *(
             device("buffer", buffer.id, buffer.number, "cart" if buffers.get(buffer.id) else "no_cart")
             for buffer in plant.buffers
@@ -49,9 +51,10 @@ def _devices(plant: Plant) -> list[Update]:
     ]
 
 
-def device(kind: str, name: str, number: int, state: str, *, fresh: bool = True, reason: str = "") -> Update:
+def device(kind: str, name: str, number: int, state: str, *, fresh: bool = True, **more: Any) -> Update:
     """Return what a door or buffer of the hall says."""
-    return Update(Topic.DEVICES, name, DeviceView(name, kind, "hall", number, fresh, reason, state, seen=NOW))
+    view = DeviceView(name, kind, "hall", number, fresh, state=state, since=NOW, seen=NOW, **more)
+    return Update(Topic.DEVICES, name, view)
 
 
 def _drives(plant: Plant) -> list[Update]:

@@ -1,7 +1,6 @@
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 import { computed, signal } from "@preact/signals";
 import * as api from "./api";
-import { passersOf } from "./doors";
 import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import { type DeviceLook, lookOfDevice } from "./shows";
@@ -118,10 +117,8 @@ export function driveNow(id: string): Drive | undefined {
   return drives.get(id);
 }
 
-/** AGVs that charge at a charger: as the server says, else those that charge on its tag. */
-export function chargingAt(id: string): string[] {
-  const told = devices.get(id)?.vehicles;
-  if (told) return told;
+/** AGVs that charge at a charger: those on their way there are named by the server, too. */
+function chargingAt(id: string): string[] {
   const tag = layout.value?.chargers.find((charger) => charger.id === id)?.barcode;
   return [...vehicles.values()].filter((one) => one.activity === "charging" && one.barcode === tag).map((one) => one.id);
 }
@@ -136,8 +133,7 @@ export function lookAt(id: string): DeviceLook {
 
 /** Who is in a door or will pass it, or charges at a charger. */
 export function passers(id: string): string[] {
-  const door = layout.value?.doors.find((one) => one.id === id);
-  return door ? passersOf(devices.get(id), door, vehicles.values()) : chargingAt(id);
+  return [...new Set([...(devices.get(id)?.vehicles ?? []), ...chargingAt(id)])];
 }
 
 /** Who is at which machine, as one text: it changes far less often than the vehicles do. */

@@ -84,22 +84,22 @@ export interface Device {
   fresh: boolean;
   reason: string;
   state: string | null;
-  since?: string | null;
+  since: string | null;
   seen: string | null;
-  out_of_service?: string;
+  out_of_service: string;
   /** The command under way. */
-  pending?: string;
+  pending: string;
   /** In the door, granted the way through it, or charging there; `waiting` want it soon. */
-  vehicles?: string[];
-  waiting?: string[];
+  vehicles: string[];
+  waiting: string[];
   /** A person keeps the door open or closed. */
-  pin?: { position: string; owner: string; reason: string; since: string } | null;
+  pin: { position: string; owner: string; reason: string; since: string } | null;
   /** For whom the buffer is locked; `locked` null: not known whether it is by now. */
-  lock?: { owner: string; person: boolean; since: string; locked: boolean | null } | null;
-  lockout?: Lockout | null;
-  alarm?: string;
-  remedy?: string;
-  contradiction?: string;
+  lock: { owner: string; person: boolean; since: string; locked: boolean | null } | null;
+  lockout: Lockout | null;
+  alarm: string;
+  remedy: string;
+  contradiction: string;
 }
 
 /** An axis drive; `online` is null before it was heard on this connection of its line. */
@@ -120,11 +120,11 @@ export interface Drive {
   distance: number | null;
   seen: string | null;
   /** What an error means, and what helps. */
-  error?: string;
-  remedy?: string;
-  moving?: boolean | null;
-  operation?: string | null;
-  lockout?: Lockout | null;
+  error: string;
+  remedy: string;
+  moving: boolean | null;
+  operation: string | null;
+  lockout: Lockout | null;
 }
 
 /** Something that was asked about a drive: running, done, failed, or unknown (it may have taken effect). */
@@ -204,7 +204,7 @@ export interface Controller {
   waiting_for: string[];
   trouble: string;
   /** Fires and earthquakes that nobody has released yet, in words. */
-  emergencies?: string[];
+  emergencies: string[];
 }
 
 export interface Happening {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { doorMarks, passersOf } from "../src/doors";
+import { doorMarks } from "../src/doors";
 import { joins, worldOf } from "../src/ends";
 import { Glide } from "../src/glide";
 import { Labels } from "../src/paint/labels";
@@ -31,17 +31,8 @@ const HALL: Layout = {
   drives: [],
 };
 const track = new Track(HALL);
-const device = (more: Partial<Device>): Device => ({
-  id: "DOOR1",
-  kind: "door",
-  link: "hall",
-  number: 30,
-  fresh: true,
-  reason: "",
-  state: "closed",
-  seen: null,
-  ...more,
-});
+const device = (more: Partial<Device>): Device =>
+  ({ id: "DOOR1", kind: "door", fresh: true, reason: "", state: "closed", alarm: "", vehicles: [], ...more }) as Device;
 const vehicle = (more: Partial<Vehicle>): Vehicle =>
   ({ id: "AGV1", activity: "idle", oper: null, link: { up: true }, covered: [], granted: [], barcode: null, ...more }) as Vehicle;
 const drive = (more: Partial<Drive>): Drive =>
@@ -75,17 +66,6 @@ describe("a hall", () => {
 });
 
 describe("a door", () => {
-  const [door] = HALL.doors;
-
-  test("is passed by those who hold both its sides", () => {
-    const list = [vehicle({ barcode: "t1", granted: ["t2", "t3"] }), vehicle({ id: "AGV2", barcode: "t4", granted: ["t3"] })];
-    expect(passersOf(device({}), door, list)).toEqual(["AGV1"]);
-  });
-
-  test("is passed by those whom the server names, if it does", () => {
-    expect(passersOf(device({ vehicles: ["AGV2"] }), door, [vehicle({ barcode: "t2", granted: ["t3"] })])).toEqual(["AGV2"]);
-  });
-
   test("looks like its state only while it is heard", () => {
     expect(lookOfDevice(device({}))).toBe("closed");
     expect(lookOfDevice(device({ fresh: false }))).toBe("silent");

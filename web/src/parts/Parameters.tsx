@@ -49,7 +49,7 @@ export function Parameters({ id }: { id: string }) {
   const read = async (): Promise<void> => {
     error.value = null;
     try {
-      let now = await post<Operation>(`${path}/read`, named.length ? { parameters: named } : {});
+      let now = await post<Operation>(`/drives/${encodeURIComponent(id)}/read`, named.length ? { parameters: named } : {});
       operation.value = now;
       while (now.state === "running" && here.current) {
         now = await get<Operation>(`/operations/${encodeURIComponent(now.id)}?wait=1`);
