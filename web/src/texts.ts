@@ -230,6 +230,7 @@ const WORDS = {
   ccw: ["counter-clockwise", "반시계 방향"],
   distance: ["Distance", "이동 거리"],
   model: ["Model", "모델"],
+  moves: ["Moves", "움직임"],
   stop_reset: ["Stop / reset", "정지 / 리셋"],
   parameters: ["Parameters", "파라미터"],
   read_parameters: ["Read parameters", "파라미터 읽기"],

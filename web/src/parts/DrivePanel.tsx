@@ -28,6 +28,9 @@ export function DrivePanel({ id }: { id: string }) {
             {now.meaning || "–"} <small>{now.code}</small>
           </Fact>
         )}
+        {now.online && (
+          <Fact name={t("moves")}>{now.moving === null ? t("unknown") : t(now.moving ? "yes" : "no")}</Fact>
+        )}
         {now.output !== null && <Fact name={t("output")}>{now.output}</Fact>}
         {now.distance !== null && (
           <Fact name={t("distance")}>
