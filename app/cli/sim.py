@@ -12,10 +12,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.panel import set_panels
 from app.cli.plainly import plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from app.cli.operator import Bench
     from app.domain.ids import VehicleId
     from app.domain.layout import LinkSpec, Plant, VehicleSpec
@@ -46,6 +49,9 @@ def sim(
         float,
         typer.Option(callback=positive, help="steps of a pick-up or place, and of homing, are so many times as quick"),
     ] = 1.0,
+    panel: Annotated[
+        list[str] | None, typer.Option(help="set a drive's panel: DRIVE=jog, =monitoring, =parameter_select, =error7")
+    ] = None,
     operator: Annotated[
         int | None, typer.Option(help="port of this machine for the hands at the simulated hoists: key, jog, teach")
     ] = None,
@@ -60,7 +66,7 @@ def sim(
     with plainly():
         found = plant_of(plant)
         try:
-            code = on_loop(_Floor(found, journal, host, controller, haste, operator).run(with_parent))
+            code = on_loop(_Floor(found, journal, host, controller, haste, operator, panel or []).run(with_parent))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
             remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
@@ -79,8 +85,10 @@ class _Floor:
         controller: str,
         haste: float,
         operator: int | None = None,
+        panels: Sequence[str] = (),
     ) -> None:
         self._haste = haste
+        self._panels = panels
         self._plant = plant
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
@@ -99,6 +107,7 @@ class _Floor:
         stop = stop_signal()
         options = _hasty(self._haste)
         floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
+        set_panels(self._panels, floor.halls.drives, now())
         oracle = Oracle(self._plant, floor.truth)
         parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
         hands: Bench | None = None

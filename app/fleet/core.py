@@ -148,8 +148,8 @@ class Fleet:
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
-        before, self.books.now = self.books.now, now
-        self.drives.tick(before)
+        self.books.now = now
+        self.drives.tick()
         if now < self._next_thought:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now

@@ -36,6 +36,7 @@ class DriveNow:
     seen: Seconds | None = None
     started: bool = False
     jogging: bool = False
+    shown_moving: bool | None = None
     moves_until: Seconds = Seconds(-inf)
     place: tuple[Turn | None, Hundredths] | None = None
     operation: int | None = None
@@ -61,6 +62,12 @@ class DriveNow:
         if self.status.distance is None:
             return True if self.started else None
         return False
+
+    @property
+    def still_from(self) -> Seconds | None:
+        """When it counts as standing still if it is not seen to move before; None if time alone does not tell."""
+        lasting = self.jogging or (self.started and self.status is not None and self.status.distance is None)
+        return None if lasting or not self.shown_moving else self.moves_until
 
     def learn(self, status: DriveStatus, now: Seconds) -> None:
         """Take a status over."""

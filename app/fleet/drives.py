@@ -1,7 +1,5 @@
 """Axis drives: what is known of them, and what people do with them (PROTOCOLS section 2, DOMAIN section 7)."""
 
-from math import inf
-
 from app.domain.drive import (
     DriveDone,
     DriveEvent,
@@ -90,14 +88,14 @@ class Drives:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next; infinite if nothing is to be done."""
-        now = self._books.now
-        still = [drive.moves_until for drive in self.all.values() if drive.moves_until > now]
-        return Seconds(min([self._watches.deadline, *still], default=inf))
+        still = [at for drive in self.all.values() if (at := drive.still_from) is not None]
+        return min([self._watches.deadline, *still])
 
-    def tick(self, before: Seconds) -> None:
-        """Time has passed since ``before``."""
+    def tick(self) -> None:
+        """Time has passed."""
         for drive in self.all.values():
-            if before < drive.moves_until <= self._books.now:
+            still_from = drive.still_from
+            if still_from is not None and still_from <= self._books.now:
                 self._show(drive)
         self._watches.tick()
 
@@ -173,7 +171,9 @@ class Drives:
 
     def _show(self, drive: DriveNow) -> None:
         books = self._books
-        books.show(Topic.DRIVES, drive.id, view_of_drive(drive, books.now, books.utc_at))
+        view = view_of_drive(drive, books.now, books.utc_at)
+        drive.shown_moving = view.moving
+        books.show(Topic.DRIVES, drive.id, view)
 
     def _show_parameter(self, drive: DriveNow, number: Parameter) -> None:
         view = view_of_parameter(drive, number, watched=self._watches.watched(drive.id, number))

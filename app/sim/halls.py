@@ -7,7 +7,7 @@ import networkx as nx
 from app.domain.devices import AgvMode, DeviceId, DeviceNumber
 from app.domain.drive import DriveId
 from app.domain.ids import LinkId, VehicleId
-from app.domain.layout import LinkSpec, Plant, VehicleKind, Wire
+from app.domain.layout import DriveUnit, LinkSpec, Plant, VehicleKind, Wire
 from app.domain.ports import Endpoint
 from app.domain.units import Barcode, Seconds
 from app.plant.dialects import drive_dialect_of, hall_dialect_of
@@ -20,6 +20,7 @@ from app.protocols.enig.simulator import (
     SimulatedLink,
     Tape,
 )
+from app.protocols.hi.dialects import Dialect
 from app.protocols.hi.simulator import SimulatedDrive, SimulatedLine
 
 
@@ -63,13 +64,21 @@ class SimulatedHalls:
     def _line(self, link: LinkSpec) -> Endpoint:
         if link.wire is Wire.HI:
             dialect = drive_dialect_of(link)
-            drives = {unit.id: SimulatedDrive(unit.address, dialect) for unit in self._plant.drives_on(link.id)}
+            drives = {unit.id: self._drive(unit, dialect) for unit in self._plant.drives_on(link.id)}
             self.drives |= drives
             return SimulatedLine(drives.values(), dialect)
         agvs = [self.agvs[spec.id] for spec in self._plant.agvs_on(link.id)]
         buffers = [self.buffers[spec.id] for spec in self._plant.buffers if spec.link == link.id]
         doors = [self.doors[spec.id] for spec in self._plant.doors if spec.link == link.id]
         return SimulatedLink([*agvs, *buffers, *doors], hall_dialect_of(link))
+
+    def _drive(self, unit: DriveUnit, dialect: Dialect) -> SimulatedDrive:
+        """Return a drive whose parameters are as its catalogue says they come from the factory."""
+        drive = SimulatedDrive(unit.address, dialect)
+        for spec in self._plant.catalogue_of(unit).parameters.values():
+            if spec.default is not None:
+                drive.set_value(spec.number, min(spec.default, dialect.highest_value))
+        return drive
 
 
 def _connected(plant: Plant, starts: list[Barcode]) -> set[Barcode]:

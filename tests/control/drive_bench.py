@@ -17,7 +17,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import DriveView, OperationView, ParameterView, Topic, Update, View
 from app.protocols.hi.framing import Decoder, Garbled
 from app.protocols.hi.messages import Cmd, Mode
-from app.protocols.hi.simulator import SimulatedDrive, SimulatedLine
+from app.protocols.hi.simulator import Options, SimulatedDrive, SimulatedLine
 from app.sim.memory import MemoryLedger
 from tests.fleet.script import small
 from tests.protocols.hi.rig import Cable
@@ -53,7 +53,14 @@ class DriveBench:
     The hoists of the plant are not there.
     """
 
-    def __init__(self, plant: Plant | None = None, seed: int = 1, *, connect: bool = True) -> None:
+    def __init__(
+        self,
+        plant: Plant | None = None,
+        seed: int = 1,
+        *,
+        connect: bool = True,
+        options: Options | None = None,
+    ) -> None:
         self.plant = plant or drive_plant()
         self.now = Seconds(0.0)
         self.durable, self.echo, self.up = True, False, False
@@ -64,7 +71,9 @@ class DriveBench:
         self.replies: dict[int, Reply] = {}
         self.waiting: list[Transaction] = []
         self.sent: list[tuple[float, bytes]] = []
-        self.drives = {DriveId(f"D{i}"): SimulatedDrive(i) for i in range(1, len(self.plant.drives) + 1)}
+        self.drives = {
+            DriveId(f"D{i}"): SimulatedDrive(i, options=options) for i in range(1, len(self.plant.drives) + 1)
+        }
         self.line = SimulatedLine(self.drives.values())
         self.out, self.back = Cable(seed), Cable(seed + 1)
         self._begin()

@@ -24,7 +24,9 @@ from app.domain.drive_requests import (
 from app.domain.errors import Refusal
 from app.domain.ids import LinkId
 from app.domain.requests import Accepted
+from app.domain.units import Seconds
 from app.protocols.hi.messages import Cmd, Mode
+from app.protocols.hi.simulator import Options
 from app.wire.faults import Fault
 from tests.control.drive_bench import D1, D2, KIM, LEE, LINE, PAK, DriveBench, drive_plant
 from tests.protocols.hi.rig import strike
@@ -91,6 +93,29 @@ def test_an_axis_that_came_to_rest_by_itself_is_seen_to_stand(bench: DriveBench)
     bench.do(SetDriveInputs(KIM, D1, SetInputs(home=True)))
     assert bench.view().moving is True
     bench.until(lambda: bench.view().moving is False, within=10.0)
+
+
+def test_standing_still_is_seen_even_if_something_else_happens_at_that_very_moment(bench: DriveBench) -> None:
+    bench.do(PressDriveKey(KIM, D1, Key.RUN))
+    bench.drives[D1].state(bench.now).stop()
+    bench.until(lambda: bench.now >= bench.control.fleet.drives.all[D1].moves_until - 0.05)
+    bench.drives[D1].mischief.silent = bench.drives[D2].mischief.silent = True
+    bench.now = Seconds(bench.control.fleet.drives.all[D1].moves_until + 0.001)
+    bench.ask(AskDriveStatus(KIM, D2))
+    bench.run(0.01)
+    assert bench.view().moving is False
+
+
+def test_of_a_drive_with_the_short_status_only_what_it_was_told_is_known() -> None:
+    bench = DriveBench(options=Options(long_status=False))
+    assert bench.view().moving is None
+    bench.do(PressDriveKey(KIM, D1, Key.RUN))
+    bench.run(20.0)
+    assert bench.view().moving is True
+    assert bench.refuse(write(150)).reason.startswith("D1 is running")
+    bench.do(PressDriveKey(KIM, D1, Key.STOP_RESET))
+    assert bench.view().moving is None
+    assert bench.do(write(150)).state == "done"
 
 
 def test_all_drives_of_a_line_are_stopped_at_once(bench: DriveBench) -> None:
