@@ -98,6 +98,7 @@ def described(settings: Settings) -> FastAPI:
         drives.router,
         drive_parameters.router,
         drive_parameters.watches,
+        drive_parameters.readings,
         drive_backups.router,
         drive_jog.router,
         operations.router,

@@ -8,9 +8,11 @@ from pydantic import Field, StringConstraints, model_validator
 from app.api.inputs import Id, Strict, Text
 from app.domain.drive import Key, Parameter, SetInputs, Turn
 
-NUMBER_PATTERN = r"^[0-9A-Fa-f]{2}$"
-Number = Annotated[str, StringConstraints(strict=True, pattern=NUMBER_PATTERN)]
-PathNumber = Annotated[str, Path(pattern=NUMBER_PATTERN, description="Number of a parameter, 00 to FF.")]
+NUMBER_PATTERN = r"^[0-9A-Fa-f]*$"
+Number = Annotated[str, StringConstraints(strict=True, min_length=2, max_length=2, pattern=NUMBER_PATTERN)]
+PathNumber = Annotated[
+    str, Path(min_length=2, max_length=2, pattern=NUMBER_PATTERN, description="Number of a parameter, 00 to FF.")
+]
 PathCount = Annotated[int, Path(ge=1, le=(1 << 53) - 1)]
 RawIn = Annotated[int, Field(ge=0, le=9999)]
 Count = Annotated[int, Field(ge=1, le=(1 << 53) - 1)]

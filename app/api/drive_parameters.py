@@ -22,6 +22,7 @@ from app.runtime.showing import shown
 
 router = APIRouter(prefix="/drives/{drive}/parameters", tags=["drives"])
 watches = APIRouter(prefix="/drives/{drive}/watches", tags=["drives"])
+readings = APIRouter(prefix="/drives/{drive}", tags=["drives"])
 
 
 @router.get("", **gives("Parameter[]", description="By number: those that the catalogue names, and those read so far."))
@@ -45,7 +46,7 @@ async def get_parameter(drive: PathId, number: PathNumber, controller: Ctl) -> R
     return answer_view(view, headers=headers)
 
 
-@router.post("/read", **TAKEN)
+@readings.post("/read", **TAKEN)
 async def read_parameters(drive: PathId, body: ReadIn, controller: Ctl, actor: Who, wait: Wait = 0.0) -> Response:
     """Read parameters from the drive; ``{}`` reads all 256, which takes 8 to 33 s. The operation shows how far it is."""
     return await taken(controller, r.ReadDrive(actor, DriveId(drive), body.numbers()), wait)

@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from math import inf
 
 from app.domain.drive import (
     DriveDone,
@@ -16,6 +17,7 @@ from app.domain.drive import (
     JogEnd,
     KeepJogging,
     Key,
+    Parameter,
     PressKey,
     ReleaseJog,
     SetInputs,
@@ -30,7 +32,7 @@ from app.domain.units import Seconds
 from app.domain.view import Topic
 from app.fleet.books import SYSTEM, Books
 from app.fleet.drive import DriveNow, named, said, view_of_operation
-from app.fleet.drive_tasks import Ask, End, HoldKey, Task, Verdict, Work, failed
+from app.fleet.drive_tasks import Ask, AwaitOnline, End, HoldKey, Task, Verdict, Work, failed
 
 SHOWN_ENDED = 100
 """How many ended operations the live model still shows. Our choice; the database has them all."""
@@ -68,9 +70,18 @@ class Operations:
         self._requests = 0
         self._running: dict[int, Running] = {}
         self._waiting: dict[DriveRequestId, int] = {}
+        self._awaited: dict[DriveRequestId, tuple[DriveId, Seconds]] = {}
         self._ended: deque[int] = deque()
+        self._doubts: dict[DriveId, list[Parameter]] = {}
         for operation in open_ones:
-            self._close(operation, _after_restart(operation))
+            verdict = _after_restart(operation)
+            self._close(operation, verdict)
+            if verdict.state is OperationState.UNKNOWN and operation.drive is not None:
+                self._doubts.setdefault(operation.drive, []).extend(_written_last(operation))
+
+    def doubts(self, drive: DriveId) -> tuple[Parameter, ...]:
+        """Return and forget the parameters of which nobody knows whether an earlier process wrote them."""
+        return tuple(dict.fromkeys(self._doubts.pop(drive, [])))
 
     def new_request(self) -> DriveRequestId:
         """Return an identity that no request of this process had."""
@@ -144,8 +155,31 @@ class Operations:
     def break_off(self, number: int, verdict: Verdict) -> None:
         """Ask nothing more for an operation. It ends with what it waits for, since that may be on its way."""
         running = self._running.get(number)
-        if running is not None and running.broken_off is None:
-            running.broken_off = verdict
+        if running is None or running.broken_off is not None:
+            return
+        running.broken_off = verdict
+        if running.waits_for in self._awaited:
+            drive, _ = self._awaited.pop(running.waits_for)
+            self.ended(DriveFailed(drive, running.waits_for, verdict.reason))
+
+    @property
+    def deadline(self) -> Seconds:
+        """When ``tick`` wants to be called next; infinite if nothing is to be done."""
+        return min((until for _, until in self._awaited.values()), default=Seconds(inf))
+
+    def tick(self) -> None:
+        """Give up waiting for drives that do not come back."""
+        for request, (drive, until) in list(self._awaited.items()):
+            if until <= self._books.now and request in self._awaited:
+                del self._awaited[request]
+                self.ended(DriveFailed(drive, request, f"{drive} did not answer again"))
+
+    def back(self, drive: DriveId) -> None:
+        """A drive answers again."""
+        for request, (awaited, _) in list(self._awaited.items()):
+            if awaited == drive and request in self._awaited:
+                del self._awaited[request]
+                self.ended(DriveDone(drive, request, None))
 
     def objection(self, request: DriveRequestId) -> str:
         """Return why a request must not leave any more now that it is durable; empty if it may."""
@@ -222,6 +256,9 @@ class Operations:
             self._show(running)
         else:
             self._keep(running)
+        if isinstance(asked.command, AwaitOnline) and asked.drive is not None:
+            self._awaited[request] = asked.drive, Seconds(self._books.now + asked.command.within)
+            return
         line = running.record.line if asked.drive is None else self._drives[asked.drive].spec.link
         self._books.effects.link_sends.append(LinkSend(line, _order(request, asked)))
 
@@ -297,6 +334,7 @@ def _order(request: DriveRequestId, asked: Ask) -> DriveRequest | Jog:
     if isinstance(asked.command, HoldKey):
         assert asked.drive is not None
         return Jog(request, asked.drive, asked.command.turn, asked.command.until)
+    assert not isinstance(asked.command, AwaitOnline)
     return DriveRequest(request, asked.drive, asked.command)
 
 
@@ -322,5 +360,17 @@ def _copy(value: object) -> object:
 def _after_restart(operation: DriveOperation) -> Verdict:
     if operation.kind.reads_only:
         return failed("the controller was started again while it was under way", "ask again")
+    if operation.kind in {OperationKind.WRITE, OperationKind.RESTORE} and not _written_last(operation):
+        return failed("the controller was started again before anything was written", "ask again")
     reason = "the controller was started again while it was under way; what was sent may have taken effect"
     return Verdict(OperationState.UNKNOWN, reason, "look at the drive, and compare it with a backup")
+
+
+def _written_last(operation: DriveOperation) -> list[Parameter]:
+    """Return the parameters that may have been written without anybody knowing; kept before the write left."""
+    if operation.kind is OperationKind.WRITE and "before" in operation.result:
+        return [Parameter(int(str(operation.body["parameter"]), 16))]
+    rows = operation.result.get("rows")
+    if operation.kind is not OperationKind.RESTORE or not isinstance(rows, list):
+        return []
+    return [Parameter(int(row["parameter"], 16)) for row in rows if row["fate"] == "being written"]

@@ -43,7 +43,7 @@ from app.domain.requests import Accepted, Reply
 from app.domain.units import Seconds
 from app.domain.view import Topic
 from app.fleet import drive_tasks as tasks
-from app.fleet.books import Books
+from app.fleet.books import SYSTEM, Books
 from app.fleet.drive import DriveNow, hexed, named
 from app.fleet.drive_operations import Operations
 from app.fleet.drive_tasks import Ask, HoldKey, Task, Work
@@ -96,6 +96,10 @@ class DriveOrders:
                 return self._refusal(drive) or self._reading(drive, request)
             case SetDriveInputs() | WriteDrive() | RestoreDrive() | JogDrive():
                 return self._refusal(drive, changes=True) or self._changing(drive, request)
+
+    def look(self, drive: DriveNow, parameters: tuple[Parameter, ...]) -> None:
+        """Ask a drive itself what an earlier process may have written (COMMANDS: after any doubt the machine is asked)."""
+        self._reading(drive, ReadDrive(SYSTEM, drive.id, parameters))
 
     def keep_jog(self, word: KeepDriveJog) -> tuple[Reply, list[LinkSend]]:
         """The key is still held."""
@@ -303,7 +307,7 @@ class DriveOrders:
     def _unlock(self, drive: DriveNow, request: UnlockDrive) -> Reply:
         lock = drive.record.lockout
         if lock is None:
-            return Refusal("conflict", f"{drive.id} is not locked out", "")
+            return Refusal("conflict", f"{drive.id} is not locked out", f"see GET /api/v1/drives/{drive.id}")
         wished = lock.wished_away_by(request.actor)
         if not wished.lifted_by(request.actor):
             self._save(drive, wished)
@@ -356,18 +360,21 @@ def _raw_of(drive: DriveNow, spec: ParameterSpec | None, request: WriteDrive) ->
     if spec is None:
         return _unnamed(drive, number, request)
     if spec.read_only:
-        return Refusal("invalid", f"parameter {named(drive, number)} is read-only", "", "parameter")
+        return Refusal("invalid", f"parameter {named(drive, number)} is read-only", "leave it", "parameter")
     raw = request.raw
     if request.value is not None:
         raw = spec.raw(request.value)
         if raw is None:
             step = f"{spec.scale:g} {spec.unit}".rstrip()
             reason = f"parameter {named(drive, number)} goes in steps of {step}: {request.value:g} is none of them"
-            return Refusal("invalid", reason, "", "value")
+            nearest = f"send {spec.scaled(round(request.value / spec.scale)):g}"
+            return Refusal("invalid", reason, nearest, "value")
     if raw is None or not spec.lowest <= raw <= spec.highest:
         given = "" if raw is None else f", not {spec.shown(raw)} (raw {raw})"
         field = "value" if request.value is not None else "raw"
-        return Refusal("invalid", f"parameter {named(drive, number)} is {spec.range}{given}", "", field)
+        return Refusal(
+            "invalid", f"parameter {named(drive, number)} is {spec.range}{given}", "stay in that range", field
+        )
     return raw
 
 
@@ -382,5 +389,5 @@ def _unnamed(drive: DriveNow, number: Parameter, request: WriteDrive) -> RawValu
         remedy = "send raw_access: true if you know what it does"
         return Refusal("invalid", f"{what}: nobody says what it may be", remedy, "raw_access")
     if not 0 <= request.raw <= HIGHEST_RAW:
-        return Refusal("invalid", f"a raw value is from 0 to {HIGHEST_RAW}", "", "raw")
+        return Refusal("invalid", f"a raw value is from 0 to {HIGHEST_RAW}", "stay in that range", "raw")
     return request.raw

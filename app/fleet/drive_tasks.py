@@ -30,7 +30,9 @@ from app.domain.units import Seconds
 from app.fleet.drive import DriveNow, hexed, named, said
 
 GIVE_UP_AFTER = 3
-"""So many parameters on end that cannot be read mean that the drive does not answer. Our choice."""
+"""So many parameters on end that cannot be read mean that it is no use. Our choice; one that comes back in between counts."""
+BACK_WITHIN = Seconds(15.0)
+"""How long a task waits for a drive that went offline: it is probed every 5 s (PROTOCOLS H10). Our choice."""
 
 End = DriveDone | DriveFailed | DriveUnknown
 
@@ -44,16 +46,23 @@ class HoldKey:
 
 
 @dataclass(frozen=True, slots=True)
+class AwaitOnline:
+    """Wait until the drive answers again, for so long at most; nothing is sent. Done: it is back."""
+
+    within: Seconds = BACK_WITHIN
+
+
+@dataclass(frozen=True, slots=True)
 class Ask:
     """Ask this of a drive, or of all on the line (``drive`` None)."""
 
     drive: DriveId | None
-    command: DriveCommand | HoldKey
+    command: DriveCommand | HoldKey | AwaitOnline
 
     @property
     def reads(self) -> bool:
         """Whether it changes nothing, so that it need not be kept before it is sent."""
-        return isinstance(self.command, AskStatus | ReadParameter)
+        return isinstance(self.command, AskStatus | ReadParameter | AwaitOnline)
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +142,8 @@ def read(work: Work, drive: DriveNow, parameters: Iterable[Parameter]) -> Task:
     trouble = yield from _read(work, drive, parameters, work.result)
     missing = work.result.get("missing")
     if trouble is None and isinstance(missing, dict) and missing:
-        return failed(f"{len(missing)} of {work.total} parameters gave no value: {', '.join(missing)}")
+        what = f"{len(missing)} of {work.total} parameters gave no value: {', '.join(missing)}"
+        return failed(what, "the drive may not have them: see its manual, or read them again")
     return trouble or DONE
 
 
@@ -154,13 +164,21 @@ def _read(
         missing[hexed(number)] = "" if isinstance(end, DriveDone) else end.reason
         on_end += 1
         first = first if on_end > 1 else missing[hexed(number)]
+        if drive.online is False:
+            # A number that a drive does not have may be all that is wrong: it refuses that one, and goes on with the next.
+            back = yield Ask(drive.id, AwaitOnline())
+            if not isinstance(back, DriveDone):
+                return failed(f"{drive.id} went offline: {first}", "see to the drive and its line, then ask again")
+            on_end = 0
         if on_end >= GIVE_UP_AFTER:
             return failed(
                 f"{drive.id} did not give {on_end} parameters on end: {first}",
                 "see to the drive and its line, then ask again",
             )
     if not values:
-        return failed(f"{drive.id} gave no value: {next(iter(missing.values()), '')}")
+        return failed(
+            f"{drive.id} gave no value: {next(iter(missing.values()), '')}", "see to the drive, then ask again"
+        )
     return None
 
 
@@ -211,7 +229,8 @@ def _before(
     for command in (AskStatus(), ReadParameter(parameter), AskStatus()):
         end = yield Ask(drive.id, command)
         if not isinstance(end, DriveDone):
-            return failed(f"nothing was written: {end.reason}", end.remedy if isinstance(end, DriveFailed) else "")
+            remedy = end.remedy if isinstance(end, DriveFailed) else ""
+            return failed(f"nothing was written: {end.reason}", remedy or "see to the drive, then ask again")
         if isinstance(end.result, Setting):
             value = end.result.value
     spec = drive.catalogue.get(parameter)
@@ -237,10 +256,12 @@ def _set(
         return DONE
     end = yield Ask(drive.id, WriteParameter(parameter, value))
     verdict = verdict_of(end)
-    if isinstance(end, DriveDone):
-        after: RawValue | None = value
-    else:
+    after: RawValue | None = value
+    if not isinstance(end, DriveDone):
         after = yield from _look(drive, parameter)
+    if after is None:
+        back = yield Ask(drive.id, AwaitOnline())
+        after = (yield from _look(drive, parameter)) if isinstance(back, DriveDone) else None
     if after is None:
         return verdict
     work.result["after"] = after
@@ -251,7 +272,8 @@ def _set(
     if after == before:
         remedy = verdict.remedy or "it may be read-only or out of range: see the drive's manual"
         return failed(f"parameter {named(drive, parameter)} has still {said(drive, parameter, after)}", remedy)
-    return failed(f"parameter {named(drive, parameter)} reads back as {said(drive, parameter, after)}", verdict.remedy)
+    remedy = verdict.remedy or "look at the drive, then write again"
+    return failed(f"parameter {named(drive, parameter)} reads back as {said(drive, parameter, after)}", remedy)
 
 
 def _look(drive: DriveNow, parameter: Parameter) -> Generator[Ask, End, RawValue | None]:
@@ -312,7 +334,7 @@ def restore(work: Work, drive: DriveNow, values: Values, moving: Callable[[], bo
     work.total = len(values)
     end = yield Ask(drive.id, AskStatus())
     if not isinstance(end, DriveDone):
-        return failed(f"nothing was written: {end.reason}")
+        return failed(f"nothing was written: {end.reason}", "see to the drive, then ask again")
     trouble = yield from _read(work, drive, [number for number, _ in values], mine)
     if trouble is not None:
         return trouble

@@ -49,7 +49,9 @@ class Watches:
         """Watch, or watch on, or watch something else."""
         drive = self._drives[word.drive]
         if not 1 <= len(word.parameters) <= MOST_WATCHED:
-            return Refusal("invalid", f"one to {MOST_WATCHED} parameters can be watched at once", "", "parameters")
+            return Refusal(
+                "invalid", f"one to {MOST_WATCHED} parameters can be watched at once", "watch fewer", "parameters"
+            )
         if word.watch not in self._watches and len(self._watches) >= MOST_WATCHES:
             return Refusal("not-now", f"{MOST_WATCHES} watch parameters already", "end one of those watches")
         until = Seconds(inf) if word.seconds is None else Seconds(self._books.now + word.seconds)

@@ -89,7 +89,7 @@ class Drives:
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next; infinite if nothing is to be done."""
         still = [at for drive in self.all.values() if (at := drive.still_from) is not None]
-        return min([self._watches.deadline, *still])
+        return min([self._watches.deadline, self._operations.deadline, *still])
 
     def tick(self) -> None:
         """Time has passed."""
@@ -97,6 +97,7 @@ class Drives:
             still_from = drive.still_from
             if still_from is not None and still_from <= self._books.now:
                 self._show(drive)
+        self._operations.tick()
         self._watches.tick()
 
     # -- what the line tells ------------------------------------------------------------------------------------------
@@ -134,6 +135,9 @@ class Drives:
             self._books.event(JobEvent.DRIVE_ONLINE, source=drive.id, detail=f"{drive.id} answers again")
         drive.online, drive.missed, drive.reason, drive.seen = True, False, "", self._books.now
         self._show(drive)
+        self._operations.back(drive.id)
+        if doubts := self._operations.doubts(drive.id):
+            self._orders.look(drive, doubts)
 
     def _offline(self, drive: DriveNow, reason: str) -> None:
         """An alarm (PROTOCOLS H10). One that outlasts a reconnection is told once."""

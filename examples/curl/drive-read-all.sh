@@ -7,7 +7,7 @@ drive=${1:?which drive?}
 
 field() { sed -n "s/.*\"$1\":\"\{0,1\}\([^\",}]*\).*/\1/p"; }
 
-operation=$(curl -fsS --json '{}' -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/parameters/read" | field id)
+operation=$(curl -fsS --json '{}' -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/read" | field id)
 while state=$(curl -fsS "$HOISTWAY/api/v1/operations/$operation?wait=1") && [ "$(field state <<<"$state")" = running ]; do
     echo "$(field done <<<"$state") of $(field total <<<"$state")" >&2
 done

@@ -51,13 +51,13 @@ async def test_drives_are_listed_and_shown(client: httpx.AsyncClient) -> None:
         ("POST", "/drives/D1/parameters/1c/read", None, d.ReadDrive(Actor("kim"), D1, (Parameter(0x1C),))),
         (
             "POST",
-            "/drives/D1/parameters/read",
+            "/drives/D1/read",
             {"parameters": ["01", "ff", "01"]},
             d.ReadDrive(Actor("kim"), D1, (Parameter(1), Parameter(255))),
         ),
         (
             "POST",
-            "/drives/D1/parameters/read",
+            "/drives/D1/read",
             {},
             d.ReadDrive(Actor("kim"), D1, tuple(Parameter(n) for n in range(256))),
         ),

@@ -15,8 +15,9 @@ from app.domain.records import AuditRow, HistoryEvent, Record
 from app.domain.requests import Accepted, Reply
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import DriveView, OperationView, ParameterView, Topic, Update, View
+from app.protocols.hi.codec import encode
 from app.protocols.hi.framing import Decoder, Garbled
-from app.protocols.hi.messages import Cmd, Mode
+from app.protocols.hi.messages import Cmd, Mode, Refused, Role, frame_of
 from app.protocols.hi.simulator import Options, SimulatedDrive, SimulatedLine
 from app.sim.memory import MemoryLedger
 from tests.fleet.script import small
@@ -66,6 +67,7 @@ class DriveBench:
         self.durable, self.echo, self.up = True, False, False
         self.ledger = MemoryLedger()
         self.kept: list[Record] = []
+        self._holes: set[int] = set()
         self.model: dict[Topic, dict[str, View]] = {topic: {} for topic in Topic}
         self.updates: list[Update] = []
         self.replies: dict[int, Reply] = {}
@@ -125,6 +127,14 @@ class DriveBench:
     def values(self, drive: DriveId = D1) -> list[int]:
         return self.drives[drive].state(self.now).values
 
+    def hole(self, number: int) -> None:
+        """Let the drives have no such parameter: they refuse it by NAK (PROTOCOLS H19)."""
+        self._holes.add(number)
+
+    def _asked_in_vain(self, packet: bytes) -> bool:
+        frame = Decoder().feed(packet)[0]
+        return not isinstance(frame, Garbled) and frame.cmd == Cmd.SET and int(frame.data[0], 16) in self._holes
+
     def jog_mode(self, drive: DriveId = D1) -> None:
         self.drives[drive].panel_mode(Mode.JOG, self.now)
         self.until(lambda: self.view(drive).mode == "jog")
@@ -174,7 +184,9 @@ class DriveBench:
         while packet := self.end.outgoing():
             moved = True
             self.sent.append((self.now, packet))
-            if self.up:
+            if self.up and self._holes and self._asked_in_vain(packet):
+                self.back.put(encode(frame_of(Role.SLAVE, int(packet[2:3], 16), Cmd.NAK, Refused())), self.now)
+            elif self.up:
                 self.out.put(packet, self.now)
             if self.up and self.echo:
                 self.back.put(packet, self.now)
