@@ -5,9 +5,22 @@ from typing import Any
 
 from starlette.responses import Response
 
-from app.api import drive_backups, drive_jog, drive_parameters, drives, jobs, links, operations, plant, vehicles
+from app.api import (
+    devices,
+    drive_backups,
+    drive_jog,
+    drive_parameters,
+    drives,
+    emergency,
+    jobs,
+    links,
+    operations,
+    plant,
+    vehicles,
+)
 from app.api import drive_inputs as di
 from app.api.calls import answer_of, told
+from app.api.device_inputs import DeviceCommandIn, EmergencyIn, PinIn
 from app.api.inputs import CommandIn, JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
 from app.api.spoken import Command, Said, Table, route
 from app.domain import drive_requests as r
@@ -55,19 +68,21 @@ async def _unwatch(said: Said) -> Response:
     return answer_of({"drive": said.target, "parameters": []})
 
 
-def _of_controller(call: Callable[..., Awaitable[Response]], body: Any = None) -> Command:
+def _of_controller(call: Callable[..., Awaitable[Response]], body: Any = None, *, person: bool = False) -> Command:
     """A command about the controller as a whole, which has no target."""
 
     async def carry_out(said: Said) -> Response:
         given = () if body is None else (said.body,)
         return await call(*given, controller=said.controller, actor=said.actor)
 
-    return Command(body, carry_out)
+    return Command(body, carry_out, person)
 
 
 COMMANDS: Table = {
     "controller.pause": _of_controller(plant.pause, ReasonIn),
     "controller.resume": _of_controller(plant.resume),
+    "controller.emergency": _of_controller(emergency.raise_emergency, EmergencyIn, person=True),
+    "controller.emergency.release": _of_controller(emergency.release_emergency, EmergencyIn, person=True),
     "job.cancel": route(jobs.cancel_job),
     "job.abort": route(jobs.abort_job),
     "job.change": route(jobs.change_job, JobChange),
@@ -78,6 +93,12 @@ COMMANDS: Table = {
     "vehicle.lockout": route(vehicles.lock_vehicle, ReasonIn, person=True),
     "vehicle.unlock": route(vehicles.unlock_vehicle, person=True),
     "vehicle.service": route(vehicles.set_service, ServiceIn),
+    "device.command": route(devices.command_device, DeviceCommandIn),
+    "device.pin": route(devices.pin_door, PinIn, person=True),
+    "device.unpin": route(devices.unpin_door, person=True),
+    "device.lockout": route(devices.lock_out_device, ReasonIn, person=True),
+    "device.unlock": route(devices.lift_device_lockout, person=True),
+    "device.service": route(devices.set_device_service, ServiceIn),
     "drive.status": route(drives.ask_drive),
     "drive.key": route(drives.press_key, di.KeyIn),
     "drive.inputs": route(drives.set_inputs, di.InputsIn),

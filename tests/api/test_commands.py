@@ -8,18 +8,22 @@ from fastapi import FastAPI
 
 from app.api import application, spoken
 from app.api.commands import COMMANDS
+from app.domain import device_requests as h
 from app.domain import drive_requests as d
 from app.domain import requests as r
 from app.domain.commands import Plain
+from app.domain.devices import DeviceAct, DeviceId
 from app.domain.drive import Parameter
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, VehicleId
+from app.domain.records import DoorPosition, EmergencyKind
 from app.settings import Settings
 from tests.api.scripted import Scripted
 from tests.api.scripted_drives import D1
 from tests.api.sockets import Socket
 
 pytestmark = pytest.mark.anyio
+KIM, DOOR1 = Actor("kim"), DeviceId("DOOR1")
 
 
 @pytest.fixture
@@ -56,6 +60,33 @@ async def test_a_command_does_what_its_route_does_and_says_who_asked(app: FastAP
         say(socket, "controller.resume", actor="김")
         assert (await socket.frame())["status"] == 200
         assert controller.seen[-1].actor == "김"
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "asked"),
+    [
+        ("device.command", {"command": "open"}, h.CommandDevice(KIM, DOOR1, DeviceAct.OPEN)),
+        ("device.pin", {"position": "closed", "reason": "x"}, h.PinDoor(KIM, DOOR1, DoorPosition.CLOSED, "x")),
+        ("device.unpin", None, h.UnpinDoor(KIM, DOOR1)),
+        ("device.lockout", {"reason": "x"}, h.LockOutDevice(KIM, DOOR1, "x")),
+        ("device.unlock", None, h.LiftDeviceLockout(KIM, DOOR1)),
+        ("device.service", {"in_service": True}, h.SetDeviceService(KIM, DOOR1, "")),
+        ("controller.emergency", {"kind": "fire", "reason": "x"}, h.RaiseEmergency(KIM, EmergencyKind.FIRE, "x")),
+        (
+            "controller.emergency.release",
+            {"kind": "fire", "reason": "x"},
+            h.ReleaseEmergency(KIM, EmergencyKind.FIRE, "x"),
+        ),
+    ],
+)
+async def test_devices_and_emergencies_are_commanded_too(
+    app: FastAPI, controller: Scripted, name: str, body: object, asked: object
+) -> None:
+    async with Socket(app, query="topics=events") as socket:
+        await opened(socket)
+        say(socket, name, "" if name.startswith("controller") else DOOR1, body)
+        assert (await socket.frame())["type"] == "reply"
+        assert controller.seen == [asked]
 
 
 async def test_a_refusal_is_the_same_problem_under_the_id_of_the_command(app: FastAPI, controller: Scripted) -> None:
