@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Display, Move, Send, Simple
+from app.domain.commands import Direct, Display, Move, Send, Simple
 from app.domain.devices import DeviceEvent
 from app.domain.drive import DriveEvent
 from app.domain.events import (
@@ -226,7 +226,8 @@ class Fleet:
             self.recovery.begin(vehicle)
         self.missions.confirm(vehicle, event.status, event.asked_at)
         if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (
-            vehicle.handling is None and vehicle.loaded is not self.recovery.believed_loaded(vehicle)
+            vehicle.handling is None
+            and (event.status.condition.doubt or vehicle.loaded is not self.recovery.believed_loaded(vehicle))
         ):
             self.recovery.begin(vehicle)
 
@@ -363,7 +364,7 @@ class Fleet:
         vehicle = self.books.vehicles[send.vehicle]
         if send.cmd_id not in vehicle.opened:
             return "it was settled before it could be sent"
-        if isinstance(send.command, Simple | Display) or vehicle.fit:
+        if isinstance(send.command, Simple | Display | Direct) or vehicle.fit:
             return ""
         return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
 

@@ -16,6 +16,7 @@ from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.custody import carrier_moved
+from app.fleet.kinds import serves
 from app.fleet.motion import Motion
 from app.fleet.obstacles import against_picking_up, against_putting_down
 from app.fleet.recovery import Recovery
@@ -164,7 +165,7 @@ class Missions:
             spec = books.specs.get(fallback)
             if spec is None or fallback in engaged or against_putting_down(books, fallback, job.id):
                 continue
-            if not isinstance(target_for(self._books, vehicle, spec), Refusal):
+            if serves(vehicle, spec) and not isinstance(target_for(self._books, vehicle, spec), Refusal):
                 return fallback
         return None
 

@@ -46,16 +46,35 @@ class Motion:
         """
         books = self._books
         before = books.traffic.held(vehicle.id)
+        vehicle.beyond = self._next_tag(vehicle, barcode)
         vehicle.trail = self._covered(vehicle, barcode)
         if vehicle.barcode != barcode:
             vehicle.barcode, vehicle.stopped = barcode, None
         vehicle.ahead, vehicle.rest = [], []
-        books.traffic.release(vehicle.id, [b for b in before if b not in vehicle.trail])
-        clashes = books.traffic.hold(vehicle.id, tuple(reversed(vehicle.trail)))
+        held = (*reversed(vehicle.trail), *((vehicle.beyond,) if vehicle.beyond else ()))
+        books.traffic.release(vehicle.id, [b for b in before if b not in held])
+        clashes = books.traffic.hold(vehicle.id, held)
         self._wake_waiters(before)
         self._set_out_anew(vehicle)
-        books.save_vehicle(vehicle, barcode=barcode, held=tuple(reversed(vehicle.trail)))
+        books.save_vehicle(vehicle, barcode=barcode, held=held)
         return tuple(dict.fromkeys(at for at, _ in clashes))
+
+    def _next_tag(self, vehicle: VehicleNow, barcode: Barcode) -> Barcode | None:
+        """Return the tag on the way to which an AGV was stopped, None if it stands in position (PROTOCOLS 3.3).
+
+        It may be anywhere between the two. What was granted to it last tells, in this process life or by its open intents.
+        """
+        if vehicle.in_position:
+            return None
+        if vehicle.barcode == barcode and vehicle.drive is None and vehicle.beyond:
+            return vehicle.beyond
+        here = () if vehicle.barcode is None else (vehicle.barcode, *vehicle.ahead)
+        for way in (here, *(intent.path for intent in vehicle.opened.values()), vehicle.record.held):
+            if barcode in way[:-1]:
+                after = way[way.index(barcode) + 1]
+                if after in self._books.track.successors(barcode):
+                    return after
+        return None
 
     def _set_out_anew(self, vehicle: VehicleNow) -> None:
         """The way to the errand's goal begins somewhere else now; an errand of a job is found again from the job."""
@@ -73,9 +92,16 @@ class Motion:
             return vehicle.trail
         track = self._books.track
         covered = {barcode: Millimetres(0)}
-        for behind in reversed(track.covered(barcode, length)[:-1]):
-            covered[behind] = length
+        for near in (*self._around(vehicle, barcode), *reversed(track.covered(barcode, length)[:-1])):
+            covered.setdefault(near, length)
         return covered
+
+    def _around(self, vehicle: VehicleNow, barcode: Barcode) -> list[Barcode]:
+        """Return what an AGV may cover on any side of it: it may have come backwards, or have turned; but not over another."""
+        if not vehicle.is_agv:
+            return []
+        near = self._books.track.reach(barcode, vehicle.spec.length) - {barcode}
+        return sorted(b for b in near if self._books.traffic.holders(b) <= {vehicle.id})
 
     def report(self, vehicle: VehicleNow, barcode: Barcode, seq: int) -> None:
         """The vehicle has read a barcode: it goes on along what it holds, and what it has left is free.
@@ -83,7 +109,7 @@ class Motion:
         Raises OffPath: the barcode is neither where it was nor ahead on its path, or not the one that its path has at
         this SEQ (misread, or another path).
         """
-        if barcode in vehicle.trail:
+        if barcode in vehicle.trail and barcode not in vehicle.ahead[:1]:
             return
         if barcode not in vehicle.ahead:
             raise OffPath(f"{vehicle.id} reports barcode {barcode}, which is not on the track it holds")
@@ -100,9 +126,10 @@ class Motion:
             trail[end] = gone
         length = vehicle.spec.length
         vehicle.trail = dict(sorted(((b, d) for b, d in trail.items() if d <= length), key=lambda item: item[1]))
-        vehicle.barcode, vehicle.stopped = barcode, None
+        vehicle.barcode, vehicle.stopped, vehicle.beyond = barcode, None, None
         del vehicle.ahead[:count]
-        left = [b for b in trail if b not in vehicle.trail and b not in vehicle.ahead]
+        held = self._books.traffic.held(vehicle.id) if vehicle.is_agv else tuple(trail)
+        left = [b for b in held if b not in vehicle.trail and b not in vehicle.ahead]
         self._books.traffic.release(vehicle.id, left)
         self._wake_waiters(left)
 
@@ -141,10 +168,20 @@ class Motion:
         start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
         if start is None:
             raise NoRoute(f"the place of {vehicle.id} is not known")
-        rest = self._books.router.route(start, errand.goal)[1:]
-        vehicle.errand, vehicle.rest = errand, list(rest)
+        vehicle.errand, vehicle.rest = errand, self._way(vehicle, start, errand.goal)
         self._books.touch(vehicle)
         self._books.wake(vehicle.id)
+
+    def _way(self, vehicle: VehicleNow, start: Barcode, goal: Barcode) -> list[Barcode]:
+        """Return the barcodes from ``start``, left out, to the goal. Raises NoRoute.
+
+        An AGV that was stopped between two tags comes to the second one first: it would turn, or not, as it likes.
+        """
+        rest = list(self._books.router.route(start, goal)[1:])
+        via = vehicle.beyond if start == vehicle.barcode and not vehicle.ahead else None
+        if via is None or rest[:1] == [via]:
+            return rest
+        return list(self._books.router.route(via, goal))
 
     def drop(self, vehicle: VehicleNow) -> None:
         """Forget the errand: the vehicle runs to the end of what it was told, and stays there."""
@@ -158,7 +195,7 @@ class Motion:
         errand = vehicle.errand
         if errand is None or vehicle.drive is not None or vehicle.barcode != errand.goal or vehicle.rest:
             return False
-        return errand.action is StopAction.STOP or vehicle.stopped is errand.action
+        return vehicle.in_position and (errand.action is StopAction.STOP or vehicle.stopped is errand.action)
 
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
@@ -176,8 +213,11 @@ class Motion:
         return tuple(name for name in books.roll_call if self._may_be_in(area, books.vehicles[name]))
 
     def _may_be_in(self, area: int, absent: VehicleNow) -> bool:
-        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in self._books.track]
-        return not places or any(self._books.track.area(b) == area for b in places)
+        track = self._books.track
+        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in track]
+        if not places:
+            return absent.spec.kind in track.kinds(area)
+        return any(track.area(b) == area for b in places)
 
     def advance(self, vehicle: VehicleNow) -> Blocked | None:
         """Claim what is wanted next and tell the vehicle. Returns what stands against it, if anything does."""

@@ -55,6 +55,7 @@ class Recovery:
             (condition.oper is Oper.ALARM, f"is in ALARM {condition.code}"),
             (condition.oper in {Oper.RUN, Oper.PAUSE}, f"is in {condition.oper.name}"),
             (condition.travelling, "is driving"),
+            (condition.doubt, condition.doubt),
             (not condition.servos_on, "has its servos off: send SERVO ON, SEARCH HOME, AUTO"),
             (not condition.home_known, "has not found its home position: send SEARCH HOME"),
             (not (condition.at_rest and condition.homed), "has an axis that is not at home"),
@@ -276,7 +277,7 @@ class Recovery:
             "go_home": condition.homed,
             "alarm_clear": condition.oper is not Oper.ALARM,
             "auto": condition.mode is Mode.AUTO,
-            "stop": condition.mode is Mode.MANT,
+            "stop": condition.mode is Mode.MANT or (condition.agv is not None and not condition.travelling),
             "stop_by_host": not condition.travelling,
         }
         return visible.get(intent.kind, False)

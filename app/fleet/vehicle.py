@@ -5,7 +5,7 @@ from enum import StrEnum
 
 from app.domain.commands import Plain
 from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
-from app.domain.layout import PulseSet, StopAction, VehicleSpec
+from app.domain.layout import PulseSet, StopAction, VehicleKind, VehicleSpec
 from app.domain.records import Intent, VehicleRecord
 from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
@@ -34,6 +34,9 @@ class Purpose(StrEnum):
     PERSON = "person"
     GIVE_WAY = "give_way"
     PARK = "park"
+    BACK_OUT = "back_out"
+    """Out of the way of one that waits for it as it waits for that one: its job goes on afterwards."""
+    CHARGE = "charge"
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +124,8 @@ class VehicleNow:
     barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
     agree; ``trusted``: a named person vouched for what it reports next.
-    ``missed`` counts handlings or moves in a row that ended abnormally.
+    ``missed`` counts handlings or moves in a row that ended abnormally. ``beyond`` is the barcode on the way to which an
+    AGV was stopped: it stands between there and its ``barcode``. ``kept`` says why no job is given to it though it is idle.
     """
 
     spec: VehicleSpec
@@ -154,11 +158,23 @@ class VehicleNow:
     unfit_since: Seconds | None = None
     waiting: str = ""
     waiting_since: Seconds = Seconds(0.0)
+    beyond: Barcode | None = None
+    kept: str = ""
 
     @property
     def id(self) -> VehicleId:
         """The vehicle's name."""
         return self.spec.id
+
+    @property
+    def is_agv(self) -> bool:
+        """Whether it is an AGV: it chooses its way itself, and reports without being asked."""
+        return self.spec.kind is VehicleKind.AGV
+
+    @property
+    def in_position(self) -> bool:
+        """Whether it stands at its barcode, not somewhere after it: an AGV says so, a hoist stops nowhere else."""
+        return not self.is_agv or (self.status is not None and self.status.condition.at_tag)
 
     @property
     def mode(self) -> Mode | None:
@@ -218,4 +234,4 @@ class VehicleNow:
     def available(self) -> bool:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
-        return self.fit and free and self.job is None and self.order is None and self.handling is None
+        return self.fit and free and not self.kept and self.job is None and self.order is None and self.handling is None
