@@ -1,11 +1,13 @@
 """Vehicles: what they are and do, commands to them, and what people decide about them."""
 
-from typing import Annotated, Literal, assert_never
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
+from pydantic import Field
 from starlette.requests import Request
 from starlette.responses import Response
 
+from app.api.agv_inputs import AgvCommandIn
 from app.api.calls import (
     Ctl,
     Person,
@@ -24,7 +26,6 @@ from app.api.calls import (
 from app.api.declared import gives
 from app.api.frames import explained
 from app.api.inputs import (
-    CommandIn,
     DisplayCommand,
     Limit,
     MoveCommand,
@@ -48,6 +49,8 @@ from app.domain.view import CommandView, Topic
 from app.fleet.views import view_of_intent
 from app.runtime.showing import shown
 
+VehicleCommand = PlainCommand | DisplayCommand | MoveCommand | TransferCommand | AgvCommandIn
+CommandIn = Annotated[VehicleCommand, Field(discriminator="command")]
 router = APIRouter(prefix="/vehicles", tags=["vehicles"])
 
 
@@ -106,9 +109,7 @@ async def command_vehicle(vehicle: PathId, body: CommandIn, controller: Ctl, act
     return await _taken(controller, vehicle, _worded(VehicleId(vehicle), body, actor))
 
 
-def _worded(
-    vehicle: VehicleId, body: PlainCommand | DisplayCommand | MoveCommand | TransferCommand, actor: Actor
-) -> requests.Request:
+def _worded(vehicle: VehicleId, body: VehicleCommand, actor: Actor) -> requests.Request:
     match body:
         case PlainCommand():
             return requests.CommandVehicle(actor, vehicle, body.plain())
@@ -121,7 +122,7 @@ def _worded(
             pickup = body.command == "pickup"
             return requests.HandleOnce(actor, vehicle, StationId(body.station), pickup, target)
         case _:
-            assert_never(body)
+            return requests.CommandAgv(actor, vehicle, body.worded())
 
 
 async def _taken(controller: Controller, vehicle: str, request: requests.Request) -> Response:

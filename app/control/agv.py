@@ -98,7 +98,7 @@ class Agv:
         if self._status is None:
             self._events.append(NotSent(self.vehicle, send.cmd_id, command, "it has not reported yet", "wait for it"))
             return
-        task = task_of(send, self._status, now)
+        task = task_of(send, self._status)
         if task is None:
             what = "display" if isinstance(command, Display) else "such a command"
             reason = f"{self.vehicle} is an AGV, and ENIG has no {what}"

@@ -7,6 +7,7 @@ from app.domain.commands import Direct, Move, Pickup, Place, Plain, Send, Simple
 from app.domain.devices import (
     AgvCharge,
     AgvLift,
+    AgvMoveAlias,
     AgvStatus,
     CartState,
     DeviceAct,
@@ -114,7 +115,7 @@ class Handling(Task):
         return Outcome(ok=False, reason=f"its lift is {status.lift.name.lower()}, and {cart}")
 
 
-def task_of(send: Send, status: AgvStatus, now: Seconds) -> Task | None:
+def task_of(send: Send, status: AgvStatus) -> Task | None:
     """Return a command as a task of an AGV in this state; None: ENIG has no such command."""
     match send.command:
         case Move(path=path):
@@ -127,6 +128,8 @@ def task_of(send: Send, status: AgvStatus, now: Seconds) -> Task | None:
             return Handling(send, deque(steps), way_back=(UP,))
         case Simple(what=what) if what in _ACTS:
             return Task(send, deque([_ACTS[what]]))
+        case Direct(command=AgvMoveAlias() as command):
+            return Task(send, deque([*_ready_to_drive(status), command]))
         case Direct(command=command):
             return Task(send, deque([command]))
         case _:

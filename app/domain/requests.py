@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.commands import Plain
+from app.domain.devices import DeviceCommand
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
@@ -63,6 +64,15 @@ class CommandVehicle:
     actor: Actor
     vehicle: VehicleId
     what: Plain
+
+
+@dataclass(frozen=True, slots=True)
+class CommandAgv:
+    """Send an AGV one of ENIG's own commands."""
+
+    actor: Actor
+    vehicle: VehicleId
+    command: DeviceCommand
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,6 +232,7 @@ class WriteOffset:
 
 VehicleRequest = (
     CommandVehicle
+    | CommandAgv
     | DisplayOnVehicle
     | MoveVehicle
     | HandleOnce

@@ -26,8 +26,10 @@ from app.domain.requests import Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
+from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
+from app.fleet.charging import Charging
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
 from app.fleet.devices import Devices
@@ -76,10 +78,12 @@ class Fleet:
         self.drives = Drives(self.books)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._charging = Charging(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
-        self._desk = Desk(self.books, self._jobs, orders, self._plant_orders)
+        self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders)
+        self._desk = Desk(self.books, self._jobs, orders, self._agv_orders, self._plant_orders)
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -129,6 +133,7 @@ class Fleet:
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
             self.books.wake(vehicle.id)
+        self._charging.run()
         self._dispatch.run()
         self._go_on()
 
@@ -334,6 +339,7 @@ class Fleet:
             return
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
         self.alarms.unanswered(vehicle, event.cmd_id, event.why)
+        self._agv_orders.unanswered(vehicle, event)
         if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
             self.recovery.begin(vehicle)
 

@@ -23,6 +23,7 @@ class Courtesy:
     def __init__(self, books: Books, motion: Motion) -> None:
         self._books = books
         self._motion = motion
+        self._chargers = {charger.barcode for charger in books.plant.chargers}
 
     def explain(self, vehicle: VehicleNow, blocked: Blocked | None) -> None:
         """Say what a vehicle waits for, and ask who stands in its way idle to give way."""
@@ -32,6 +33,7 @@ class Courtesy:
             reason = self._sentence(vehicle, blocked)
             if blocked.by:
                 self.ask_way(vehicle, self._books.vehicles[blocked.by])
+                self._untie(vehicle)
         moving = vehicle.drive is not None
         if not moving and reason != vehicle.waiting:
             if not vehicle.waiting:
@@ -80,7 +82,7 @@ class Courtesy:
 
     def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
         """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
-        if not other.fit or not other.at_rest or other.order or other.errand:
+        if not other.fit or not other.at_rest or other.order or other.errand or other.kept:
             return
         if other.job and not self._stands_by(other):
             return
@@ -91,6 +93,37 @@ class Courtesy:
             self._motion.send(other, Errand(goal, StopAction.STOP, Purpose.GIVE_WAY))
         except NoRoute:
             return
+
+    def _untie(self, vehicle: VehicleNow) -> None:
+        """Where AGVs wait for each other in a circle, one that stands backs out to where it is in nobody's way.
+
+        Its job goes on from there (TRAFFIC section 5). On two-way track no order of going can rule such circles out: two AGVs
+        may want each other's place.
+        """
+        books = self._books
+        if not vehicle.is_agv:
+            return
+        circle = next((c for c in books.traffic.cycles() if vehicle.id in c), ())
+        tied = [books.vehicles[name] for name in circle]
+        if any(v.errand and v.errand.purpose is Purpose.BACK_OUT for v in tied):
+            return
+        for index, other in enumerate(tied):
+            waiter = tied[index - 1]
+            if other.fit and other.at_rest and not other.ahead and (goal := self._free_refuge(waiter, other)):
+                self._motion.send(other, Errand(goal, StopAction.STOP, Purpose.BACK_OUT))
+                books.wake(other.id)
+                return
+
+    def _free_refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:
+        """Return a refuge that the other can reach over track that nobody holds."""
+        goal = self.refuge(asker, other)
+        if goal is None or other.barcode is None:
+            return None
+        try:
+            way = self._books.router.route(other.barcode, goal)
+        except NoRoute:
+            return None
+        return goal if all(self._books.traffic.obstacle(other.id, b) is None for b in way[1:]) else None
 
     def _stands_by(self, other: VehicleNow) -> bool:
         """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
@@ -141,6 +174,6 @@ class Courtesy:
         """Whether a vehicle standing there is off the way, off no-stop zones and on nobody's track."""
         books = self._books
         covered = {place, *books.track.behind(place, other.spec.length)} if length else {place}
-        if covered & way or books.track.no_stop(place):
+        if covered & way or not books.track.may_rest(place) or place in self._chargers:
             return False
         return not any(books.traffic.holders(b) - {other.id} for b in covered)

@@ -8,6 +8,7 @@ from app.domain.requests import (
     Accepted,
     CancelJob,
     ChangeJob,
+    CommandAgv,
     CommandVehicle,
     CreateJob,
     DisplayOnVehicle,
@@ -29,19 +30,22 @@ from app.domain.requests import (
     WriteOffset,
     WriteStation,
 )
+from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
+from app.fleet.vehicle import VehicleNow
 
 
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, plant: PlantOrders) -> None:
+    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, agvs: AgvOrders, plant: PlantOrders) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
+        self._agvs = agvs
         self._plant = plant
 
     def answer(self, request: Request) -> Reply:
@@ -84,12 +88,8 @@ class Desk:
         if vehicle is None:
             return no_vehicle(request.vehicle)
         match request:
-            case CommandVehicle():
-                return orders.command(vehicle, request)
-            case DisplayOnVehicle():
-                return orders.display(vehicle, request)
-            case MoveVehicle():
-                return orders.move(vehicle, request)
+            case CommandVehicle() | CommandAgv() | DisplayOnVehicle() | MoveVehicle():
+                return self._answer_by_kind(vehicle, request)
             case HandleOnce():
                 return orders.handle(vehicle, request)
             case RecoverAlarm():
@@ -104,6 +104,21 @@ class Desk:
                 return orders.lock(vehicle, request)
             case UnlockVehicle():
                 return orders.unlock(vehicle, request)
+
+    def _answer_by_kind(
+        self, vehicle: VehicleNow, request: CommandVehicle | CommandAgv | DisplayOnVehicle | MoveVehicle
+    ) -> Reply:
+        """Answer what hoists and AGVs are asked in different ways."""
+        own = self._agvs if vehicle.is_agv else self._vehicles
+        match request:
+            case CommandVehicle():
+                return own.command(vehicle, request)
+            case CommandAgv():
+                return self._agvs.direct(vehicle, request)
+            case DisplayOnVehicle():
+                return own.display(vehicle, request)
+            case MoveVehicle():
+                return own.move(vehicle, request)
 
 
 def _said(request: Request) -> str:

@@ -44,6 +44,10 @@ class Missions:
         if not vehicle.fit or vehicle.handling:
             return
         self._resume(vehicle)
+        if vehicle.errand and vehicle.errand.purpose is Purpose.BACK_OUT:
+            if not self._motion.arrived(vehicle):
+                return
+            self._motion.drop(vehicle)
         if vehicle.drive:
             self._redirect(vehicle)
             return
@@ -240,6 +244,7 @@ class Missions:
         self._books.close_intent(vehicle, handling.cmd_id, state, outcome)
         if state in {IntentState.DONE, IntentState.SETTLED_DONE}:
             vehicle.missed = 0
+            vehicle.trips += not handling.pickup
             carrier_moved(self._books, vehicle, handling.station, handling.job, pickup=handling.pickup)
         vehicle.order = None
         self._books.wake(vehicle.id)

@@ -125,7 +125,8 @@ class VehicleNow:
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
     agree; ``trusted``: a named person vouched for what it reports next.
     ``missed`` counts handlings or moves in a row that ended abnormally. ``beyond`` is the barcode on the way to which an
-    AGV was stopped: it stands between there and its ``barcode``. ``kept`` says why no job is given to it though it is idle.
+    AGV was stopped: it stands between there and its ``barcode``. ``kept`` says why no job is given to it though it is idle;
+    ``trips`` counts the carriers that it has put down.
     """
 
     spec: VehicleSpec
@@ -160,6 +161,7 @@ class VehicleNow:
     waiting_since: Seconds = Seconds(0.0)
     beyond: Barcode | None = None
     kept: str = ""
+    trips: int = 0
 
     @property
     def id(self) -> VehicleId:
