@@ -86,6 +86,9 @@ class Courtesy:
             return
         if other.job and not self._stands_by(other):
             return
+        if other.is_agv:
+            self._part(asker, other)
+            return
         goal = self.refuge(asker, other)
         if goal is None:
             return
@@ -109,21 +112,44 @@ class Courtesy:
             return
         for index, other in enumerate(tied):
             waiter = tied[index - 1]
-            if other.fit and other.at_rest and not other.ahead and (goal := self._free_refuge(waiter, other)):
-                self._motion.send(other, Errand(goal, StopAction.STOP, Purpose.BACK_OUT))
-                books.wake(other.id)
+            if other.fit and other.at_rest and not other.ahead and self._let_agv(waiter, other, Purpose.BACK_OUT):
                 return
 
-    def _free_refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:
-        """Return a refuge that the other can reach over track that nobody holds."""
-        goal = self.refuge(asker, other)
-        if goal is None or other.barcode is None:
-            return None
-        try:
-            way = self._books.router.route(other.barcode, goal)
-        except NoRoute:
-            return None
-        return goal if all(self._books.traffic.obstacle(other.id, b) is None for b in way[1:]) else None
+    def _part(self, asker: VehicleNow, other: VehicleNow) -> None:
+        """Send an idle AGV out of the way; where it is shut in by the one that asks, that one backs out first."""
+        if self._let_agv(asker, other, Purpose.GIVE_WAY) or asker.barcode is None or asker.ahead:
+            return
+        if asker.fit and asker.at_rest and not self._books.track.may_rest(asker.barcode):
+            self._let_agv(other, asker, Purpose.BACK_OUT)
+
+    def _wanted(self, asker: VehicleNow) -> set[Barcode]:
+        """Return the track that has to be left for an AGV: its way, and all of the zone that it waits for."""
+        wanted = {b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None}
+        blocked = self._books.traffic.blocked.get(asker.id)
+        if blocked is not None and blocked.zone is not None:
+            wanted |= {
+                b for zone in self._books.track.zones_at(blocked.at) if zone.id == blocked.zone for b in zone.barcodes
+            }
+        return wanted
+
+    def _let_agv(self, asker: VehicleNow, other: VehicleNow, purpose: Purpose) -> bool:
+        """Send an AGV out of another's way over free track, to where it harms nobody's passage; else just out of the way."""
+        books, length = self._books, other.spec.length
+        if other.beyond is not None:
+            return False
+        whole = self._wanted(asker)
+        near = {b for b in (asker.barcode, *asker.ahead, *asker.rest[:1]) if b is not None}
+        tries = ((whole, True), (whole, False), (near, True))
+        for way, harmless in tries:
+
+            def ends(place: Barcode, way: set[Barcode] = way, harmless: bool = harmless) -> bool:
+                return (books.track.may_rest(place) or not harmless) and self._off(place, way, length, other)
+
+            if found := self._motion.free_way(other, ends):
+                self._motion.send(other, Errand(found[-1], StopAction.STOP, purpose), found)
+                books.wake(other.id)
+                return True
+        return False
 
     def _stands_by(self, other: VehicleNow) -> bool:
         """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
@@ -172,8 +198,12 @@ class Courtesy:
 
     def _free_of(self, place: Barcode, way: set[Barcode], length: int, other: VehicleNow) -> bool:
         """Whether a vehicle standing there is off the way, off no-stop zones and on nobody's track."""
+        return not self._books.track.no_stop(place) and self._off(place, way, length, other)
+
+    def _off(self, place: Barcode, way: set[Barcode], length: int, other: VehicleNow) -> bool:
+        """Whether a vehicle standing there is off the way, at no charger, and on nobody's track."""
         books = self._books
         covered = {place, *books.track.behind(place, other.spec.length)} if length else {place}
-        if covered & way or not books.track.may_rest(place) or place in self._chargers:
+        if covered & way or place in self._chargers:
             return False
         return not any(books.traffic.holders(b) - {other.id} for b in covered)

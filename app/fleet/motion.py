@@ -4,6 +4,7 @@ A vehicle moves only on what it holds. MOVE goes to the end of what is held; bef
 XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 
@@ -20,6 +21,7 @@ from app.fleet.books import SYSTEM, Books
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
 from app.planning.traffic import Blocked
+from app.planning.ways import free_way
 
 REACTION = Seconds(0.5)
 """From a barcode read to the XMOVE in the vehicle: link both ways, our commit, its next cycle (our choice, TRAFFIC 2)."""
@@ -161,14 +163,18 @@ class Motion:
 
     # -- where it goes ------------------------------------------------------------------------------------------------
 
-    def send(self, vehicle: VehicleNow, errand: Errand) -> None:
-        """Give the vehicle an errand. Raises NoRoute: no way leads there from the end of what it holds."""
+    def send(self, vehicle: VehicleNow, errand: Errand, way: tuple[Barcode, ...] | None = None) -> None:
+        """Give the vehicle an errand, by the way given (from where it is) or the quickest.
+
+        Raises NoRoute: no way leads there from the end of what it holds.
+        """
         if vehicle.drive is None:
             self.shrink_ahead(vehicle)
         start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
         if start is None:
             raise NoRoute(f"the place of {vehicle.id} is not known")
-        vehicle.errand, vehicle.rest = errand, self._way(vehicle, start, errand.goal)
+        rest = self._way(vehicle, start, errand.goal) if way is None else list(way[1:])
+        vehicle.errand, vehicle.rest = errand, rest
         self._books.touch(vehicle)
         self._books.wake(vehicle.id)
 
@@ -267,6 +273,8 @@ class Motion:
             return None
         _, high = self._horizon(vehicle)
         blocked = self._claim(vehicle, high)
+        if not vehicle.ahead and vehicle.rest and self._detour(vehicle, errand.goal):
+            blocked = self._claim(vehicle, high)
         if not vehicle.ahead and vehicle.rest:
             return blocked
         path = [here, *vehicle.ahead]
@@ -287,6 +295,20 @@ class Motion:
         vehicle.drive = Drive(intent.cmd_id, move_path, intent)
         vehicle.waiting = ""
         return blocked
+
+    def _detour(self, vehicle: VehicleNow, goal: Barcode) -> bool:
+        """Lead a blocked AGV to its goal over track that is free now, if there is such a way (our choice; floors are small)."""
+        way = self.free_way(vehicle, lambda barcode: barcode == goal) if vehicle.is_agv and not vehicle.beyond else None
+        if way is not None:
+            vehicle.rest = list(way[1:])
+        return way is not None
+
+    def free_way(self, vehicle: VehicleNow, ends: Callable[[Barcode], bool]) -> tuple[Barcode, ...] | None:
+        """Return the shortest way for a standing vehicle over track that it would be granted; None: there is none."""
+        traffic = self._books.traffic
+        if vehicle.barcode is None:
+            return None
+        return free_way(self._books.track, vehicle.barcode, ends, lambda b: traffic.obstacle(vehicle.id, b) is None)
 
     def _display(self, job: Job | None) -> tuple[str, str, str]:
         """Return FOUP ID, SOURCE and DESTINATION for the vehicle's display."""

@@ -1,6 +1,6 @@
 """Which way a vehicle drives that chooses its way itself, as AGVs do (PROTOCOLS 3.3, Move)."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from heapq import heappop, heappush
 from itertools import pairwise
 from typing import TypeAlias
@@ -61,3 +61,23 @@ class Ways:
                 elif farther == best[ahead]:
                     ways[ahead] += ways[here]
         return tree
+
+
+def free_way(
+    track: Track, start: Barcode, ends: Callable[[Barcode], bool], free: Callable[[Barcode], bool]
+) -> tuple[Barcode, ...] | None:
+    """Return the shortest way over free track to a place where it may end, the start included; None: there is none."""
+    queue: list[tuple[int, tuple[Barcode, ...]]] = [(0, (start,))]
+    seen: set[Barcode] = set()
+    while queue:
+        length, way = heappop(queue)
+        here = way[-1]
+        if here in seen:
+            continue
+        seen.add(here)
+        if here != start and ends(here):
+            return way
+        for ahead in track.successors(here):
+            if ahead not in seen and free(ahead):
+                heappush(queue, (length + track.edge(here, ahead).length, (*way, ahead)))
+    return None

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
+import networkx as nx
+
 from app.domain.devices import AliasName, DeviceId
 from app.domain.ids import Actor, CarrierId, DevId, JobId, LinkId, StationId, VehicleId
 from app.domain.job import JobState
@@ -76,10 +78,13 @@ def hall(
     """Return a hall: a buffer ``B`` and its tag's number at each station, carts at the first ones."""
     track = [*edges(two_way, two_way=True), *edges(one_way, two_way=False)]
     tags = sorted({barcode for edge in track for barcode in (edge.start, edge.end)})
+    plan = nx.planar_layout(nx.Graph((edge.start, edge.end) for edge in track), scale=100_000)
     places = [Station(StationId(f"B{n}"), StationKind.AGV_BUFFER, tag(n)) for n in stations]
     return Plant(
         name="hall",
-        points=tuple(Point(t, Millimetres(int(t) * PIECE), Millimetres(0), park=int(t) in parks) for t in tags),
+        points=tuple(
+            Point(t, Millimetres(int(plan[t][0])), Millimetres(int(plan[t][1])), int(t) in parks) for t in tags
+        ),
         edges=tuple(track),
         stations=tuple(places),
         vehicles=tuple(agv(i, start) for i, start in enumerate(starts, 1)),
