@@ -118,7 +118,11 @@ def _read(file: Path) -> dict[str, Any]:
     try:
         text = file.read_text(encoding="utf-8")
         values = tomllib.loads(text) if file.suffix == ".toml" else yaml.safe_load(text)
-    except (OSError, ValueError, yaml.YAMLError) as error:
+    except OSError as error:
+        raise SettingsError(f"settings file {file} cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise SettingsError(f"settings file {file} is not UTF-8: {error.reason} at byte {error.start}") from error
+    except (ValueError, yaml.YAMLError) as error:
         raise SettingsError(f"settings file {file}: {error}") from error
     except RecursionError:
         raise SettingsError(f"settings file {file}: it is nested too deeply") from None

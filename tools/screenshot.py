@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
-from tools.chromium import Page, browser
+from tools.chromium import Page, PageError, browser
 
 ROOT = Path(__file__).parents[1]
 BUSY = """document.querySelector('.link.live')
@@ -84,7 +84,12 @@ def main() -> None:
     given = parser.parse_args()
     width, height = map(int, given.size.split("x"))
     with nullcontext(given.url) if given.url else demo() as url, browser(width, height) as page:
-        image = picture(page, url)
+        try:
+            image = picture(page, url)
+        except PageError as why:
+            raise SystemExit(
+                f"The page did not get busy: is there work? Try: hoistway workload --url {url}\n{why}"
+            ) from None
     given.out.parent.mkdir(parents=True, exist_ok=True)
     given.out.write_bytes(image)
 

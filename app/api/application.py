@@ -9,7 +9,26 @@ from starlette.middleware import Middleware
 from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
-from app.api import events, jobs, live, plant, problems, stations, vehicles
+from app.api import (
+    devices,
+    drive_backups,
+    drive_jog,
+    drive_parameters,
+    drives,
+    emergency,
+    events,
+    jobs,
+    links,
+    live,
+    operations,
+    plant,
+    problems,
+    stations,
+    taught,
+    taught_files,
+    teaching,
+    vehicles,
+)
 from app.api.calls import Ctl, answer_of
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard, Tickets
@@ -76,6 +95,20 @@ def described(settings: Settings) -> FastAPI:
         vehicles.router,
         stations.router,
         stations.carriers,
+        drives.router,
+        drive_parameters.router,
+        drive_parameters.watches,
+        drive_parameters.readings,
+        drive_backups.router,
+        drive_jog.router,
+        operations.router,
+        links.router,
+        teaching.router,
+        taught.router,
+        taught.roll_backs,
+        taught_files.router,
+        devices.router,
+        emergency.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
@@ -89,6 +122,7 @@ def described(settings: Settings) -> FastAPI:
     declare(app)
     _serve_docs(app)
     _serve_page(app)
+    app.add_api_websocket_route("/{path:path}", problems.no_stream)
     return app
 
 

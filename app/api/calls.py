@@ -15,6 +15,7 @@ from starlette.responses import Response
 from app.api.port import Controller
 from app.api.problems import Problem, refused
 from app.domain import requests
+from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
 from app.domain.ids import Actor
 from app.domain.view import Topic, View
@@ -74,7 +75,12 @@ def actor_named(given: str | None, address: str) -> Actor:
         name = given.strip()
     hidden = not name.isascii() and any(unicodedata.category(letter) in {"Cc", "Cf", "Cs"} for letter in name)
     if len(name) > MAX_ACTOR or hidden or (name.isascii() and not name.isprintable()):
-        raise Problem("invalid", f"X-Actor is a name of at most {MAX_ACTOR} printable characters.", field="X-Actor")
+        raise Problem(
+            "invalid",
+            f"X-Actor is a name of at most {MAX_ACTOR} printable characters.",
+            "Send a shorter or plainer one.",
+            "X-Actor",
+        )
     return Actor(name)
 
 
@@ -90,6 +96,14 @@ async def ask(controller: Controller, request: requests.Request) -> requests.Acc
     if isinstance(reply, Refusal):
         if controller.trouble and reply.code == "not-now":
             raise Problem("unavailable", controller.trouble, reply.remedy)
+        raise refused(reply)
+    return reply
+
+
+def told(controller: Controller, word: Word) -> requests.Accepted:
+    """Tell the controller what takes effect at once and changes nothing that is kept. Raises Problem for a refusal."""
+    reply = controller.tell(word)
+    if isinstance(reply, Refusal):
         raise refused(reply)
     return reply
 

@@ -45,7 +45,9 @@ class Connection(HttpToolsProtocol):
         self._head += len(data)
         super().data_received(data)
         if self._head > HEAD_LIMIT and self.parser is not None:
-            self._end(431, f"The head of the request is larger than {HEAD_LIMIT} bytes.")
+            self._end(
+                431, f"The head of the request is larger than {HEAD_LIMIT} bytes.", "Send fewer or shorter headers."
+            )
 
     def on_body(self, body: bytes) -> None:
         self._head -= len(body)
@@ -58,7 +60,8 @@ class Connection(HttpToolsProtocol):
     def handle_websocket_upgrade(self) -> None:
         lines = [len(self.url) + 20, *(len(name) + len(value) + 4 for name, value in self.headers)]
         if max(lines) > LINE_LIMIT or len(lines) > HEADERS_LIMIT:
-            self._end(431, f"A line of the head is longer than {LINE_LIMIT} bytes, or there are over {HEADERS_LIMIT}.")
+            detail = f"A line of the head is longer than {LINE_LIMIT} bytes, or there are over {HEADERS_LIMIT}."
+            self._end(431, detail, "Send fewer or shorter headers.")
             return
         super().handle_websocket_upgrade()
         if self._looking is not None:
@@ -73,7 +76,7 @@ class Connection(HttpToolsProtocol):
         super().resume_writing()
 
     def send_400_response(self, msg: str) -> None:
-        self._end(400, msg)
+        self._end(400, msg, "Speak HTTP/1.1, without TLS: a proxy in front can add that.")
 
     @property
     def _cycle(self) -> RequestResponseCycle | None:
@@ -90,7 +93,7 @@ class Connection(HttpToolsProtocol):
             self.transport.abort()
             return
         if self._since is not None and self._since <= before and not self._answering():
-            self._end(408, f"The request did not come in whole within {PATIENCE:.0f} s.")
+            self._end(408, f"The request did not come in whole within {PATIENCE:.0f} s.", "Send it again, faster.")
         self._look_later()
 
     def _answering(self) -> bool:

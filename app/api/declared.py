@@ -8,6 +8,7 @@ from pydantic import TypeAdapter
 from starlette.responses import Response
 
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
+from app.api.teaching_declared import TEACHING
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
 
@@ -91,9 +92,6 @@ OTHERS: Json = {
     "ProblemKind": _object({"code": _TEXT, "status": _WHOLE, "title": _TEXT}),
     "JobWithHistory": {"allOf": [ref("Job"), _object({"history": _list(ref("Event"))})]},
     "Pulses": _object({"shft": _WHOLE, "rota": _WHOLE, "lift": _WHOLE}),
-    "PulsesVersion": {
-        "allOf": [ref("Pulses"), _object({"version": _WHOLE, "actor": _TEXT, "source": _TEXT, "at": _TIME})]
-    },
     "Frame": _object(
         {
             "at": _TIME,
@@ -116,6 +114,66 @@ OTHERS: Json = {
     "Taken": {
         "description": "Under way. `cmd_id` null: the command follows when the vehicle has its track.",
         **_object({"vehicle": _TEXT, "cmd_id": _nullable(_TEXT)}),
+    },
+    "Jog": _object({"drive": _TEXT, "jog": _TEXT, "hold": {"type": "number", "description": "Seconds."}}),
+    "Watch": _object({"watch": _TEXT, "drive": _TEXT, "parameters": _list(_TEXT), "seconds": {"type": "number"}}),
+    "Backup": _object(
+        {
+            "id": _WHOLE,
+            "drive": _TEXT,
+            "model": _TEXT,
+            "at": _TIME,
+            "actor": _TEXT,
+            "note": _TEXT,
+            "parameters": {"type": "integer", "description": "How many it has."},
+        }
+    ),
+    "BackupWithValues": {
+        "allOf": [
+            ref("Backup"),
+            _object(
+                {
+                    "values": _list(
+                        _object(
+                            {
+                                "parameter": _TEXT,
+                                "raw": _WHOLE,
+                                "name": _TEXT,
+                                "value": _nullable({"type": "number"}),
+                                "unit": _TEXT,
+                            }
+                        )
+                    )
+                }
+            ),
+        ]
+    },
+    "Catalogue": _object(
+        {
+            "model": _TEXT,
+            "description": _TEXT,
+            "parameters": _list(
+                _object(
+                    {
+                        "number": _TEXT,
+                        "name": _TEXT,
+                        "unit": _TEXT,
+                        "scale": {"type": "number"},
+                        "lowest": {"type": "number"},
+                        "highest": {"type": "number"},
+                        "default": _nullable({"type": "number"}),
+                        "read_only": _FLAG,
+                        "while_running": _FLAG,
+                        "description": _TEXT,
+                        "choices": {"type": "object", "additionalProperties": _TEXT},
+                    }
+                )
+            ),
+        }
+    ),
+    "DeviceTaken": {
+        "description": "Under way. `cmd_id` null: nothing had to be sent.",
+        **_object({"device": _TEXT, "cmd_id": _nullable(_TEXT)}),
     },
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
@@ -198,7 +256,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS)
+    schemas.update(view_schemas() | OTHERS | TEACHING)
     components["schemas"] = dict(sorted(schemas.items()))
     components["securitySchemes"] = {
         "key": {"type": "http", "scheme": "bearer", "description": "Wanted where the server has an access key."}

@@ -1,6 +1,7 @@
 """The live stream: a snapshot, then numbered changes and every event (``openapi/asyncapi.yaml``)."""
 
 import asyncio
+import secrets
 from collections.abc import Iterable
 
 import msgspec
@@ -10,17 +11,18 @@ from starlette.responses import Response
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.calls import Ctl, answer_of
+from app.api.commands import COMMANDS
 from app.api.declared import gives
 from app.api.events import admit, replay_of
 from app.api.guard import TICKET_LIFE, Tickets
 from app.api.port import Controller
 from app.api.problems import Problem
+from app.api.spoken import Order, Speaker, Spoken, error
 from app.domain.view import Topic
 from app.runtime.hub import Subscription
-from app.runtime.showing import encode
 
 router = APIRouter(prefix="/live", tags=["live"])
-DEFAULT = frozenset(Topic) - {Topic.COMMANDS}
+DEFAULT = frozenset(Topic) - {Topic.COMMANDS, Topic.OPERATIONS, Topic.PARAMETERS}
 WORDS_LIMIT = 4096
 """Longest message that a watcher may send, characters."""
 
@@ -30,6 +32,9 @@ class Words(msgspec.Struct, forbid_unknown_fields=True):
 
     resync: bool = False
     topics: list[str] | None = None
+    id: int | str | None = None
+    command: Order | None = None
+    actor: str | None = None
 
 
 @router.post("/ticket", **gives("Ticket", 201, "Good once."))
@@ -54,7 +59,7 @@ def _started(socket: WebSocket, controller: Controller) -> Subscription:
     topics = topics_of(socket.query_params.get("topics", "").split(","))
     text = socket.query_params.get("after")
     if text is not None and not (text.isascii() and text.isdigit() and len(text) <= 15):
-        raise Problem("invalid", "after is the number of an event.", field="after")
+        raise Problem("invalid", "after is the number of an event.", "Send the seq of the last event seen.", "after")
     return controller.hub.subscribe(topics, after=int(text) if text else None, replay=replay_of(controller))
 
 
@@ -65,16 +70,18 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
     try:
         subscription = _started(socket, controller)
     except Problem as problem:
-        await socket.send_text(_error(problem))
+        await socket.send_text(error(problem))
         await socket.close(1008, problem.brief())
         return
     sender = asyncio.create_task(_send(socket, subscription))
+    spoken = _spoken(socket, controller, subscription)
     try:
-        await _listen(socket, subscription)
+        await _listen(socket, subscription, spoken)
     except WebSocketDisconnect:
         pass
     finally:
         subscription.close()
+        await spoken.close()
         sender.cancel()
         await asyncio.gather(sender, return_exceptions=True)
 
@@ -88,34 +95,47 @@ async def _send(socket: WebSocket, subscription: Subscription) -> None:
         subscription.close()
 
 
-async def _listen(socket: WebSocket, subscription: Subscription) -> None:
+def _spoken(socket: WebSocket, controller: Controller, subscription: Subscription) -> Spoken:
+    """Return what carries out the commands that come over this socket."""
+
+    async def reply(text: str) -> None:
+        try:
+            await socket.send_text(text)
+        except (WebSocketDisconnect, RuntimeError):
+            subscription.close()
+
+    address = socket.client.host if socket.client else "unknown"
+    speaker = Speaker(controller, f"live/{secrets.token_hex(8)}")
+    return Spoken(COMMANDS, speaker, socket.headers.get("x-actor"), address, reply)
+
+
+async def _listen(socket: WebSocket, subscription: Subscription, spoken: Spoken) -> None:
     while True:
         message = await socket.receive()
         if message["type"] == "websocket.disconnect":
             return
-        problem = _heard(message.get("text") or message.get("bytes") or b"", subscription)
+        problem, number = _heard(message.get("text") or message.get("bytes") or b"", subscription, spoken)
         if problem is not None:
-            await socket.send_text(_error(problem))
+            await socket.send_text(error(problem, number))
 
 
-def _heard(said: str | bytes, subscription: Subscription) -> Problem | None:
-    remedy = 'Send {"resync": true} or {"topics": ["vehicles"]}.'
+def _heard(said: str | bytes, subscription: Subscription, spoken: Spoken) -> tuple[Problem | None, int | str | None]:
+    """Take what a watcher says; return what is wrong with it, and the id that it has."""
+    remedy = 'Send {"resync": true}, {"topics": ["vehicles"]} or {"id": 1, "command": {...}}.'
     try:
         if len(said) > WORDS_LIMIT:
-            return Problem("too-large", f"A message has at most {WORDS_LIMIT} characters.", remedy)
+            return Problem("too-large", f"A message has at most {WORDS_LIMIT} characters.", remedy), None
         words = msgspec.json.decode(said, type=Words)
+        if words.command is not None:
+            return spoken.take(words.id, words.command, words.actor), words.id
         if words.topics is not None:
             subscription.select(topics_of(words.topics))
         elif words.resync:
             subscription.resync()
         else:
-            return Problem("invalid", "The message asks for nothing.", remedy)
-    except (msgspec.DecodeError, UnicodeDecodeError) as error:
-        return Problem("invalid", f"The message is not understood: {error}", remedy)
+            return Problem("invalid", "The message asks for nothing.", remedy), words.id
+    except (msgspec.DecodeError, UnicodeDecodeError) as wrong:
+        return Problem("invalid", f"The message is not understood: {wrong}", remedy), None
     except Problem as problem:
-        return problem
-    return None
-
-
-def _error(problem: Problem) -> str:
-    return encode({"type": "error", "problem": problem.body()}).decode()
+        return problem, None
+    return None, None

@@ -3,16 +3,21 @@
 from collections.abc import Sequence
 from typing import Protocol
 
-from app.domain.ids import CmdId, JobId, StationId, VehicleId
+from app.api.teaching_port import TeachingReader
+from app.domain.drive import DriveId
+from app.domain.drive_records import DriveBackup, DriveOperation
+from app.domain.drive_requests import Word
+from app.domain.ids import CmdId, JobId, LinkId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import Plant
-from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, VehicleOffset
+from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
+from app.domain.view import LineView
 from app.runtime.hub import Hub, ReadModel
 
 
-class Reader(Protocol):
+class Reader(TeachingReader, Protocol):
     """Committed history; blocking, called from the thread pool. Raises StoreError."""
 
     def job(self, job: JobId) -> Job | None:
@@ -57,12 +62,22 @@ class Reader(Protocol):
         """Return numbered audit rows above ``after``, oldest first."""
         ...
 
-    def dests(self, station: StationId) -> Sequence[StationDest]:
-        """Return all versions of a station's DEST, oldest first."""
+    def operation(self, number: int) -> DriveOperation | None:
+        """Return one operation on drives."""
         ...
 
-    def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
-        """Return all versions of a vehicle's OFFSET, oldest first."""
+    def operations(
+        self, *, drive: str | None = None, line: str | None = None, after: int | None = None, limit: int = 100
+    ) -> Sequence[DriveOperation]:
+        """Return operations numbered below ``after``, newest first."""
+        ...
+
+    def backup(self, number: int) -> DriveBackup | None:
+        """Return one backup of a drive."""
+        ...
+
+    def backups(self, drive: DriveId, after: int | None = None, limit: int = 100) -> Sequence[DriveBackup]:
+        """Return a drive's backups numbered below ``after``, newest first."""
         ...
 
 
@@ -100,6 +115,18 @@ class Controller(Protocol):
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a vehicle's line, oldest first, as (when, ``in`` or ``out``, bytes)."""
+        ...
+
+    def tell(self, word: Word) -> Reply:
+        """Take a word that changes nothing that is kept; it takes effect at once, whatever the database does."""
+        ...
+
+    def links(self) -> Sequence[LineView]:
+        """Return how the links that carry several devices are doing."""
+        ...
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a link, oldest first, as (when, ``in`` or ``out``, bytes)."""
         ...
 
     def utc(self) -> Timestamp:

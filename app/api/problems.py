@@ -8,6 +8,8 @@ from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
+from starlette.routing import Match, Mount
+from starlette.websockets import WebSocket
 
 from app.domain.errors import HoistwayError, Refusal
 from app.runtime.showing import encode
@@ -15,6 +17,7 @@ from app.runtime.showing import encode
 MEDIA_TYPE = "application/problem+json"
 TYPE_PREFIX = "/api/v1/problems/"
 REASON_BYTES = 123
+METHODS = ("DELETE", "GET", "HEAD", "PATCH", "POST", "PUT")
 
 CODES: dict[str, tuple[int, str]] = {
     "malformed": (400, "The request cannot be read"),
@@ -39,6 +42,14 @@ CODES: dict[str, tuple[int, str]] = {
     "unavailable": (503, "The controller does not answer just now"),
 }
 """Stable code -> status and title. The codes of refusals and of our own errors are among them."""
+
+USUAL: dict[str, str] = {
+    "malformed": "Send a body that is JSON in UTF-8.",
+    "method": "The paths and their methods are listed at /api/docs.",
+    "too-large": "Send less at a time.",
+    "invalid": "Correct it: /api/docs says what may stand there.",
+}
+"""What helps where a problem does not say it better."""
 
 
 @dataclasses.dataclass(eq=False)
@@ -66,7 +77,7 @@ class Problem(Exception):
             "status": status,
             "detail": self.detail,
             "code": self.code,
-            "remedy": self.remedy,
+            "remedy": self.remedy or USUAL.get(self.code, "See /api/docs."),
         }
         if self.field:
             members["field"] = self.field
@@ -125,7 +136,7 @@ _BY_STATUS = {400: "malformed", 401: "unauthorised", 404: "no-such-path", 405: "
 async def _http(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     code = _BY_STATUS.get(error.status_code)
-    headers = dict(error.headers or {})
+    headers = {name.lower(): value for name, value in (error.headers or {}).items()}
     if code is None:
         title = HTTPStatus(error.status_code).phrase
         body = encode({"type": "about:blank", "title": title, "status": error.status_code, "detail": str(error.detail)})
@@ -135,8 +146,31 @@ async def _http(request: Request, error: Exception) -> Response:
         detail, remedy = f"There is no {request.url.path}.", "The paths are listed at /api/docs."
     elif code == "method":
         detail = f"{request.url.path} does not have {request.method}."
-        remedy = f"It has {headers['allow']}." if "allow" in headers else ""
+        headers["allow"] = ", ".join(_methods(request))
+        remedy = f"It has {headers['allow']}."
     return Problem(code, detail, remedy, headers=headers).response()
+
+
+async def no_stream(socket: WebSocket) -> None:
+    """Refuse a WebSocket at a path that has none, with a problem."""
+    problem = Problem(
+        "no-such-path", f"There is no stream at {socket.url.path}.", "The live stream is at /api/v1/live."
+    )
+    if "websocket.http.response" in socket.scope.get("extensions", {}):
+        await socket.send_denial_response(problem.response())
+    else:
+        await socket.close(1008, problem.brief())
+
+
+def _methods(request: Request) -> list[str]:
+    """Return every method that the path of a request has; the framework's own word is that of one route alone."""
+    routes = [route for route in request.app.routes if not isinstance(route, Mount)]
+    found = [
+        method
+        for method in METHODS
+        if any(route.matches({**request.scope, "method": method})[0] is Match.FULL for route in routes)
+    ]
+    return found or ["GET", "HEAD"]
 
 
 async def _validation(request: Request, error: Exception) -> Response:

@@ -22,11 +22,11 @@ from app.api.declared import gives
 from app.api.inputs import CarrierPut, PathId, StationPatch, StationPut, Target
 from app.api.port import Controller
 from app.api.problems import Problem
+from app.api.teaching_answers import version_row
 from app.domain import requests
 from app.domain.ids import CarrierId, StationId
 from app.domain.records import StationDest, VehicleOffset
 from app.domain.view import Topic
-from app.runtime.showing import iso
 
 router = APIRouter(prefix="/stations", tags=["stations"])
 carriers = APIRouter(prefix="/carriers", tags=["carriers"])
@@ -92,19 +92,8 @@ async def list_dests(station: PathId, controller: Ctl) -> Response:
 
 def versions(rows: Sequence[StationDest | VehicleOffset]) -> Response:
     """Return versions of pulses, with the newest one's number as ETag."""
-    shown = [
-        {
-            "version": row.version,
-            "shft": row.pulses.shft,
-            "rota": row.pulses.rota,
-            "lift": row.pulses.lift,
-            "actor": row.actor,
-            "source": row.source,
-            "at": iso(row.at),
-        }
-        for row in sorted(rows, key=lambda row: row.version)
-    ]
-    newest = shown[-1]["version"] if shown else 0
+    newest = max((row.version for row in rows), default=0)
+    shown = [version_row(row) for row in sorted(rows, key=lambda row: row.version)]
     return answer_of({"items": shown, "next": None}, headers={"ETag": f'"{newest}"'})
 
 

@@ -3,11 +3,9 @@
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
-from pydantic import Field
 from starlette.requests import Request
 from starlette.responses import Response
 
-from app.api.agv_inputs import AgvCommandIn
 from app.api.calls import (
     Ctl,
     Person,
@@ -41,6 +39,7 @@ from app.api.inputs import (
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.stations import versions
+from app.api.vehicle_commands import CommandIn, VehicleCommand
 from app.domain import requests
 from app.domain.ids import Actor, CmdId, StationId, VehicleId
 from app.domain.layout import VehicleSpec
@@ -49,8 +48,6 @@ from app.domain.view import CommandView, Topic
 from app.fleet.views import view_of_intent
 from app.runtime.showing import shown
 
-VehicleCommand = PlainCommand | DisplayCommand | MoveCommand | TransferCommand | AgvCommandIn
-CommandIn = Annotated[VehicleCommand, Field(discriminator="command")]
 router = APIRouter(prefix="/vehicles", tags=["vehicles"])
 
 

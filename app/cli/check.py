@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from app.cli.catalogues import with_catalogues
 from app.cli.plainly import CannotStart, text_of
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ def check(
     plant: Annotated[Path, typer.Argument(help="a plant file, YAML")],
     json: Annotated[bool, typer.Option("--json", help="print findings and counts as JSON")] = False,
 ) -> None:
-    """Say what is wrong with a plant file: line, column, message and remedy; exit 1 if it cannot be used."""
-    from app.plant import UnusablePlant, read
+    """Say what is wrong with a plant file and its drives' catalogues: line, column, message, remedy; exit 1 if it is unusable."""
+    from app.plant import Finding, UnusablePlant, read
 
     try:
         text = text_of(plant)
@@ -36,14 +37,18 @@ def check(
         found, findings = read(text, str(plant))
     except UnusablePlant as unusable:
         findings = unusable.findings
+    usable, others = found is not None, list[tuple[Path, Finding]]()
+    if found is not None:
+        found, others, usable = with_catalogues(found, plant)
     if json:
         listed = [{**asdict(finding), "severity": finding.severity.value} for finding in findings]
+        listed += [{**asdict(one), "severity": one.severity.value, "file": str(file)} for file, one in others]
         print(
             jsons.dumps({"file": str(plant), "plant": found and counts(found), "findings": listed}, ensure_ascii=False)
         )
     else:
-        _show(plant, found, findings)
-    if found is None:
+        _show(plant, found, [*((plant, finding) for finding in findings), *others])
+    if not usable:
         raise typer.Exit(1)
 
 
@@ -61,18 +66,18 @@ def counts(plant: Plant) -> dict[str, Any]:
     }
 
 
-def _show(file: Path, plant: Plant | None, findings: list[Finding]) -> None:
+def _show(file: Path, plant: Plant | None, findings: list[tuple[Path, Finding]]) -> None:
     from rich.console import Console
     from rich.text import Text
 
     console = Console(highlight=False, soft_wrap=True)
-    for finding in findings:
+    for where, finding in findings:
         severity = (finding.severity.value, _COLOURS[finding.severity])
-        place = (f"{file}:{finding.line}:{finding.column}: ", "bold")
+        place = (f"{where}:{finding.line}:{finding.column}: ", "bold")
         console.print(Text.assemble(place, severity, f": {finding.message}"))
         if finding.remedy:
             console.print(Text(f"    {finding.remedy}", style="dim"))
-    errors = sum(finding.is_error for finding in findings)
+    errors = sum(finding.is_error for _, finding in findings)
     console.print(Text(f"{file}: {_counted(errors, 'error')}, {_counted(len(findings) - errors, 'warning')}"))
     if plant is not None:
         summary = counts(plant)

@@ -33,6 +33,9 @@ def demo(
     database: Annotated[
         str | None, typer.Option(help="SQLAlchemy URL; without it a new one, thrown away at the end")
     ] = None,
+    operator: Annotated[
+        int | None, typer.Option(help="port for the hands at the simulated hoists: key, jog, teach")
+    ] = None,
 ) -> None:
     """Show a plant: simulate its vehicles, control them, print where to look. Ctrl-C ends everything."""
     from app.settings import load
@@ -40,11 +43,11 @@ def demo(
     with plainly(), tempfile.TemporaryDirectory(prefix="hoistway-") as directory:
         url = database or f"sqlite:///{directory}/demo.db"
         settings = load(plant=plant, database=url, host="127.0.0.1", port=port, log_level="warning")
-        code = _show(settings, plant, keep if workload else None)
+        code = _show(settings, plant, keep if workload else None, operator)
     raise typer.Exit(code)
 
 
-def _show(settings: Settings, file: Path, keep: int | None) -> int:
+def _show(settings: Settings, file: Path, keep: int | None, operator: int | None) -> int:
     from app.cli import hosting
     from app.runtime.telemetry import set_up
 
@@ -55,7 +58,7 @@ def _show(settings: Settings, file: Path, keep: int | None) -> int:
 
     async def run() -> int:
         stop = stop_signal()
-        simulator = await _simulated(file)
+        simulator = await _simulated(file, operator)
         watching = asyncio.create_task(_end_with(simulator, stop))
         working = None if keep is None else asyncio.create_task(_work(url, keep, stop))
         try:
@@ -72,11 +75,12 @@ def _show(settings: Settings, file: Path, keep: int | None) -> int:
     return on_loop(run())
 
 
-async def _simulated(file: Path) -> asyncio.subprocess.Process:
+async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Process:
     """Start the simulator; return once its vehicles are there. Raises CannotStart."""
+    hands = () if operator is None else ("--operator", str(operator))
     # A session of its own: Ctrl-C reaches the parent alone, which ends both in order.
     process = await asyncio.create_subprocess_exec(
-        sys.executable, "-m", "app.cli", "sim", "--plant", str(file), "--with-parent",
+        sys.executable, "-m", "app.cli", "sim", "--plant", str(file), "--with-parent", *hands,
         stdin=asyncio.subprocess.PIPE,
         stdout=asyncio.subprocess.PIPE,
         start_new_session=True,

@@ -31,7 +31,9 @@ def bound(host: str, port: int) -> socket.socket:
     try:
         return socket.create_server((host, port), family=family, backlog=2048)
     except OSError as wrong:
-        raise CannotStart(f"cannot listen at {host}:{port}: {said(wrong)}", remedy="choose another --port") from None
+        raise CannotStart(
+            f"cannot listen at {host}:{port}: {said(wrong)}", remedy="Choose another one with --port."
+        ) from None
 
 
 class _Server(uvicorn.Server):

@@ -8,6 +8,7 @@ from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from app.cli.catalogues import equipped
 from app.cli.plainly import CannotStart, text_of
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ def plant_of(file: Path) -> Plant:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
-        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"see: hoistway check {file}") from None
-    return plant
+        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"See: hoistway check {file}") from None
+    return equipped(plant, file)
 
 
 def on_loop(main: Coroutine[Any, Any, int]) -> int:

@@ -12,15 +12,21 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.panel import set_panels
 from app.cli.plainly import plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from app.cli.operator import Bench
+    from app.domain.ids import VehicleId
     from app.domain.layout import LinkSpec, Plant, VehicleSpec
     from app.domain.ports import Endpoint
     from app.domain.units import Seconds
     from app.protocols.itsc.simulator import Options, SimulatedVehicle
     from app.runtime.lines import Line
+    from app.runtime.pty import PtyPort
     from app.runtime.transports import DeviceServer, Dialler
     from app.sim.oracle import Oracle
     from app.sim.plantworld import SimulatedPlant
@@ -43,6 +49,12 @@ def sim(
         float,
         typer.Option(callback=positive, help="steps of a pick-up or place, and of homing, are so many times as quick"),
     ] = 1.0,
+    operator: Annotated[
+        int | None, typer.Option(help="port of this machine for the hands at the simulated hoists: key, jog, teach")
+    ] = None,
+    panel: Annotated[
+        list[str] | None, typer.Option(help="set a drive's panel: DRIVE=jog, =monitoring, =parameter_select, =error7")
+    ] = None,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
     ] = False,
@@ -54,7 +66,8 @@ def sim(
     with plainly():
         found = plant_of(plant)
         try:
-            code = on_loop(_Floor(found, journal, host, controller, haste).run(with_parent))
+            floor = _Floor(found, journal, host, controller, haste, operator, panel or ())
+            code = on_loop(floor.run(with_parent))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
             remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
@@ -65,13 +78,25 @@ def sim(
 class _Floor:
     """The simulated plant on real sockets, watched by the oracle."""
 
-    def __init__(self, plant: Plant, journal: Path | None, host: str | None, controller: str, haste: float) -> None:
+    def __init__(
+        self,
+        plant: Plant,
+        journal: Path | None,
+        host: str | None,
+        controller: str,
+        haste: float,
+        operator: int | None = None,
+        panels: Sequence[str] = (),
+    ) -> None:
         self._haste = haste
+        self._panels = panels
         self._plant = plant
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
         self._controller = controller
-        self._ends: list[DeviceServer | Dialler] = []
+        self._operator = operator
+        self._hoists: dict[VehicleId, Line] = {}
+        self._ends: list[DeviceServer | Dialler | PtyPort] = []
 
     async def run(self, with_parent: bool) -> int:
         """Serve until told to stop."""
@@ -83,23 +108,41 @@ class _Floor:
         stop = stop_signal()
         options = _hasty(self._haste)
         floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
+        set_panels(self._panels, floor.halls.drives, now())
         oracle = Oracle(self._plant, floor.truth)
         parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
+        hands: Bench | None = None
         try:
             for spec in self._plant.hoists:
                 await self._serve(spec, floor.devices[spec.id])
             for link in self._plant.links:
                 await self._serve_link(link, floor.lines[link.id])
+            hands = await self._hands(floor)
             print(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there", flush=True)
             await self._watch(floor, oracle, stop)
         finally:
             if parent is not None:
                 parent.cancel()
+            if hands is not None:
+                hands.should_exit = True
             for end in self._ends:
                 await end.stop()
             if self._journal:
                 self._journal.close()
         return 0
+
+    async def _hands(self, floor: SimulatedPlant) -> Bench | None:
+        """Let people at the simulated hoists, if that is wanted."""
+        if self._operator is None:
+            return None
+        from app.cli.hosting import bound
+        from app.cli.operator import Bench, Hands
+        from app.runtime.clock import Clock
+
+        bench = Bench(Hands(floor.devices, self._hoists, Clock().now))
+        listening = bound("127.0.0.1", self._operator)
+        self._serving = asyncio.create_task(bench.serve([listening]))
+        return bench
 
     async def _serve(self, spec: VehicleSpec, device: SimulatedVehicle) -> None:
         from app.runtime.clock import Clock
@@ -107,6 +150,7 @@ class _Floor:
         from app.runtime.transports import DeviceServer, Dialler, Tcp
 
         line: Line = Line(device, Clock().now)
+        self._hoists[spec.id] = line
         if spec.listen and self._plant.listen is not None:
             dialler = Dialler(line, Tcp(self._controller, self._plant.listen[1]), spec.id)
             dialler.start()
@@ -120,12 +164,15 @@ class _Floor:
     async def _serve_link(self, link: LinkSpec, device: Endpoint) -> None:
         from app.runtime.clock import Clock
         from app.runtime.lines import Line
+        from app.runtime.pty import PtyPort
         from app.runtime.transports import DeviceServer
 
+        line = Line(device, Clock().now)
+        server: PtyPort | DeviceServer
         if link.serial is not None:
-            print(f"hoistway sim: {link.id} is a serial line, which is not simulated", file=sys.stderr, flush=True)
-            return
-        server = DeviceServer(Line(device, Clock().now), self._host or link.host, link.port)
+            server = PtyPort(line, Path(link.serial.device))
+        else:
+            server = DeviceServer(line, self._host or link.host, link.port)
         self._ends.append(server)
         await server.start()
 
@@ -138,6 +185,7 @@ class _Floor:
             for device in floor.devices.values():
                 device.tick(now)
             oracle.look(floor.places(now), floor.loaded(), now)
+            oracle.look_at_doors({name: door.leaf_open for name, door in floor.halls.doors.items()}, now)
             for violation in oracle.violations[told:]:
                 print(f"hoistway sim: {violation}", file=sys.stderr, flush=True)
                 self._write({"deed": "violation", "what": violation})

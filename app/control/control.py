@@ -11,16 +11,18 @@ from dataclasses import dataclass
 from app.control.agv import Agv
 from app.control.lines import VehicleLine
 from app.control.links import DriveLine, HallLink
-from app.domain.devices import DeviceEvent
-from app.domain.drive import DriveEvent
+from app.domain.devices import DeviceEvent, DeviceNotSent, DeviceRequest
+from app.domain.drive import DriveEvent, DriveFailed, DriveRequest, Jog
+from app.domain.drive_requests import Word
 from app.domain.events import Event, NotSent
 from app.domain.ids import CmdIds, LinkId, VehicleId
 from app.domain.layout import LinkSpec, Plant, VehicleKind, Wire
+from app.domain.links import LinkSend
 from app.domain.ports import Endpoint
 from app.domain.records import Kept, Record
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
-from app.domain.view import LinkView, Topic, Update, View
+from app.domain.view import LineView, LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
 from app.planning.ways import Ways
@@ -107,6 +109,34 @@ class Control:
         session = self._halls[self._on_link[vehicle]] if vehicle in self._agvs else self._lines[vehicle]
         return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
 
+    def link_frames(self, link: LinkId) -> list[tuple[Timestamp, str, bytes]]:
+        """Return the last packets on a link, oldest first: when (UTC), ``in`` or ``out``, bytes."""
+        utc_at = self.fleet.books.utc_at
+        return [(utc_at(when), way, packet) for when, way, packet in self._links[link].last_frames]
+
+    def links(self) -> list[LineView]:
+        """Return how all links are doing."""
+        return [self._line_view(name, link) for name, link in self._links.items()]
+
+    def _line_view(self, name: LinkId, link: HallLink | DriveLine) -> LineView:
+        books, state = self.fleet.books, link.connection
+        spec = books.plant.link(name)
+        assert spec is not None
+        plant = books.plant
+        devices: list[str] = [agv.id for agv in plant.agvs_on(name)] + [drive.id for drive in plant.drives_on(name)]
+        devices += [door.id for door in plant.doors if door.link == name]
+        devices += [buffer.id for buffer in plant.buffers if buffer.link == name]
+        return LineView(
+            id=name,
+            wire=spec.wire.value,
+            address=spec.serial.device if spec.serial else f"{spec.host}:{spec.port}",
+            up=state.up,
+            since=None if state.since is None else books.utc_at(state.since),
+            reason=state.reason,
+            devices=tuple(devices),
+            figures=link.counts,
+        )
+
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""
         return self._lines[vehicle].hint if vehicle in self._lines else ""
@@ -172,6 +202,15 @@ class Control:
         self._decide()
         return self._tickets
 
+    def tell(self, word: Word, now: Seconds) -> Reply:
+        """Take a word that changes nothing that is kept: it takes effect at once, and is answered at once."""
+        reply, orders = self.fleet.tell(word, now)
+        for send in orders:
+            self._links[send.link].order(send.order, now)
+            self._dirty[send.link] = None
+        self._decide()
+        return reply
+
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
@@ -223,14 +262,25 @@ class Control:
             else:
                 self._lines[send.vehicle].send(send, now)
         for link_send in effects.link_sends:
-            self._links[link_send.link].order(link_send.order, now)
-            self._dirty[link_send.link] = None
+            self._send_to_link(link_send, now)
         for name in effects.polls:
             if name in self._lines:  # AGVs report by themselves
                 self._lines[name].ask(now)
                 self._dirty[name] = None
         self._publish(effects.updates)
         self._replies += effects.replies
+
+    def _send_to_link(self, send: LinkSend, now: Seconds) -> None:
+        """Give a link what it has to send, unless something came between."""
+        order = send.order
+        self._dirty[send.link] = None
+        objection = self.fleet.link_objection(send)
+        if objection and isinstance(order, DriveRequest | Jog):
+            self.fleet.handle_drive(DriveFailed(order.drive, order.id, objection), now)
+        elif objection and isinstance(order, DeviceRequest):
+            self.fleet.handle_device(DeviceNotSent(order.device, order.id, objection), now)
+        else:
+            self._links[send.link].order(order, now)
 
     def _tell(self, line: VehicleLine, now: Seconds) -> None:
         """Hand what a session said while sending (NotSent) to the fleet."""

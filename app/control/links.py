@@ -1,6 +1,7 @@
 """Our ends of the lines that carry several devices, as their owner feeds them: sessions, with what they tell passed on."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import asdict
 
 from app.control.agv import Agv
 from app.control.lines import Told
@@ -22,6 +23,19 @@ def _to_nobody(events: list[Event], now: Seconds) -> None:
     """For a link without AGVs."""
 
 
+class Connection:
+    """Since when a line is up or down, and why it is down."""
+
+    def __init__(self) -> None:
+        self.up = False
+        self.since: Seconds | None = None
+        self.reason = "not connected yet"
+
+    def changed(self, now: Seconds, *, up: bool, reason: str = "") -> None:
+        """It came up, or went down."""
+        self.up, self.since, self.reason = up, now, reason
+
+
 class HallLink(LinkSession):
     """An ENIG link with the AGVs, buffers and doors on it: an ``app.domain.ports.Endpoint`` that tells after every input."""
 
@@ -33,9 +47,11 @@ class HallLink(LinkSession):
         self._pass_on = told
         self._agvs = {agv.device: agv for agv in agvs}
         self._moved = moved
+        self.connection = Connection()
 
     def connected(self, now: Seconds) -> None:
         """The line is up."""
+        self.connection.changed(now, up=True)
         super().connected(now)
         self.tell(now)
 
@@ -46,6 +62,7 @@ class HallLink(LinkSession):
 
     def disconnected(self, now: Seconds, reason: str) -> None:
         """The line is down."""
+        self.connection.changed(now, up=False, reason=reason)
         super().disconnected(now, reason)
         self.tell(now)
 
@@ -53,6 +70,18 @@ class HallLink(LinkSession):
         """The deadline has passed."""
         super().tick(now)
         self.tell(now)
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How the link is doing since the controller started."""
+        link = self.link
+        return {
+            "connections": link.connections,
+            "frames_in": link.frames_in,
+            "frames_out": link.frames_out,
+            "garbled": link.garbled,
+            "resends": link.resends,
+        }
 
     def order(self, order: LinkOrder, now: Seconds) -> None:
         """Send what is durable. What the session says of it at once is told with ``tell``."""
@@ -89,9 +118,11 @@ class DriveLine(LineSession):
         drives = [DriveSpec(drive.id, drive.address) for drive in plant.drives_on(link.id)]
         super().__init__(DriveLineId(link.id), drives, drive_dialect_of(link))
         self._pass_on = told
+        self.connection = Connection()
 
     def connected(self, now: Seconds) -> None:
         """The line is up."""
+        self.connection.changed(now, up=True)
         super().connected(now)
         self.tell(now)
 
@@ -102,6 +133,7 @@ class DriveLine(LineSession):
 
     def disconnected(self, now: Seconds, reason: str) -> None:
         """The line is down."""
+        self.connection.changed(now, up=False, reason=reason)
         super().disconnected(now, reason)
         self.tell(now)
 
@@ -109,6 +141,11 @@ class DriveLine(LineSession):
         """The deadline has passed."""
         super().tick(now)
         self.tell(now)
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How the line is doing since the controller started."""
+        return asdict(self.figures)
 
     def order(self, order: LinkOrder, now: Seconds) -> None:
         """Send what is durable. What the session says of it at once is told with ``tell``."""

@@ -21,6 +21,8 @@ class DeviceKind(StrEnum):
     AGV = "agv"
     BUFFER = "buffer"
     DOOR = "door"
+    CHARGER = "charger"
+    """Has no packets of its own (PROTOCOLS 3.2): it is on no link."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -114,7 +114,10 @@ class TeachingKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Taught:
-    """A teaching event, not yet acknowledged: call ``Session.stored(receipt, now)`` once it is durable (COMMANDS section 1)."""
+    """A teaching event, not yet acknowledged: call ``Session.stored(receipt, now)`` once it is durable (COMMANDS section 1).
+
+    ``connection`` counts the connections of the line: a vehicle's counter may restart with each (PROTOCOLS 6.2).
+    """
 
     vehicle: VehicleId
     kind: TeachingKind | None
@@ -123,6 +126,7 @@ class Taught:
     barcode: Barcode
     cmd_id: CmdId
     receipt: int
+    connection: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -121,6 +121,22 @@ class JobEvent(StrEnum):
     CONTROLLER_PAUSED = "ControllerPaused"
     PORT_CHANGED = "PortStateChanged"
     CARRIER_MOVED = "CarrierLocationChanged"
+    DRIVE_OFFLINE = "DriveOffline"
+    DRIVE_ONLINE = "DriveOnline"
+    DRIVE_ERROR_SET = "DriveErrorSet"
+    DRIVE_ERROR_CLEARED = "DriveErrorCleared"
+    DRIVE_WRITTEN = "DriveParameterWritten"
+    TEACHING_OPENED = "TeachingSessionOpened"
+    TEACHING_ENDED = "TeachingSessionEnded"
+    TEACHING_TAKEN = "TeachingTaken"
+    TEACHING_APPROVED = "TeachingApproved"
+    TEACHING_REJECTED = "TeachingRejected"
+    TEACHING_ROLLED_BACK = "TeachingRolledBack"
+    TEACHING_IMPORTED = "TeachingImported"
+    TEACHING_UNKNOWN = "TeachingCodeUnknown"
+    DEVICE_CHANGED = "DeviceChanged"
+    EMERGENCY_SET = "EmergencySet"
+    EMERGENCY_RELEASED = "EmergencyReleased"
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
 
+from app.domain.catalogue import UNKNOWN_MODEL, Catalogue
 from app.domain.devices import AliasName, DeviceId, DeviceNumber
 from app.domain.drive import DriveAddress, DriveId
 from app.domain.ids import CarrierId, DevId, LinkId, StationId, VehicleId, ZoneId
@@ -183,6 +184,14 @@ class LinkSpec:
     dialect: dict[str, object] = field(default_factory=dict)
 
 
+class OnEmergency(StrEnum):
+    """What a door does when a fire or an earthquake is told (DOMAIN section 7)."""
+
+    LEAVE = "leave"
+    OPEN = "open"
+    CLOSE = "close"
+
+
 @dataclass(frozen=True, slots=True)
 class DoorSpec:
     """A door across the track (PROTOCOLS 3.3). ``passages`` are the pieces of track that lead through it, either way.
@@ -195,6 +204,7 @@ class DoorSpec:
     number: DeviceNumber
     passages: frozenset[tuple[Barcode, Barcode]]
     normally_open: bool = False
+    on_emergency: OnEmergency = OnEmergency.LEAVE
 
 
 @dataclass(frozen=True, slots=True)
@@ -320,6 +330,9 @@ class Plant:
     chargers: tuple[ChargerSpec, ...] = ()
     charging: ChargingRules = ChargingRules()
     drives: tuple[DriveUnit, ...] = ()
+    catalogues: tuple[Catalogue, ...] = ()
+    reference_vehicles: frozenset[VehicleId] = frozenset()
+    """Vehicles whose OFFSET is zero by declaration (I40): what they teach is the DEST itself."""
 
     def station(self, station: StationId) -> Station | None:
         """Return the station of that name, or None."""
@@ -344,6 +357,18 @@ class Plant:
     def agvs_on(self, link: LinkId) -> tuple[VehicleSpec, ...]:
         """Return the AGVs that are reached over a link."""
         return tuple(v for v in self.vehicles if v.kind is VehicleKind.AGV and v.link == link)
+
+    def drive(self, drive: DriveId) -> DriveUnit | None:
+        """Return the drive of that name, or None."""
+        return next((d for d in self.drives if d.id == drive), None)
+
+    def link(self, link: LinkId) -> LinkSpec | None:
+        """Return the link of that name, or None."""
+        return next((spec for spec in self.links if spec.id == link), None)
+
+    def catalogue_of(self, drive: DriveUnit) -> Catalogue:
+        """Return the catalogue of a drive's model, an empty one if there is none."""
+        return next((c for c in self.catalogues if c.model == drive.model), UNKNOWN_MODEL)
 
     def drives_on(self, link: LinkId) -> tuple[DriveUnit, ...]:
         """Return the drives of an HI line."""

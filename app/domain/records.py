@@ -4,9 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.devices import DeviceId
+from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
 from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
-from app.domain.layout import Axis, PulseSet
+from app.domain.layout import Axis
+from app.domain.lockout import Lockout as Lockout
+from app.domain.pulses import AxisPulses
+from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
 
 
@@ -30,6 +35,8 @@ class IntentState(StrEnum):
 @dataclass(frozen=True, slots=True)
 class Intent:
     """A command as durable fact. ``kind`` is the command's name (``move``, ``pickup``, ``servo_on`` ...).
+
+    ``vehicle`` names the vehicle, or the device (``open``, ``lock`` ...): no two in a plant have the same name.
 
     ``path`` is every barcode of a MOVE or XMOVE in order; ``body`` the rest for people (JSON-able; pulses, pinned teaching
     versions). ``amends`` names the MOVE that an XMOVE amends. ``acknowledged`` is set by the vehicle's ACK.
@@ -92,16 +99,6 @@ class Hold:
 
 
 @dataclass(frozen=True, slots=True)
-class Lockout:
-    """People are at the vehicle: no remote command, no grant (DOMAIN section 7)."""
-
-    owner: Actor
-    reason: str
-    since: Timestamp
-    releases: tuple[Actor, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class VehicleRecord:
     """What must be known of a vehicle after a restart.
 
@@ -128,6 +125,7 @@ class Provenance(StrEnum):
     PLACED = "placed"
     PICKED = "picked"
     PERSON = "person"
+    SENSOR = "sensor"
     INFERRED = "inferred"
     PLANT = "plant"
 
@@ -145,6 +143,48 @@ class StationRecord:
     out_of_service: str = ""
     provenance: Provenance = Provenance.INFERRED
     at: Timestamp = Timestamp(0.0)
+
+
+class DoorPosition(StrEnum):
+    """How a person keeps a door."""
+
+    OPEN = "open"
+    CLOSED = "closed"
+
+
+@dataclass(frozen=True, slots=True)
+class Pin:
+    """A person keeps a door open or closed, whatever vehicles want (DOMAIN section 7)."""
+
+    position: DoorPosition
+    owner: Actor
+    reason: str
+    since: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class BufferLock:
+    """For whom a buffer is locked: the vehicle that serves it, or a person."""
+
+    owner: str
+    person: bool
+    since: Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceRecord:
+    """What must be known of a door, buffer or charger after a restart.
+
+    ``lock`` is who wants a buffer locked; ``locked`` what its last settled command made of it, None while that is not known:
+    no Status says whether a buffer is locked (PROTOCOLS 3.3).
+    """
+
+    device: DeviceId
+    lockout: Lockout | None = None
+    pin: Pin | None = None
+    lock: BufferLock | None = None
+    locked: bool | None = False
+    out_of_service: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,31 +206,47 @@ class CarrierGone:
 
 @dataclass(frozen=True, slots=True)
 class StationDest:
-    """A version of a port's DEST, all three axes (DOMAIN section 3). Versions count from 1 per station."""
+    """A version of a port's DEST (DOMAIN section 3). Versions count from 1 per station; the newest holds, if it is complete.
+
+    ``source`` says how it came: ``plant file``, ``rest``, ``teaching``, ``roll-back``, ``import``. ``basis`` has what each taught
+    axis was derived from, frozen (I40); an axis that a person wrote has none. ``proposal`` is what was approved, ``restores``
+    the version that was rolled back to, ``reason`` the person's.
+    """
 
     station: StationId
     version: int
-    pulses: PulseSet
+    pulses: AxisPulses
     actor: Actor
     source: str
     at: Timestamp
+    basis: tuple[Basis, ...] = ()
+    proposal: int | None = None
+    restores: int | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class VehicleOffset:
-    """A version of a vehicle's OFFSET, all three axes."""
+    """A version of a vehicle's OFFSET; fields as in :class:`StationDest`."""
 
     vehicle: VehicleId
     version: int
-    pulses: PulseSet
+    pulses: AxisPulses
     actor: Actor
     source: str
     at: Timestamp
+    basis: tuple[Basis, ...] = ()
+    proposal: int | None = None
+    restores: int | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class TeachingEvent:
-    """A raw teaching event 0x2070-0x2075, kept for ever (I40). Same connection, CMD_ID and payload: same event."""
+    """A raw teaching event 0x2070-0x2075, kept for ever (I40). Same connection, CMD_ID and payload: same event.
+
+    ``number`` rises; ``asked_by`` is who asked for it, None where the vehicle sent it unasked.
+    """
 
     vehicle: VehicleId
     connection: str
@@ -200,6 +256,8 @@ class TeachingEvent:
     position: Pulses
     barcode: Barcode
     at: Timestamp
+    number: int
+    asked_by: Actor | None = None
 
 
 class ControllerState(StrEnum):
@@ -210,12 +268,30 @@ class ControllerState(StrEnum):
     PAUSED = "paused"
 
 
+class EmergencyKind(StrEnum):
+    """What may be told to the controller so that everything stops (DOMAIN section 7)."""
+
+    FIRE = "fire"
+    EARTHQUAKE = "earthquake"
+
+
+@dataclass(frozen=True, slots=True)
+class Emergency:
+    """A fire or an earthquake that somebody has told and nobody has released yet."""
+
+    kind: EmergencyKind
+    actor: Actor
+    reason: str
+    since: Timestamp
+
+
 @dataclass(frozen=True, slots=True)
 class ControllerRecord:
-    """State of the controller as a whole."""
+    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves."""
 
     state: ControllerState
     reason: str = ""
+    emergencies: tuple[Emergency, ...] = ()
 
 
 Record = (
@@ -230,9 +306,14 @@ Record = (
     | StationDest
     | VehicleOffset
     | TeachingEvent
+    | Proposal
+    | TeachingSession
     | ControllerRecord
+    | DriveRecords
+    | DeviceRecord
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, ControllerRecord replace the row of their key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord and DeviceRecord replace
+the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +321,8 @@ class Kept:
     """All that a controller needs to go on after a restart.
 
     ``jobs`` are those not ended; ``intents`` those not closed; ``dests`` and ``offsets`` the newest version of each;
-    ``next_event`` and ``next_order`` the first numbers not yet used; ``epoch`` has been raised for this process life.
+    ``proposals`` and ``sessions`` those not over; ``next_...`` the first numbers not yet used;
+    ``epoch`` has been raised for this process life.
     """
 
     epoch: Epoch
@@ -251,9 +333,20 @@ class Kept:
     carriers: tuple[CarrierRecord, ...] = ()
     dests: tuple[StationDest, ...] = ()
     offsets: tuple[VehicleOffset, ...] = ()
+    devices: tuple[DeviceRecord, ...] = ()
     controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
     next_event: int = 1
     next_order: int = 1
+    drives: tuple[DriveRecord, ...] = ()
+    drive_values: tuple[DriveValue, ...] = ()
+    operations: tuple[DriveOperation, ...] = ()
+    """Those that had not ended."""
+    next_operation: int = 1
+    proposals: tuple[Proposal, ...] = ()
+    sessions: tuple[TeachingSession, ...] = ()
+    next_taught: int = 1
+    next_proposal: int = 1
+    next_session: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

@@ -4,10 +4,14 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.commands import Plain
+from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.devices import DeviceCommand
+from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.layout import PulseSet, StopAction
+from app.domain.teaching import RowFate
+from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
 
 
@@ -245,19 +249,16 @@ VehicleRequest = (
 )
 """About one vehicle of the plant."""
 
-Request = (
-    VehicleRequest
-    | CreateJob
-    | CancelJob
-    | AbortJob
-    | ChangeJob
-    | PauseController
-    | ResumeController
-    | WriteStation
-    | WriteCarrier
-    | WriteDest
-    | WriteOffset
-)
+JobRequest = CreateJob | CancelJob | AbortJob | ChangeJob
+"""About transfer jobs."""
+
+PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier | WriteDest | WriteOffset
+"""About the plant as a whole, and what is believed and taught of it."""
+
+HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
+"""About doors, buffers and chargers, and the signals that stop all."""
+
+Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,13 +266,15 @@ class Accepted:
     """The request was carried out or is under way, and is durable.
 
     ``topic`` and ``key`` name the object concerned in the read model; ``created`` tells a new one from one that was there.
-    ``cmd_id`` is set for commands to a vehicle: the intent that carries their outcome.
+    ``cmd_id`` is set for commands to a vehicle or device: the intent that carries their outcome. ``fates`` are those of
+    imported rows.
     """
 
     topic: str
     key: str
     created: bool = False
     cmd_id: int | None = None
+    fates: tuple[RowFate, ...] = ()
 
 
 Reply = Accepted | Refusal

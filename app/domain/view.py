@@ -4,6 +4,7 @@ Plain frozen dataclasses of JSON-able values, so that the API declares them as s
 they are. Times are UTC seconds (the API shows ISO 8601).
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -20,6 +21,9 @@ class Topic(StrEnum):
     COMMANDS = "commands"
     DEVICES = "devices"
     DRIVES = "drives"
+    OPERATIONS = "operations"
+    PARAMETERS = "parameters"
+    TEACHING = "teaching"
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +72,7 @@ class LockoutView:
 @dataclass(frozen=True, slots=True)
 class AgvView:
     """What only AGVs report (PROTOCOLS 3.3): ``cart`` none, present or unknown, ``lift`` down, up or unknown, ``steering``
-    straight, left, right or mark_stop, ``path`` the number of the last move taken. ``beyond`` is the tag on the way to which it
+    straight, left, right or mark_stop, ``path`` the number of the last move taken. ``toward`` is the tag on the way to which it
     was stopped: it stands between there and the vehicle's barcode.
     """
 
@@ -79,7 +83,7 @@ class AgvView:
     steering: str
     path: int
     tag: str
-    beyond: str | None = None
+    toward: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,8 +152,10 @@ class JobView:
 
 @dataclass(frozen=True, slots=True)
 class StationView:
-    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it; ``verified`` is
-    true only where the host or a person wrote it. ``target`` is the DEST in pulses (shft, rota, lift), ports only.
+    """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it (None: we
+    never learnt anything); ``verified`` is true only where the host or a person wrote it. ``target`` is the DEST in
+    pulses (shft, rota, lift), ports only, null while it is not complete; ``missing`` are the axes that it lacks.
+    ``teaching`` is the session that closes the port to jobs.
     """
 
     id: str
@@ -161,9 +167,11 @@ class StationView:
     out_of_service: str
     provenance: str
     verified: bool
-    at: float
+    at: float | None
     target: tuple[int, int, int] | None
     target_version: int | None
+    missing: tuple[str, ...] = ()
+    teaching: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +187,10 @@ class CarrierView:
 
 @dataclass(frozen=True, slots=True)
 class ControllerView:
-    """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses."""
+    """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
+
+    ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
+    """
 
     plant: str
     state: str
@@ -188,6 +199,7 @@ class ControllerView:
     started: float
     waiting_for: tuple[str, ...] = ()
     trouble: str = ""
+    emergencies: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,7 +221,7 @@ class EventView:
 
 @dataclass(frozen=True, slots=True)
 class CommandView:
-    """A command to a vehicle and what became of it (an intent). ``cmd_id`` as 16 hex digits."""
+    """A command to a vehicle or device (``vehicle`` names it) and what became of it (an intent). ``cmd_id`` as 16 hex digits."""
 
     cmd_id: str
     vehicle: str
@@ -223,23 +235,65 @@ class CommandView:
 
 
 @dataclass(frozen=True, slots=True)
+class PinView:
+    """A person keeps a door ``open`` or ``closed``."""
+
+    position: str
+    owner: str
+    reason: str
+    since: float
+
+
+@dataclass(frozen=True, slots=True)
+class LockView:
+    """For whom a buffer is locked: a vehicle, or a person. ``locked`` null: not known whether it is by now."""
+
+    owner: str
+    person: bool
+    since: float
+    locked: bool | None
+
+
+@dataclass(frozen=True, slots=True)
 class DeviceView:
-    """A door or buffer (PROTOCOLS 3.3). ``state`` in the specification's words, its last one; it counts only while ``fresh``."""
+    """A door, buffer or charger (PROTOCOLS 3.2, 3.3). A charger has no link, number or state of its own.
+
+    ``state`` in the specification's words, its last one, ``since`` that time; it counts only while ``fresh``. ``pending`` is the
+    command under way. ``vehicles`` are in the door or granted the way through it, or charge there; ``waiting`` want it soon.
+    ``alarm`` and ``remedy`` say what is wrong and what helps; ``contradiction`` what a buffer reports against our books.
+    """
 
     id: str
     kind: str
-    link: str
-    number: int
+    link: str | None
+    number: int | None
     fresh: bool
     reason: str = ""
     state: str | None = None
+    since: float | None = None
     seen: float | None = None
+    service: str = "in_service"
+    out_of_service: str = ""
+    barcode: str | None = None
+    station: str | None = None
+    passages: tuple[tuple[str, str], ...] = ()
+    pending: str = ""
+    vehicles: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()
+    pin: PinView | None = None
+    lock: LockView | None = None
+    lockout: LockoutView | None = None
+    alarm: str = ""
+    remedy: str = ""
+    contradiction: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class DriveView:
     """An axis drive (PROTOCOLS 2.4). ``online`` None: not heard yet on this connection. ``code`` is an error's number in mode
-    error, else the operation's, ``meaning`` its word; ``distance`` in hundredths of the axis's unit (H16).
+    error, else the operation's, ``meaning`` its word; ``distance`` in hundredths of the axis's unit (H16). ``error`` and
+    ``remedy`` explain an error. ``moving``: its distance changes, or it was told to run; None: nobody can tell.
+    ``operation`` is what is being done to it that may change or move something.
     """
 
     id: str
@@ -256,6 +310,138 @@ class DriveView:
     turn: str | None = None
     distance: int | None = None
     seen: float | None = None
+    error: str = ""
+    remedy: str = ""
+    moving: bool | None = None
+    operation: str | None = None
+    lockout: LockoutView | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OperationView:
+    """Something that was asked about a drive, or about all of a ``line`` (``drive`` null): see ``state``.
+
+    ``running``, ``done``, ``failed``, or ``unknown`` (it may have taken effect). ``done`` of ``total`` steps are over.
+    ``body`` is what was asked, ``result`` what has come of it so far; ``reason`` and ``remedy`` say why it is not done.
+    """
+
+    id: str
+    kind: str
+    state: str
+    drive: str | None
+    line: str
+    actor: str
+    opened: float
+    closed: float | None
+    done: int
+    total: int
+    body: Mapping[str, object]
+    result: Mapping[str, object]
+    reason: str
+    remedy: str
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterView:
+    """A parameter of a drive as last known. ``number`` in hexadecimal; ``raw`` as the drive has it, null if it was not read yet;
+    ``value`` in ``unit``, ``text`` for people; ``lowest``, ``highest``, ``default`` in the same unit. ``named``: a catalogue has
+    it. ``at``: when it was read; ``watched``: it is polled now.
+    """
+
+    drive: str
+    number: str
+    named: bool
+    name: str
+    unit: str
+    raw: int | None
+    value: float | None
+    text: str
+    at: float | None
+    lowest: float | None = None
+    highest: float | None = None
+    default: float | None = None
+    read_only: bool = False
+    while_running: bool = False
+    description: str = ""
+    watched: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class LineView:
+    """A link that carries several devices. ``since``: when it came up, or went down for this ``reason``; null before it was ever
+    up. ``figures`` count since the controller started; which there are depends on the wire.
+    """
+
+    id: str
+    wire: str
+    address: str
+    up: bool
+    since: float | None
+    reason: str
+    devices: tuple[str, ...]
+    figures: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class AxesView:
+    """Positions of the three taught axes in pulses; null where one is not known."""
+
+    shft: int | None
+    rota: int | None
+    lift: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class ProposalView:
+    """A set of teaching events from one vehicle and barcode, and the version that approval would make of it.
+
+    ``side``: ``dest`` (of port ``station``) or ``offset`` (of the vehicle, at the reference port ``station``). ``raw`` are the
+    positions sent, in the teaching events numbered ``events``; ``missing`` the axes that were not. ``result`` is the whole new
+    version, untaught axes carried over from version ``base`` (0: none); ``against_version`` is that of the other side. ``opened``
+    and ``at`` are when the first and the last event came. ``revision`` is its ETag. Its live key is ``proposal-ID``.
+    """
+
+    id: int
+    side: str
+    vehicle: str
+    barcode: str
+    station: str | None
+    session: int | None
+    state: str
+    why: str
+    remedy: str
+    warnings: tuple[str, ...]
+    raw: AxesView
+    missing: tuple[str, ...]
+    events: tuple[int, ...]
+    asked: str | None
+    asked_by: str | None
+    opened: float
+    at: float
+    result: AxesView | None
+    base: int
+    against_version: int | None
+    closed: float | None
+    closed_by: str | None
+    reason: str
+    version: int | None
+    revision: int
+
+
+@dataclass(frozen=True, slots=True)
+class TeachingSessionView:
+    """A teaching session: its port is closed to jobs while it is open. Its live key is ``session-ID``."""
+
+    id: int
+    station: str
+    vehicle: str
+    actor: str
+    note: str
+    state: str
+    opened: float
+    ended: float | None
+    ended_by: str | None
+    reason: str
 
 
 View = (
@@ -268,6 +454,11 @@ View = (
     | CommandView
     | DeviceView
     | DriveView
+    | OperationView
+    | ParameterView
+    | LineView
+    | ProposalView
+    | TeachingSessionView
 )
 
 

@@ -216,7 +216,7 @@ class AgvOrders:
             path = books.router.route(here, goal) if here is not None else ()
         except NoRoute as why:
             return Refusal("no-route", why.message, "see GET /api/v1/layout", "alias")
-        if here is None or vehicle.beyond or self._ways.sure(path) != len(path) - 1:
+        if here is None or vehicle.toward or self._ways.sure(path) != len(path) - 1:
             reason = f"{vehicle.id} may choose another way to {command.alias} than the one that would be granted"
             return Refusal("conflict", reason, f"send move to {goal}: it leads there tag by tag", "alias")
         if blocked := next((b for at in path[1:] if (b := books.traffic.obstacle(vehicle.id, at))), None):

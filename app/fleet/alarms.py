@@ -7,9 +7,10 @@ from app.domain.job import JobEvent
 from app.domain.units import Seconds
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.fleet.books import Books
-from app.fleet.recovery import LOOK, Recovery
+from app.fleet.recovery import ALARM, LOOK, Recovery
 from app.fleet.vehicle import AlarmRecovery, Stage, VehicleNow
 
+STOPPED = f"{ALARM} recovery stopped"
 PATIENCE = Seconds(60.0)
 """After so long without the STATUS it needs, an alarm recovery gives up (our choice)."""
 
@@ -29,6 +30,10 @@ class Alarms:
         values = {name: (value, meaning) for name, value, meaning in status.condition.details}
         bad = [f"{axis.upper()} {values[axis][1]}" for axis, good in safe.items() if values[axis][0] not in good]
         return ", ".join(bad)
+
+    def has_work(self, vehicle: VehicleNow, status: VehicleStatus) -> bool:
+        """Whether there is anything to recover a vehicle from: an alarm, what keeps it out of AUTO, or a hold for either."""
+        return self._next_command(status) is not None or _is_ours(vehicle)
 
     def start(self, vehicle: VehicleNow, actor: Actor, *, confirmed: bool) -> None:
         """Begin the sequence: STOP, ALARM CLEAR, SERVO ON, SEARCH HOME or GO HOME, AUTO, each where needed."""
@@ -103,34 +108,39 @@ class Alarms:
         if recovery is None:
             return
         if failure:
-            self._recovery.hold(
-                vehicle,
-                f"alarm recovery stopped: {failure}",
-                f"mend the cause, then POST /api/v1/vehicles/{vehicle.id}/recover again",
-            )
+            self._stop(vehicle, failure, f"mend the cause, then POST /api/v1/vehicles/{vehicle.id}/recover again")
             self._recovery.begin(vehicle)
             return
         self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=f"recovered by {recovery.actor}")
         if vehicle.doubt:
             self._recovery.hold(vehicle, vehicle.doubt, LOOK)
-        elif vehicle.record.hold:
+        elif _is_ours(vehicle):
             self._books.save_vehicle(vehicle, hold=None)
             self._books.event(
                 JobEvent.VEHICLE_RELEASED, vehicle=vehicle.id, detail=f"{recovery.actor}: alarm recovered"
             )
         self._recovery.begin(vehicle)
 
+    def _stop(self, vehicle: VehicleNow, failure: str, remedy: str) -> None:
+        """Hold the vehicle for a failure; a hold for another reason stays, and is named first."""
+        hold = vehicle.record.hold
+        other = "" if hold is None or _is_ours(vehicle) else f"{hold.reason.partition(f'; {STOPPED}')[0]}; "
+        self._recovery.hold(vehicle, f"{other}{STOPPED}: {failure}", remedy)
+
     def link_lost(self, vehicle: VehicleNow) -> None:
         """The sequence does not go on by itself once the vehicle is back."""
         if vehicle.recovery:
             vehicle.recovery = None
-            self._recovery.hold(
-                vehicle,
-                "alarm recovery stopped: the link was lost",
-                f"POST /api/v1/vehicles/{vehicle.id}/recover again once it is back",
+            self._stop(
+                vehicle, "the link was lost", f"POST /api/v1/vehicles/{vehicle.id}/recover again once it is back"
             )
 
     def note_failure(self, vehicle: VehicleNow, answer: Answered) -> None:
         """Remember why a handling ended abnormally, if an alarm says so (I46)."""
         if answer.condition.oper is Oper.ALARM:
             vehicle.failed_handling = f"alarm {self._books.named_alarm(answer.condition.code)}"
+
+
+def _is_ours(vehicle: VehicleNow) -> bool:
+    """Whether a vehicle is on hold for an alarm: only that is lifted by its recovery, all else by a named person."""
+    return vehicle.record.hold is not None and vehicle.record.hold.reason.startswith(ALARM)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
-from app.domain.layout import Plant, Station
+from app.domain.layout import Plant, Station, StationKind
 from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
@@ -25,8 +25,11 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.requests import Reply
+from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
+from app.fleet.teaching_books import TeachingBooks
+from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
     view_of_carrier,
@@ -93,8 +96,14 @@ class Books:
         self.offsets: dict[VehicleId, VehicleOffset] = {o.vehicle: o for o in kept.offsets}
         self.taught = 0
         """Rises with every new DEST or OFFSET."""
+        self.teaching = TeachingBooks(plant, kept)
+        self._note_teaching()
         self.controller = kept.controller
         self.roll_call: dict[VehicleId, None] = {}
+        self.buffer_trouble: dict[StationId, str] = {}
+        """Why the buffer of a station cannot be used now."""
+        self.sensed: dict[StationId, bool] = {}
+        """Whether the buffer of a station reports a cart, where it says so now."""
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch
@@ -117,16 +126,21 @@ class Books:
                 vehicles[job.vehicle].job = job.id
         return vehicles
 
+    def _note_teaching(self) -> None:
+        for vehicle in self.vehicles.values():
+            session = self.teaching.session_of(vehicle.id)
+            vehicle.teaching = session.number if session else None
+
     def _take_over_plant_file(self) -> None:
         for carrier, place in self.plant.carriers:
             self.put_carrier(carrier, place, Provenance.PLANT)
         for station in self.plant.stations:
-            if station.dest:
+            if station.dest and station.kind is StationKind.PORT:
                 self.keep_dest(StationDest(station.id, 1, station.dest, SYSTEM, "plant file", self.utc))
         for spec in self.plant.vehicles:
             if not spec.in_service:
                 self.save_vehicle(self.vehicles[spec.id], out_of_service="by the plant file")
-            if spec.offset:
+            if spec.offset and not self.teaching.is_reference(spec.id):
                 self.keep_offset(VehicleOffset(spec.id, 1, spec.offset, SYSTEM, "plant file", self.utc))
 
     @property
@@ -306,6 +320,26 @@ class Books:
         self.taught += 1
         self.effects.records.append(offset)
 
+    def save_proposal(self, proposal: Proposal) -> Proposal:
+        """Keep and show a proposal; one that is over leaves the live ones."""
+        self.teaching.note_proposal(proposal)
+        self.effects.records.append(proposal)
+        self.show(
+            Topic.TEACHING, f"proposal-{proposal.number}", None if proposal.state.over else view_of_proposal(proposal)
+        )
+        return proposal
+
+    def save_session(self, session: TeachingSession) -> TeachingSession:
+        """Keep and show a teaching session, and its station, which it closes to jobs."""
+        self.teaching.note_session(session)
+        self._note_teaching()
+        self.effects.records.append(session)
+        ended = session.state is not SessionState.OPEN
+        self.show(Topic.TEACHING, f"session-{session.number}", None if ended else view_of_session(session))
+        if session.station in self.specs:
+            self.show_station(session.station)
+        return session
+
     def save_controller(self, record: ControllerRecord) -> None:
         """Keep and show the controller's state."""
         self.controller = record
@@ -323,7 +357,9 @@ class Books:
         self.show(
             Topic.STATIONS,
             station,
-            view_of_station(self.specs[station], self.stations[station], self.dests.get(station)),
+            view_of_station(
+                self.specs[station], self.stations[station], self.dests.get(station), self.teaching.closing(station)
+            ),
         )
 
     def show_carrier(self, carrier: CarrierId) -> None:

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Direct, Display, Move, Send, Simple
-from app.domain.devices import DeviceEvent
+from app.domain.commands import Direct, Display, Move, Send, Simple, Xmove
+from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
 from app.domain.drive import DriveEvent
+from app.domain.drive_requests import Word
 from app.domain.events import (
     Acknowledged,
     Answered,
@@ -20,27 +21,37 @@ from app.domain.events import (
 )
 from app.domain.ids import CmdIds, VehicleId
 from app.domain.job import JobEvent, JobState
-from app.domain.layout import Axis, Plant
-from app.domain.records import Intent, IntentState, Kept, TeachingEvent
-from app.domain.requests import Request
+from app.domain.layout import Plant
+from app.domain.links import LinkSend
+from app.domain.records import Intent, IntentState, Kept
+from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
+from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
+from app.fleet.device_orders import DeviceOrders
 from app.fleet.devices import Devices
 from app.fleet.dispatch import Dispatch
+from app.fleet.doors import Doors
 from app.fleet.drives import Drives
+from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
 from app.fleet.motion import Motion, OffPath
 from app.fleet.orders import VehicleOrders
+from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.teaching import Teaching
+from app.fleet.teaching_desk import TeachingDesk
+from app.fleet.teaching_sessions import TeachingSessions
+from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import Stage, VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
 
@@ -70,12 +81,15 @@ class Fleet:
         link: Callable[[VehicleId], LinkView],
     ) -> None:
         self.books = Books(plant, kept, cmd_ids, now, utc)
-        self.motion = Motion(self.books)
+        self.devices = Devices(self.books, kept)
+        passages = Passages(self.books, self.devices)
+        self.motion = Motion(self.books, passages)
+        self.doors = Doors(self.books, self.devices, passages, self.motion)
+        self.buffers = Buffers(self.books, self.devices)
         self.recovery = Recovery(self.books, self.motion)
         self.alarms = Alarms(self.books, self.recovery)
-        self.missions = Missions(self.books, self.motion, self.recovery)
-        self.devices = Devices(self.books)
-        self.drives = Drives(self.books)
+        self.missions = Missions(self.books, self.motion, self.recovery, self.buffers)
+        self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
         self._charging = Charging(self.books, self.motion)
@@ -83,7 +97,22 @@ class Fleet:
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
         self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders)
-        self._desk = Desk(self.books, self._jobs, orders, self._agv_orders, self._plant_orders)
+        self.teaching = Teaching(self.books)
+        sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
+        teaching = TeachingDesk(self.books, self.teaching, sessions)
+        device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
+        emergency = EmergencyDesk(self.books, self._plant_orders)
+        self._desk = Desk(
+            self.books,
+            self._jobs,
+            orders,
+            self._agv_orders,
+            self._plant_orders,
+            self.drives,
+            teaching,
+            device_orders,
+            emergency,
+        )
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
         self._last_show = now
@@ -110,25 +139,34 @@ class Fleet:
             books.show_station(station)
         for carrier in books.carriers:
             books.show_carrier(carrier)
+        for session in books.teaching.sessions.values():
+            books.show(Topic.TEACHING, f"session-{session.number}", view_of_session(session))
+        for proposal in books.teaching.proposals.values():
+            books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
+        self.devices.show()
 
     # -- inputs -------------------------------------------------------------------------------------------------------
 
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
+        next_one = min(self._next_thought, self.drives.deadline)
         if self.books.dirty:
-            return min(self._next_thought, Seconds(self._last_show + SHOW_EVERY))
-        return self._next_thought
+            return min(next_one, Seconds(self._last_show + SHOW_EVERY))
+        return next_one
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
         self.books.now = now
+        self.drives.tick()
         if now < self._next_thought:
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
+        self.teaching.tick()
+        self.devices.tick()
         for vehicle in self.books.vehicles.values():
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
@@ -157,6 +195,7 @@ class Fleet:
                 self._link_up(vehicle)
             case LinkDown(reason=reason):
                 self.alarms.link_lost(vehicle)
+                self.teaching.lost(vehicle, reason)
                 self.recovery.link_lost(vehicle, reason)
             case Reported():
                 self._reported(vehicle, event)
@@ -169,7 +208,7 @@ class Fleet:
             case NotSent():
                 self._not_sent(vehicle, event)
             case Taught():
-                self._taught(vehicle, event)
+                self.teaching.take(vehicle, event)
             case Garbled():
                 self.books.touch(vehicle)
         if any(self._wants_dispatch(name) for name in self.books.woken):
@@ -179,7 +218,12 @@ class Fleet:
     def handle_device(self, event: DeviceEvent, now: Seconds) -> None:
         """Take one event of an ENIG link."""
         self.books.now = now
-        self.devices.handle(event)
+        if device := self.devices.handle(event):
+            if device.kind is DeviceKind.DOOR:
+                self.doors.told(device)
+            else:
+                self.buffers.told(device, event)
+                self._think_soon()
         self._go_on()
 
     def handle_drive(self, event: DriveEvent, now: Seconds) -> None:
@@ -193,6 +237,17 @@ class Fleet:
         self.books.effects.replies.append((ticket, self._desk.answer(request)))
         self._think_soon()
         self._go_on()
+
+    def tell(self, word: Word, now: Seconds) -> tuple[Reply, list[LinkSend]]:
+        """Take a word that changes nothing that is kept. Its reply, and what it gives the lines to do, need no commit."""
+        self.books.now = now
+        return self.drives.tell(word)
+
+    def link_objection(self, send: LinkSend) -> str:
+        """Return why an order to a link must not leave any more now that it is durable, empty if it may."""
+        if isinstance(send.order, DeviceRequest):
+            return self.device_objection(send.order)
+        return self.drives.objection(send)
 
     def _think_soon(self) -> None:
         """Something changed that dispatch should see; many changes together cost one assignment."""
@@ -282,7 +337,7 @@ class Fleet:
             drive.acknowledged = drive.acknowledged or self.books.now
             self._follow_answer(vehicle, event)
             if self.motion.answer(vehicle, drive, event):
-                self._moved(vehicle, event)
+                self._moved(vehicle, event, recalled=drive.recalled)
         elif drive and drive.amendment and event.cmd_id == drive.amendment.cmd_id:
             if event.ok:
                 self.motion.amended(vehicle, drive, drive.amendment)
@@ -296,18 +351,20 @@ class Fleet:
                 vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
             )
             self.alarms.answered(vehicle, event)
+            self.teaching.answered(vehicle, event.cmd_id, "" if event.ok else event.reason or "RESULT 1")
 
     def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
         """RESP1 brings the place too; a barcode that was not reported before is followed now."""
         if event.condition.recognised and event.barcode in vehicle.ahead:
             self._follow(vehicle, VehicleStatus(event.condition, event.barcode, event.seq))
 
-    def _moved(self, vehicle: VehicleNow, event: Answered) -> None:
+    def _moved(self, vehicle: VehicleNow, event: Answered, *, recalled: bool) -> None:
         """The MOVE is over. After an abnormal end the vehicle is asked before anything else is sent."""
         if event.ok:
             vehicle.missed = 0
             return
-        self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
+        if not recalled:
+            self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
         if vehicle.stage is Stage.READY:
             self.recovery.begin(vehicle)
 
@@ -340,6 +397,7 @@ class Fleet:
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
         self.alarms.unanswered(vehicle, event.cmd_id, event.why)
         self._agv_orders.unanswered(vehicle, event)
+        self.teaching.answered(vehicle, event.cmd_id, event.why.value)
         if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
             self.recovery.begin(vehicle)
 
@@ -358,7 +416,8 @@ class Fleet:
             self.alarms.unanswered(vehicle, event.cmd_id, event.reason)
             return
         if vehicle.linked and vehicle.stage is Stage.READY:
-            if vehicle.fit and isinstance(event.command, Move):
+            barred = self._barrier(Send(event.vehicle, event.cmd_id, event.command))
+            if vehicle.fit and isinstance(event.command, Move) and not barred:
                 self._missed(vehicle, f"could not be sent {MAX_MISSES} times ({event.reason})")
             self.recovery.begin(vehicle)
 
@@ -370,28 +429,29 @@ class Fleet:
         vehicle = self.books.vehicles[send.vehicle]
         if send.cmd_id not in vehicle.opened:
             return "it was settled before it could be sent"
-        if isinstance(send.command, Simple | Display | Direct) or vehicle.fit:
+        if isinstance(send.command, Simple | Display | Direct):
+            return ""
+        if barrier := self._barrier(send):
+            return barrier
+        if vehicle.fit:
             return ""
         return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
 
-    def _taught(self, vehicle: VehicleNow, event: Taught) -> None:
-        """A teaching event is kept raw before it is acknowledged (DOMAIN section 3)."""
-        axes = {"shft": Axis.SHFT, "rota": Axis.ROTA, "lift": Axis.LIFT}
-        axis = axes[event.kind.value.split("_")[0]] if event.kind else None
-        link_since = self.books.utc_at(vehicle.link_since)
-        self.books.effects.records.append(
-            TeachingEvent(
-                vehicle=vehicle.id,
-                connection=f"{self.books.epoch}/{link_since:.3f}",
-                cmd_id=event.cmd_id,
-                code=event.code,
-                axis=axis,
-                position=event.position,
-                barcode=event.barcode,
-                at=self.books.utc,
-            )
-        )
-        self.books.effects.stored.append((vehicle.id, event.receipt))
+    def _barrier(self, send: Send) -> str:
+        """Return what came between the decision and the sending that is not the vehicle's doing; empty if nothing did."""
+        told = ", ".join(e.kind.value for e in self.books.controller.emergencies)
+        if told or not isinstance(send.command, Move | Xmove):
+            return told
+        passages = self.motion.passages
+        doors = passages.shut_on([element.barcode for element in send.command.path])
+        return next((f"{door.id} on its way is {passages.against(door)}" for door in doors), "")
+
+    def device_objection(self, request: DeviceRequest) -> str:
+        """Return why a command to a door or buffer must not leave any more now that it is durable, empty if it may."""
+        device = self.devices.all.get(request.device)
+        if device is None or not isinstance(request.command, DeviceAct):
+            return ""
+        return self.devices.may_leave(device, request.id) or self.doors.may_leave(device, request.command)
 
     # -- going on -----------------------------------------------------------------------------------------------------
 
@@ -399,13 +459,25 @@ class Fleet:
         """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
         books = self.books
         while books.woken:
-            name = next(iter(books.woken))
-            del books.woken[name]
-            vehicle = books.vehicles[name]
-            self.missions.proceed(vehicle)
-            if vehicle.errand:
-                self._courtesy.explain(vehicle, self.motion.advance(vehicle))
+            while books.woken:
+                name = next(iter(books.woken))
+                del books.woken[name]
+                vehicle = books.vehicles[name]
+                self.missions.proceed(vehicle)
+                if vehicle.errand:
+                    self._courtesy.explain(vehicle, self.motion.advance(vehicle))
+                self.doors.follow(vehicle)
+            self._mind_devices()
+        self._mind_devices()
+        self.teaching.reassess()
         self._plant_orders.note_rest()
+
+    def _mind_devices(self) -> None:
+        """Doors open and close, buffers are locked and unlocked, by what vehicles do now."""
+        if self.devices.all:
+            self.doors.mind()
+            self.buffers.mind()
+            self.devices.show()
 
     def _wants_dispatch(self, name: VehicleId) -> bool:
         """Whether a woken vehicle could take a job now."""

@@ -45,6 +45,10 @@ class Courtesy:
         """Return what keeps every vehicle, or all in its area, from moving; empty if nothing does."""
         if not vehicle.fit or self._motion.arrived(vehicle):
             return ""
+        emergencies = self._books.controller.emergencies
+        if emergencies:
+            told = ", ".join(f"{e.kind.value}, told by {e.actor}" for e in emergencies)
+            return f"{vehicle.id} waits at {vehicle.barcode}: {told}"
         state = self._books.controller.state
         if state is not ControllerState.AUTO:
             return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
@@ -57,6 +61,8 @@ class Courtesy:
             BlockReason.CONFLICT: f"{blocked.at}, which excludes track",
             BlockReason.ZONE: f"{blocked.at} in zone {blocked.zone}",
         }.get(blocked.why)
+        if blocked.why is BlockReason.DOOR:
+            return f"{vehicle.id} waits at {vehicle.barcode} for door {blocked.note}"
         if what is None or blocked.by is None:
             return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
         return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self._doing(blocked.by)}"
@@ -70,6 +76,7 @@ class Courtesy:
             return f"{name}, which is {what} at {other.handling.station} ({since} s)"
         states = (
             (other.barred, f"{name}, which is {other.barred}"),
+            (other.teaching is not None, f"{name}, which is used for teaching (session {other.teaching})"),
             (other.stage is Stage.ABSENT, f"{name}, which is silent ({other.link_reason})"),
             (other.oper is Oper.ALARM, f"{name}, which has an alarm"),
             (other.stage is Stage.SETTLING, f"{name}, which is being asked where it is"),
@@ -82,7 +89,8 @@ class Courtesy:
 
     def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
         """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
-        if not other.fit or not other.at_rest or other.order or other.errand or other.kept:
+        bound = other.order or other.errand or other.kept or other.teaching is not None
+        if not other.fit or not other.at_rest or bound:
             return
         if other.job and not self._stands_by(other):
             return
@@ -135,7 +143,7 @@ class Courtesy:
     def _let_agv(self, asker: VehicleNow, other: VehicleNow, purpose: Purpose) -> bool:
         """Send an AGV out of another's way over free track, to where it harms nobody's passage; else just out of the way."""
         books, length = self._books, other.spec.length
-        if other.beyond is not None:
+        if other.toward is not None:
             return False
         whole = self._wanted(asker)
         near = {b for b in (asker.barcode, *asker.ahead, *asker.rest[:1]) if b is not None}

@@ -2,6 +2,8 @@
 
 from dataclasses import fields
 
+from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
+from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
@@ -12,11 +14,14 @@ from app.domain.requests import (
     CommandVehicle,
     CreateJob,
     DisplayOnVehicle,
+    HallRequest,
     HandleOnce,
     HoldVehicle,
+    JobRequest,
     LockVehicle,
     MoveVehicle,
     PauseController,
+    PlantRequest,
     RecoverAlarm,
     ReleaseVehicle,
     Reply,
@@ -30,35 +35,72 @@ from app.domain.requests import (
     WriteOffset,
     WriteStation,
 )
+from app.domain.teaching_requests import TeachingRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
+from app.fleet.device_orders import DeviceOrders
+from app.fleet.drives import Drives
+from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
+from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
+
+TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
+"""Parts of a request that name what it is about, the first that is there."""
+
+UNSAID = frozenset({"actor", "fingerprint", "values"})
+"""Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 
 class Desk:
     """Answers every request."""
 
-    def __init__(self, books: Books, jobs: Jobs, vehicles: VehicleOrders, agvs: AgvOrders, plant: PlantOrders) -> None:
+    def __init__(
+        self,
+        books: Books,
+        jobs: Jobs,
+        vehicles: VehicleOrders,
+        agvs: AgvOrders,
+        plant: PlantOrders,
+        drives: Drives,
+        teaching: TeachingDesk,
+        devices: DeviceOrders,
+        emergency: EmergencyDesk,
+    ) -> None:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
         self._agvs = agvs
         self._plant = plant
+        self._drives = drives
+        self._teaching = teaching
+        self._devices = devices
+        self._emergency = emergency
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
         accepted = isinstance(reply, Accepted)
         what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
-        named = (getattr(request, name, None) for name in ("job", "vehicle", "station", "carrier"))
+        named = (getattr(request, name, None) for name in TARGETS)
         target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
         self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
         return reply
 
     def _answer(self, request: Request) -> Reply:
+        if isinstance(request, VehicleRequest):
+            return self._answer_about_vehicle(request)
+        if isinstance(request, DriveOrder):
+            return self._drives.answer(request)
+        if isinstance(request, TeachingRequest):
+            return self._teaching.answer(request)
+        if isinstance(request, HallRequest):
+            return self._answer_about_hall(request)
+        return self._answer_about_plant(request)
+
+    def _answer_about_plant(self, request: JobRequest | PlantRequest) -> Reply:
         match request:
             case CreateJob():
                 return self._jobs.create(request)
@@ -80,8 +122,11 @@ class Desk:
                 return self._plant.pause(request)
             case ResumeController():
                 return self._plant.resume(request)
-            case _:
-                return self._answer_about_vehicle(request)
+
+    def _answer_about_hall(self, request: HallRequest) -> Reply:
+        if isinstance(request, RaiseEmergency | ReleaseEmergency):
+            return self._emergency.answer(request)
+        return self._devices.answer(request)
 
     def _answer_about_vehicle(self, request: VehicleRequest) -> Reply:
         vehicle, orders = self._books.vehicles.get(request.vehicle), self._vehicles
@@ -123,5 +168,7 @@ class Desk:
 
 def _said(request: Request) -> str:
     """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
-    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in {"actor", "fingerprint"})
-    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", ()))
+    if summary := getattr(request, "summary", ""):
+        return str(summary)
+    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in UNSAID)
+    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", (), frozenset()))

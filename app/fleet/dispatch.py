@@ -138,18 +138,28 @@ class Dispatch:
         if only is None:
             return "no vehicle is free"
         asked = "has the carrier aboard" if only.id == job.source else "is asked for"
-        return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only)}"
+        return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only) or self._unserved(only, job)}"
+
+    def _unserved(self, vehicle: VehicleNow, job: Job) -> str:
+        """Return why the vehicle cannot serve one of the job's stations, with the missing axis named."""
+        for place in (job.source, job.destination):
+            station = self._books.specs.get(StationId(place))
+            why = target_for(self._books, vehicle, station) if station else None
+            if isinstance(why, Refusal):
+                return f"cannot serve {place}: {why.reason}"
+        return "cannot serve both stations"
 
     def _engaged(self, vehicle: VehicleNow) -> str:
         states = (
             (vehicle.barred, f"is {vehicle.barred}"),
             (not vehicle.linked, "is not connected"),
             (vehicle.job, f"is on job {vehicle.job}"),
+            (vehicle.teaching is not None, f"is used for teaching (session {vehicle.teaching})"),
             (not vehicle.fit, "is not ready"),
             (self.loaded(vehicle), "is loaded"),
             (vehicle.kept, vehicle.kept),
         )
-        return next((words for applies, words in states if applies), "cannot serve both stations")
+        return next((words for applies, words in states if applies), "")
 
     # -- which vehicle ------------------------------------------------------------------------------------------------
 

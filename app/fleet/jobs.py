@@ -12,6 +12,7 @@ from app.fleet.books import Books
 from app.fleet.kinds import between_kinds
 from app.fleet.missions import Missions
 from app.fleet.plant_orders import unfit_name
+from app.fleet.targets import no_dest, no_offset
 
 OUR_NAMES = "HW-"
 """Jobs without a name from the host are called HW-1, HW-2 ...; hosts may not use the prefix."""
@@ -97,10 +98,11 @@ class Jobs:
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
         others = (request.destination, *request.fallbacks)
-        if refusal := between_kinds(books, request.source, others, request.vehicle):
-            return refusal
-        return self._untaught(request.source, request.destination) or self._no_route(
-            request.source, request.destination
+        return (
+            between_kinds(books, request.source, others, request.vehicle)
+            or self._untaught(request.source, request.destination)
+            or self._unfit(request)
+            or self._no_route(request.source, request.destination)
         )
 
     def _unknown_ends(self, source: str, destination: str, fallbacks: tuple[StationId, ...]) -> Refusal | None:
@@ -112,21 +114,25 @@ class Jobs:
             if name not in books.specs:
                 return Refusal("invalid", f"there is no station {name}", see, field)
         if source == destination:
-            return Refusal("invalid", "source and destination are the same station", "", "destination")
+            return Refusal("invalid", "source and destination are the same station", "name another", "destination")
         return None
 
     def _untaught(self, source: str, destination: str) -> Refusal | None:
         """Ports without DEST are refused with the missing axes named (DOMAIN section 3)."""
         for name, field in ((source, "source"), (destination, "destination")):
             spec = self._books.specs.get(StationId(name))
-            if spec and spec.kind is StationKind.PORT and spec.id not in self._books.dests:
-                return Refusal(
-                    "not-now",
-                    f"{name} has no DEST for SHFT, ROTA and LIFT",
-                    f"teach it, or PUT /api/v1/stations/{name}/dest",
-                    field,
-                )
+            if spec and spec.kind is StationKind.PORT and (refusal := no_dest(self._books, spec.id)):
+                return replace(refusal, field=field)
         return None
+
+    def _unfit(self, request: CreateJob) -> Refusal | None:
+        """The one vehicle that may do the job lacks an OFFSET that a port needs: the missing axes are named."""
+        only = self._books.vehicles.get(request.vehicle or VehicleId(request.source))
+        ends = (self._books.specs.get(StationId(name)) for name in (request.source, request.destination))
+        if only is None or not any(spec and spec.kind is StationKind.PORT for spec in ends):
+            return None
+        refusal = no_offset(self._books, only)
+        return replace(refusal, field="vehicle" if request.vehicle else "source") if refusal else None
 
     def _no_route(self, source: str, destination: str) -> Refusal | None:
         books = self._books
@@ -155,7 +161,7 @@ class Jobs:
             return job
         ended = self._books.ended.get(name)
         if ended:
-            return Refusal("conflict", f"job {name} has ended: {ended.state.value}", "")
+            return Refusal("conflict", f"job {name} has ended: {ended.state.value}", "order a new job")
         return Refusal("not-found", f"there is no job {name} under way", "see GET /api/v1/jobs")
 
     def cancel(self, request: CancelJob) -> Reply:
@@ -208,7 +214,7 @@ class Jobs:
         if isinstance(job, Refusal):
             return job
         if job.state in {JobState.ABORTING, JobState.CANCELLING}:
-            return Refusal("conflict", f"job {job.id} is {job.state.value}", "")
+            return Refusal("conflict", f"job {job.id} is {job.state.value}", "order a new job once it has ended")
         if refusal := self._bad_change(job, request):
             return refusal
         changed = replace(
@@ -237,11 +243,21 @@ class Jobs:
             if job.source in self._books.vehicles and request.vehicle != job.source:
                 return Refusal("invalid", f"the carrier is aboard {job.source}", "leave vehicle out", "vehicle")
             if job.state not in {JobState.QUEUED, JobState.WAITING}:
-                return Refusal("conflict", f"the carrier is aboard {job.vehicle} or being picked up", "", "vehicle")
+                return Refusal(
+                    "conflict",
+                    f"the carrier is aboard {job.vehicle} or being picked up",
+                    "leave vehicle out: only a job that is queued or waiting can get another",
+                    "vehicle",
+                )
         if request.destination is None or request.destination == job.destination:
             return None
         if job.leg is Leg.DEPOSITING:
-            return Refusal("conflict", f"the carrier is being put down at {job.destination}", "", "destination")
+            return Refusal(
+                "conflict",
+                f"the carrier is being put down at {job.destination}",
+                "wait for its end, then order a job from there",
+                "destination",
+            )
         source: str = (job.vehicle or job.source) if job.leg is Leg.TO_DESTINATION else job.source
         return (
             self._unknown_ends(source, request.destination, ())

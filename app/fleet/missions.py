@@ -15,6 +15,7 @@ from app.domain.records import ControllerState, IntentState, Provenance
 from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
+from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
 from app.fleet.kinds import serves
 from app.fleet.motion import Motion
@@ -32,10 +33,11 @@ NO_PLACE = "its destination cannot be used"
 class Missions:
     """Takes vehicles through their jobs, one step at a time."""
 
-    def __init__(self, books: Books, motion: Motion, recovery: Recovery) -> None:
+    def __init__(self, books: Books, motion: Motion, recovery: Recovery, buffers: Buffers) -> None:
         self._books = books
         self._motion = motion
         self._recovery = recovery
+        self._buffers = buffers
 
     # -- the next step ------------------------------------------------------------------------------------------------
 
@@ -107,7 +109,10 @@ class Missions:
             return
         station = self._head_for(vehicle, usable, pickup=pickup)
         if station and self._motion.arrived(vehicle) and self._books.controller.state is ControllerState.AUTO:
-            self._start_handling(vehicle, usable, station, pickup=pickup)
+            if why := self._buffers.lend(vehicle, station):
+                self._wait(usable, why)
+            else:
+                self._start_handling(vehicle, usable, station, pickup=pickup)
 
     def _usable_source(self, vehicle: VehicleNow, job: Job) -> Job | None:
         """Return the job if its source still has what it wants; else it goes back into the queue."""
@@ -242,6 +247,7 @@ class Missions:
             return
         vehicle.handling = None
         self._books.close_intent(vehicle, handling.cmd_id, state, outcome)
+        self._buffers.give_back(vehicle, handling.station)
         if state in {IntentState.DONE, IntentState.SETTLED_DONE}:
             vehicle.missed = 0
             vehicle.trips += not handling.pickup
@@ -384,7 +390,9 @@ class Missions:
             return
         station = self._books.specs[order.station]
         target = target_for(self._books, vehicle, station, order.target)
-        if isinstance(target, Refusal):
+        if isinstance(target, Refusal) or station.id in self._books.buffer_trouble:
             vehicle.order = None
+            return
+        if self._buffers.lend(vehicle, station):
             return
         self._handle(vehicle, station, target, None, pickup=order.pickup)

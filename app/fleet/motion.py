@@ -18,9 +18,11 @@ from app.domain.records import ControllerState, IntentState
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
+from app.fleet.halting import halt
+from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
-from app.planning.traffic import Blocked
+from app.planning.traffic import Blocked, BlockReason
 from app.planning.ways import free_way
 
 REACTION = Seconds(0.5)
@@ -36,8 +38,9 @@ class OffPath(Exception):
 class Motion:
     """Moves vehicles on their errands. Decides nothing about jobs."""
 
-    def __init__(self, books: Books) -> None:
+    def __init__(self, books: Books, passages: Passages) -> None:
         self._books = books
+        self.passages = passages
 
     # -- where it is --------------------------------------------------------------------------------------------------
 
@@ -48,12 +51,16 @@ class Motion:
         """
         books = self._books
         before = books.traffic.held(vehicle.id)
-        vehicle.beyond = self._next_tag(vehicle, barcode)
+        vehicle.toward = self._next_tag(vehicle, barcode)
         vehicle.trail = self._covered(vehicle, barcode)
+        beyond = tuple(b for b in books.track.successors(barcode) if b in before and b not in vehicle.trail)
+        vehicle.beyond = beyond or (vehicle.beyond if vehicle.barcode == barcode else ())
+        if not vehicle.way or vehicle.way[-1] != barcode:
+            vehicle.way = [barcode]
         if vehicle.barcode != barcode:
             vehicle.barcode, vehicle.stopped = barcode, None
         vehicle.ahead, vehicle.rest = [], []
-        held = (*reversed(vehicle.trail), *((vehicle.beyond,) if vehicle.beyond else ()))
+        held = (*reversed(vehicle.trail), *((vehicle.toward,) if vehicle.toward else ()))
         books.traffic.release(vehicle.id, [b for b in before if b not in held])
         clashes = books.traffic.hold(vehicle.id, held)
         self._wake_waiters(before)
@@ -68,8 +75,8 @@ class Motion:
         """
         if vehicle.in_position:
             return None
-        if vehicle.barcode == barcode and vehicle.drive is None and vehicle.beyond:
-            return vehicle.beyond
+        if vehicle.barcode == barcode and vehicle.drive is None and vehicle.toward:
+            return vehicle.toward
         here = () if vehicle.barcode is None else (vehicle.barcode, *vehicle.ahead)
         for way in (here, *(intent.path for intent in vehicle.opened.values()), vehicle.record.held):
             if barcode in way[:-1]:
@@ -92,11 +99,10 @@ class Motion:
         length = vehicle.spec.length
         if vehicle.barcode == barcode and vehicle.trail.get(barcode) == 0:
             return vehicle.trail
-        track = self._books.track
-        covered = {barcode: Millimetres(0)}
-        for near in (*self._around(vehicle, barcode), *reversed(track.covered(barcode, length)[:-1])):
-            covered.setdefault(near, length)
-        return covered
+        if not vehicle.is_agv:
+            return self._books.track.distances_behind(barcode, length)
+        around = dict.fromkeys(self._around(vehicle, barcode), length)
+        return {barcode: Millimetres(0)} | around | self._books.track.distances_behind(barcode, length)
 
     def _around(self, vehicle: VehicleNow, barcode: Barcode) -> list[Barcode]:
         """Return what an AGV may cover on any side of it: it may have come backwards, or have turned; but not over another."""
@@ -128,8 +134,11 @@ class Motion:
             trail[end] = gone
         length = vehicle.spec.length
         vehicle.trail = dict(sorted(((b, d) for b, d in trail.items() if d <= length), key=lambda item: item[1]))
-        vehicle.barcode, vehicle.stopped, vehicle.beyond = barcode, None, None
+        vehicle.barcode, vehicle.stopped, vehicle.beyond, vehicle.toward = barcode, None, (), None
         del vehicle.ahead[:count]
+        vehicle.way += passed[1:]
+        while len(vehicle.way) > 2 and vehicle.way[1] not in vehicle.trail:
+            del vehicle.way[0]
         held = self._books.traffic.held(vehicle.id) if vehicle.is_agv else tuple(trail)
         left = [b for b in held if b not in vehicle.trail and b not in vehicle.ahead]
         self._books.traffic.release(vehicle.id, left)
@@ -155,6 +164,7 @@ class Motion:
         freed = self._books.traffic.held(vehicle.id)
         self._books.traffic.clear(vehicle.id)
         vehicle.trail, vehicle.ahead, vehicle.rest, vehicle.barcode = {}, [], [], None
+        vehicle.way, vehicle.beyond = [], ()
         self._wake_waiters(freed)
 
     def _wake_waiters(self, barcodes: list[Barcode] | tuple[Barcode, ...]) -> None:
@@ -184,7 +194,7 @@ class Motion:
         An AGV that was stopped between two tags comes to the second one first: it would turn, or not, as it likes.
         """
         rest = list(self._books.router.route(start, goal)[1:])
-        via = vehicle.beyond if start == vehicle.barcode and not vehicle.ahead else None
+        via = vehicle.toward if start == vehicle.barcode and not vehicle.ahead else None
         if via is None or rest[:1] == [via]:
             return rest
         return list(self._books.router.route(via, goal))
@@ -233,6 +243,54 @@ class Motion:
             return None if self.arrived(vehicle) else self._start(vehicle)
         return self._extend(vehicle, vehicle.drive)
 
+    def on_its_way(self, vehicle: VehicleNow, time: Seconds) -> list[tuple[Barcode, Barcode]]:
+        """Return the pieces of track before a vehicle, as far as it claims ahead and drives within ``time`` besides.
+
+        A no-stop zone is granted as a whole, however long it is.
+        """
+        if vehicle.barcode is None:
+            return []
+        _, high = self._horizon(vehicle)
+        left, found = high + vehicle.spec.max_speed * time, []
+        for start, end in pairwise([vehicle.barcode, *vehicle.ahead, *vehicle.rest]):
+            if left < 0 and not self._books.track.no_stop(start):
+                break
+            found.append((start, end))
+            left -= self._books.track.edge(start, end).length
+        return found
+
+    def can_stop_before(self, vehicle: VehicleNow, barcode: Barcode) -> bool:
+        """Whether a vehicle that is told to stop now stands before this barcode on its path, or at it.
+
+        It may be as far as the next barcode by now, at full speed, and the order takes its time.
+        """
+        if vehicle.barcode is None or barcode not in vehicle.ahead:
+            return False
+        between = vehicle.ahead[: vehicle.ahead.index(barcode) + 1]
+        room = self._books.track.distance(between)
+        spec = vehicle.spec
+        return room >= braking_distance(spec.max_speed, spec) + int(spec.max_speed * REACTION)
+
+    def recall(self, vehicle: VehicleNow, why: str) -> None:
+        """Take back what a vehicle is granted ahead: one that stands plans anew, one that drives is stopped first.
+
+        One that is being asked where it is keeps what it has until it is settled.
+        """
+        drive = vehicle.drive
+        if drive is None:
+            errand, before = vehicle.errand, len(vehicle.ahead)
+            self.shrink_ahead(vehicle)
+            if errand and len(vehicle.ahead) < before:
+                self._set_out_anew_on(vehicle, errand)
+        elif not drive.recalled and halt(self._books, vehicle, SYSTEM, why):
+            drive.recalled = True
+
+    def _set_out_anew_on(self, vehicle: VehicleNow, errand: Errand) -> None:
+        try:
+            self.send(vehicle, errand)
+        except NoRoute:
+            self.drop(vehicle)
+
     def _horizon(self, vehicle: VehicleNow) -> tuple[Millimetres, Millimetres]:
         """Return (extend when less than this is left, claim up to this): braking, reaction, one edge (TRAFFIC section 2)."""
         spec = vehicle.spec
@@ -253,21 +311,29 @@ class Motion:
         room = vehicle.spec.max_count - 1 - len(vehicle.ahead)
         last = vehicle.ahead[-1] if vehicle.ahead else start
         wanted: list[Barcode] = []
+        shut: Blocked | None = None
         for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
             enough = held >= horizon and not track.no_stop(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
                 break
+            if (door := self.passages.barred(start_of_edge, barcode)) is not None:
+                shut = Blocked(barcode, None, BlockReason.DOOR, note=self.passages.wait_for(door))
+                break
             wanted.append(barcode)
             held = Millimetres(held + track.edge(start_of_edge, barcode).length)
         if not wanted:
-            return None
+            if shut:
+                self._books.traffic.forget(vehicle.id)
+            return shut
         grant = self._books.traffic.claim(vehicle.id, wanted, len(wanted) == len(vehicle.rest))
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]
-        return grant.blocked
+        return grant.blocked if shut is None or (grant.blocked and grant.blocked.by) else shut
 
     def _start(self, vehicle: VehicleNow) -> Blocked | None:
         """The vehicle stands: MOVE as far as it may."""
+        if next(self.passages.shut_ahead(vehicle), None) is not None:
+            self.recall(vehicle, "a door on its way is not open any more")
         errand, here = vehicle.errand, vehicle.barcode
         if errand is None or here is None:
             return None
@@ -298,7 +364,7 @@ class Motion:
 
     def _detour(self, vehicle: VehicleNow, goal: Barcode) -> bool:
         """Lead a blocked AGV to its goal over track that is free now, if there is such a way (our choice; floors are small)."""
-        way = self.free_way(vehicle, lambda barcode: barcode == goal) if vehicle.is_agv and not vehicle.beyond else None
+        way = self.free_way(vehicle, lambda barcode: barcode == goal) if vehicle.is_agv and not vehicle.toward else None
         if way is not None:
             vehicle.rest = list(way[1:])
         return way is not None
@@ -415,6 +481,7 @@ class Motion:
         vehicle.drive = None
         done = state in {IntentState.DONE, IntentState.SETTLED_DONE} and vehicle.barcode == drive.end.barcode
         vehicle.stopped = drive.end.action if done else None
+        vehicle.beyond = () if done else vehicle.beyond or tuple(vehicle.ahead[:1])
         if vehicle.errand is None:
             self.shrink_ahead(vehicle)
         self._books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*reversed(vehicle.trail), *vehicle.ahead))

@@ -14,10 +14,16 @@ def against_picking_up(books: Books, job: Job) -> str:
     """Return why the job's carrier cannot be fetched from its source, as far as is known."""
     if job.source in books.vehicles:
         return _against_taking_over(books, job)
+    if taught := _taught(books, StationId(job.source)):
+        return taught
     record = books.stations[StationId(job.source)]
     if record.out_of_service:
         return f"{job.source} is out of service: {record.out_of_service}"
-    if record.present is False:
+    if trouble := books.buffer_trouble.get(record.station):
+        return trouble
+    if books.sensed.get(record.station) is False:
+        return f"{job.source} is empty: its buffer reports no cart"
+    if record.present is False and record.station not in books.sensed:
         return f"{job.source} is empty"
     if job.carrier and record.carrier and record.carrier != job.carrier:
         return f"{job.source} holds {record.carrier}, not {job.carrier}"
@@ -39,14 +45,28 @@ def _against_taking_over(books: Books, job: Job) -> str:
 
 def against_putting_down(books: Books, station: StationId, job: JobId | None) -> str:
     """Return why nothing can be put down at a station, as far as is known."""
+    if job is not None and (taught := _taught(books, station)):
+        return taught
     record = books.stations[station]
     if record.out_of_service:
         return f"{station} is out of service: {record.out_of_service}"
     if record.reserved and record.reserved != job:
         return f"{station} is reserved: {record.reserved}"
+    if trouble := books.buffer_trouble.get(station):
+        return trouble
+    if books.sensed.get(station):
+        return f"{station} is occupied: its buffer reports a cart"
     if record.present and not _expired(books, record):
         return f"{station} is occupied by {record.carrier or 'a carrier'}"
     return ""
+
+
+def _taught(books: Books, station: StationId) -> str:
+    """Return who teaches the port just now: jobs wait, a person's one-shot to try the taught values does not."""
+    session = books.teaching.closing(station)
+    if session is None:
+        return ""
+    return f"{station} is being taught by {session.actor} with {session.vehicle} (teaching session {session.number})"
 
 
 def _expired(books: Books, record: StationRecord) -> bool:

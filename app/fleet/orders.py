@@ -84,7 +84,7 @@ class VehicleOrders:
 
     def command(self, vehicle: VehicleNow, request: CommandVehicle) -> Reply:
         """Send a command without data. Its outcome is the intent's."""
-        if refusal := self._unready(vehicle, request.what):
+        if refusal := self.unready(vehicle, request.what):
             return refusal
         if request.what is Plain.STATUS:
             self._books.effects.polls.append(vehicle.id)
@@ -94,7 +94,7 @@ class VehicleOrders:
             self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
         return self._accepted(vehicle, intent.cmd_id)
 
-    def _unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
+    def unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
         """Return why a command cannot be sent now, with what would help."""
         lock = vehicle.record.lockout
         if lock and what not in HARMLESS:
@@ -118,7 +118,7 @@ class VehicleOrders:
 
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """Show a text on the vehicle."""
-        if refusal := self._unready(vehicle, Plain.STOP_BY_HOST):
+        if refusal := self.unready(vehicle, Plain.STOP_BY_HOST):
             return replace(
                 refusal, reason=refusal.reason.replace("stop_by_host", "display"), remedy="switch it to AUTO"
             )
@@ -167,7 +167,7 @@ class VehicleOrders:
         if request.barcode not in self._books.track:
             return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
         if request.action is StopAction.RUN:
-            return Refusal("invalid", "a path ends in a stop", "", "action")
+            return Refusal("invalid", "a path ends in a stop", "leave action out, or name a stop", "action")
         if refusal := self.unfit(vehicle):
             return refusal
         try:
@@ -189,8 +189,11 @@ class VehicleOrders:
         if isinstance(target, Refusal):
             return target
         if vehicle.loaded is request.pickup:
-            return Refusal("not-now", f"{vehicle.id} is {'loaded' if vehicle.loaded else 'empty'}", "")
-        obstacle = "" if request.pickup else against_putting_down(self._books, station.id, None)
+            what, instead = ("loaded", "place") if vehicle.loaded else ("empty", "pickup")
+            return Refusal("not-now", f"{vehicle.id} is {what}", f"it can only {instead} now")
+        obstacle = self._books.buffer_trouble.get(station.id, "")
+        if not request.pickup:
+            obstacle = against_putting_down(self._books, station.id, None)
         if obstacle:
             return Refusal("conflict", obstacle, f"if it is not so, PUT /api/v1/stations/{station.id}", "station")
         vehicle.order = HandleOrder(station.id, request.pickup, request.actor, request.target)
@@ -221,6 +224,9 @@ class VehicleOrders:
             return no_link(vehicle)
         if vehicle.recovery:
             return self._accepted(vehicle)
+        if not self._alarms.has_work(vehicle, vehicle.status):
+            held = f"POST /api/v1/vehicles/{vehicle.id}/release" if vehicle.record.hold else "nothing needs to be done"
+            return Refusal("not-now", f"{vehicle.id} is in AUTO, homed and without an alarm", held)
         unsafe = self._alarms.unsafe_to_home(vehicle.status)
         if unsafe and not request.confirmed:
             return Refusal(
@@ -325,7 +331,7 @@ class VehicleOrders:
         """Lifted by its owner, or by two others together."""
         lock = vehicle.record.lockout
         if lock is None:
-            return Refusal("conflict", f"{vehicle.id} is not locked out", "")
+            return Refusal("conflict", f"{vehicle.id} is not locked out", "nothing to lift")
         releases = tuple(dict.fromkeys((*lock.releases, request.actor)))
         if request.actor != lock.owner and len(releases) < 2:
             self._books.save_vehicle(vehicle, lockout=replace(lock, releases=releases))

@@ -27,8 +27,10 @@ from app.domain.requests import (
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.orders import no_station, no_vehicle
+from app.fleet.teaching_desk import reference_refusal, stale
 from app.fleet.vehicle import VehicleNow
 
+SHORTER = "use a shorter id, as the vehicles' displays show it"
 DISPLAY_BYTES = 16
 """FOUP ID, SOURCE and DESTINATION on the vehicle's display (PROTOCOLS 1.6)."""
 
@@ -37,7 +39,7 @@ def unfit_name(carrier: str) -> Refusal | None:
     """Refusal for a carrier's name that the vehicles' display cannot show (DOMAIN section 2)."""
     if len(carrier) <= DISPLAY_BYTES and carrier.isascii() and carrier.isprintable():
         return None
-    return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} printable ASCII characters", "", "carrier")
+    return Refusal("invalid", f"carrier must be at most {DISPLAY_BYTES} printable ASCII characters", SHORTER, "carrier")
 
 
 class PlantOrders:
@@ -55,7 +57,9 @@ class PlantOrders:
         carrier = record.carrier if request.carrier is None else CarrierId(request.carrier) or None
         present = request.present if request.present is not None else (True if request.carrier else record.present)
         if request.carrier and request.present is False:
-            return Refusal("invalid", "a carrier cannot be at a station where nothing is present", "", "carrier")
+            return Refusal(
+                "invalid", "a carrier cannot be where nothing is present", "leave carrier or present out", "carrier"
+            )
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
         if present is False:
@@ -119,9 +123,15 @@ class PlantOrders:
 
     def _carrier_aboard(self, request: WriteCarrier, vehicle: VehicleNow) -> Reply:
         if vehicle.record.carrier and vehicle.record.carrier != request.carrier:
-            return Refusal("conflict", f"{vehicle.id} carries {vehicle.record.carrier}", "", "place")
+            carried = vehicle.record.carrier
+            return Refusal("conflict", f"{vehicle.id} carries {carried}", f"move or remove {carried} first", "place")
         if vehicle.linked and vehicle.loaded is False:
-            return Refusal("conflict", f"{vehicle.id} says that nothing is aboard (FOUP bit 0)", "", "place")
+            return Refusal(
+                "conflict",
+                f"{vehicle.id} says that nothing is aboard (FOUP bit 0)",
+                "look where the carrier is, and name that place",
+                "place",
+            )
         if vehicle.record.carrier != request.carrier:
             self._leave_vehicle(request.carrier)
         created = request.carrier not in self._books.carriers
@@ -159,11 +169,14 @@ class PlantOrders:
             return no_station(request.station)
         if spec.kind.stop_action is not StopAction.PORT:
             return Refusal(
-                "invalid", f"{spec.id} is a side buffer: vehicles know its positions themselves", "", "station"
+                "invalid",
+                f"{spec.id} is a side buffer: vehicles know its positions themselves",
+                "only ports have a DEST",
+                "station",
             )
         now = self._books.dests.get(request.station)
         version = now.version if now else 0
-        if refusal := self._stale(request.expected, version):
+        if refusal := stale(request.expected, version):
             return refusal
         self._books.keep_dest(
             StationDest(request.station, version + 1, request.pulses, request.actor, "rest", self._books.utc)
@@ -174,21 +187,16 @@ class PlantOrders:
         """A new version of a vehicle's OFFSET."""
         if request.vehicle not in self._books.vehicles:
             return no_vehicle(request.vehicle)
+        if self._books.teaching.is_reference(request.vehicle):
+            return reference_refusal(request.vehicle)
         now = self._books.offsets.get(request.vehicle)
         version = now.version if now else 0
-        if refusal := self._stale(request.expected, version):
+        if refusal := stale(request.expected, version):
             return refusal
         self._books.keep_offset(
             VehicleOffset(request.vehicle, version + 1, request.pulses, request.actor, "rest", self._books.utc)
         )
         return Accepted(Topic.VEHICLES, request.vehicle, created=version == 0)
-
-    def _stale(self, expected: int | None, version: int) -> Refusal | None:
-        if expected is None or expected == version:
-            return None
-        return Refusal(
-            "stale", f"it is version {version} now, not {expected}", "read it again, then decide", "If-Match"
-        )
 
     # -- the controller -----------------------------------------------------------------------------------------------
 
@@ -208,7 +216,10 @@ class PlantOrders:
             books.event(JobEvent.CONTROLLER_PAUSED)
 
     def resume(self, request: ResumeController) -> Reply:
-        """Go on."""
+        """Go on; not before every emergency is released."""
+        if emergencies := self._books.controller.emergencies:
+            told = ", ".join(f"{e.kind.value} told by {e.actor}: {e.reason}" for e in emergencies)
+            return Refusal("not-now", told, "release it first: POST /api/v1/controller/emergency/release")
         if self._books.controller.state is not ControllerState.AUTO:
             self._books.save_controller(ControllerRecord(ControllerState.AUTO))
             self._books.event(JobEvent.CONTROLLER_AUTO, detail=str(Actor(request.actor)))

@@ -15,6 +15,8 @@ from app.fleet.vehicle import HANDLINGS, Stage, VehicleNow
 
 QUIESCE = Seconds(1.0)
 """Waited before the first STATUS that counts: longer than the longest delay of a link (our choice)."""
+ALARM = "alarm"
+"""How the reason of every hold begins that is for an alarm, or for a recovery from one that stopped."""
 LOOK = "look where it stands, bring it to a barcode it reads, then release it with verdict go_on"
 
 
@@ -69,7 +71,7 @@ class Recovery:
         return f"reports barcode {status.barcode}, which is not on the map (is its dialect right?)"
 
     def _alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
-        alarm = f"alarm {self._books.named_alarm(status.condition.code)}"
+        alarm = f"{ALARM} {self._books.named_alarm(status.condition.code)}"
         if vehicle.handlings:
             vehicle.failed_handling = alarm
         if not vehicle.record.hold:

@@ -62,7 +62,8 @@ class Drive:
     """The open MOVE. ``path`` is what the vehicle is known to have (amendments count once accepted).
 
     ``acknowledged`` is when its ACK came; ``answered``: RESP1 RESULT 0 came before it stood at the end (vehicles that answer
-    on acceptance, PROTOCOLS I19); ``stopping``: an XMOVE was refused, it runs to its end.
+    on acceptance, PROTOCOLS I19); ``stopping``: an XMOVE was refused, it runs to its end. ``recalled``: we have stopped it
+    ourselves, so that its abnormal end says nothing against the vehicle.
     """
 
     cmd_id: CmdId
@@ -71,6 +72,7 @@ class Drive:
     acknowledged: Seconds | None = None
     answered: bool = False
     stopping: bool = False
+    recalled: bool = False
     amendment: Amendment | None = None
 
     @property
@@ -121,12 +123,14 @@ class VehicleNow:
     """A vehicle at this moment. ``record`` is its durable part, as last saved or about to be.
 
     ``trail`` maps each barcode it covers to its distance behind the present one (mm; the present one 0); ``ahead`` are the
-    barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted.
+    barcodes granted beyond it in order; ``rest`` the way from there to the errand's goal, not yet granted. ``way`` are the
+    barcodes that it is known to have come by, newest last, as far back as it is long and one more; ``beyond`` the next ones
+    that it may be on its way to though it has not read them: it was stopped, or is not settled.
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
     agree; ``trusted``: a named person vouched for what it reports next.
-    ``missed`` counts handlings or moves in a row that ended abnormally. ``beyond`` is the barcode on the way to which an
-    AGV was stopped: it stands between there and its ``barcode``. ``kept`` says why no job is given to it though it is idle;
-    ``trips`` counts the carriers that it has put down.
+    ``missed`` counts handlings or moves in a row that ended abnormally. ``teaching`` is its open teaching session.
+    ``toward`` is the tag on the way to which an AGV was stopped: it stands between there and its ``barcode``. ``kept`` says
+    why no job is given to it though it is idle; ``trips`` counts the carriers that it has put down.
     """
 
     spec: VehicleSpec
@@ -143,6 +147,8 @@ class VehicleNow:
     trail: dict[Barcode, Millimetres] = field(default_factory=dict)
     ahead: list[Barcode] = field(default_factory=list)
     rest: list[Barcode] = field(default_factory=list)
+    way: list[Barcode] = field(default_factory=list)
+    beyond: tuple[Barcode, ...] = ()
     errand: Errand | None = None
     drive: Drive | None = None
     handling: Handling | None = None
@@ -156,10 +162,11 @@ class VehicleNow:
     accounted: bool = False
     failed_handling: str = ""
     missed: int = 0
+    teaching: int | None = None
     unfit_since: Seconds | None = None
     waiting: str = ""
     waiting_since: Seconds = Seconds(0.0)
-    beyond: Barcode | None = None
+    toward: Barcode | None = None
     kept: str = ""
     trips: int = 0
 
@@ -236,4 +243,5 @@ class VehicleNow:
     def available(self) -> bool:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
-        return self.fit and free and not self.kept and self.job is None and self.order is None and self.handling is None
+        bound = self.job or self.order or self.handling or self.kept or self.teaching is not None
+        return self.fit and free and not bound

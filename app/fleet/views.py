@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable
 
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
-from app.domain.layout import Plant, Station
+from app.domain.layout import Plant, PulseSet, Station
+from app.domain.pulses import missing
 from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
@@ -14,6 +15,7 @@ from app.domain.records import (
     StationDest,
     StationRecord,
 )
+from app.domain.teaching import TeachingSession
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
@@ -32,7 +34,7 @@ from app.domain.view import (
 )
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
-VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON})
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
 
 BITS_KEPT = 4096
@@ -81,7 +83,9 @@ def view_of_event(event: HistoryEvent) -> EventView:
     )
 
 
-def view_of_station(spec: Station, record: StationRecord, dest: StationDest | None) -> StationView:
+def view_of_station(
+    spec: Station, record: StationRecord, dest: StationDest | None, teaching: TeachingSession | None = None
+) -> StationView:
     """Return a station and what is believed of it."""
     return StationView(
         id=spec.id,
@@ -93,10 +97,18 @@ def view_of_station(spec: Station, record: StationRecord, dest: StationDest | No
         out_of_service=record.out_of_service,
         provenance=record.provenance.value,
         verified=record.provenance in VERIFIED,
-        at=record.at,
-        target=(dest.pulses.shft, dest.pulses.rota, dest.pulses.lift) if dest else None,
+        at=record.at or None,
+        target=_complete(dest),
         target_version=dest.version if dest else None,
+        missing=tuple(axis.value for axis in missing(dest.pulses)) if dest else (),
+        teaching=teaching.number if teaching else None,
     )
+
+
+def _complete(dest: StationDest | None) -> tuple[int, int, int] | None:
+    if dest is None or not isinstance(dest.pulses, PulseSet):
+        return None
+    return (dest.pulses.shft, dest.pulses.rota, dest.pulses.lift)
 
 
 def view_of_carrier(record: CarrierRecord) -> CarrierView:
@@ -115,6 +127,7 @@ def view_of_controller(
         epoch=epoch,
         started=started,
         waiting_for=tuple(waiting_for),
+        emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
     )
 
 
@@ -262,7 +275,7 @@ def _view_of_agv(vehicle: VehicleNow) -> AgvView | None:
         steering=agv.steering.name.lower(),
         path=agv.path,
         tag=agv.tag,
-        beyond=vehicle.beyond,
+        toward=vehicle.toward,
     )
 
 

@@ -137,6 +137,20 @@ class Track:
         """
         return frozenset(self.covered(barcode, mm)[:-1])
 
+    def distances_behind(self, barcode: Barcode, mm: Millimetres) -> dict[Barcode, Millimetres]:
+        """Return every barcode at most ``mm`` behind this one with its least distance by any branch, nearest first."""
+        found: dict[Barcode, Millimetres] = {}
+        queue: list[tuple[int, Barcode]] = [(0, barcode)]
+        while queue:
+            way, here = heappop(queue)
+            if here in found:
+                continue
+            found[here] = Millimetres(way)
+            for before, length in self._behind[here]:
+                if way + length <= mm:
+                    heappush(queue, (way + length, before))
+        return found
+
     def ahead(self, barcode: Barcode, mm: Millimetres) -> frozenset[Barcode]:
         """Return every barcode at most ``mm`` ahead of this one, by any branch, without it."""
         return frozenset(_within(self._ahead, barcode, mm)[1:])

@@ -28,14 +28,16 @@ class BlockReason(StrEnum):
     """It is closed for new claims."""
     NO_STOP = "no_stop"
     """What was wanted ends inside a no-stop zone, and not at a goal. Want more."""
+    DOOR = "door"
+    """A door leads there that is not known to be open. Traffic knows no doors: who claims says this."""
 
 
 @dataclass(frozen=True, slots=True)
 class Blocked:
     """A refusal: the barcode that could not be granted and what stands against it.
 
-    ``by`` is the vehicle waited for, the longest in the zone for ZONE, None for CLOSED and NO_STOP. ``zone`` goes with
-    ZONE and NO_STOP, ``note`` (why it is closed) with CLOSED.
+    ``by`` is the vehicle waited for, the longest in the zone for ZONE, None for CLOSED, NO_STOP and DOOR. ``zone`` goes with
+    ZONE and NO_STOP, ``note`` (why it is closed) with CLOSED and DOOR.
     """
 
     at: Barcode

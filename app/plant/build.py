@@ -5,7 +5,7 @@ from itertools import count, pairwise
 from math import hypot
 
 from app.domain.devices import AliasName, DeviceId
-from app.domain.ids import CarrierId, StationId, ZoneId
+from app.domain.ids import CarrierId, StationId, VehicleId, ZoneId
 from app.domain.layout import Edge, Plant, Point, Station, StationKind, Zone
 from app.domain.units import Barcode, Millimetres, Percent
 from app.plant import format as file_format
@@ -54,6 +54,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         chargers=tuple(chargers(document, file, places)),
         charging=charging(document, file),
         drives=tuple(drives(document, file, links)),
+        reference_vehicles=frozenset(VehicleId(v) for v, given in file.vehicles.items() if given.reference),
     )
     return plant, places
 

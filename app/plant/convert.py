@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final, Union, get_args, get_origin
 import msgspec
 from msgspec import Meta, UnsetType
 
-from app.plant.document import Document, Mapping, Node, Path, Scalar, Sequence, path_text, plain
+from app.plant.document import NO_YAML, Document, Mapping, Node, Path, Scalar, Sequence, path_text, plain
 from app.wire.names import nearest
 
 
@@ -54,7 +54,7 @@ def _struct(document: Document, node: Mapping, wanted: Any, path: Path) -> Any:
     for key, field in fields.items():
         if field.required and key not in node.items:
             failed = True
-            what = path_text(path) or "the plant file"
+            what = path_text(path) or document.what
             document.error(path, f"{what} has no {key}", f"add {key}: {expected(field.type)}", key=True)
     if failed and path:
         return FAILED
@@ -104,8 +104,8 @@ def _leaf(document: Document, node: Node, wanted: Any, path: Path) -> Any:
     try:
         return msgspec.convert(plain(node), wanted)
     except msgspec.ValidationError:
-        message = f"{path_text(path) or 'the plant file'}: expected {expected(wanted)}, got {_shown(node)}"
-        document.error(path, message, _remedy(node, wanted))
+        message = f"{path_text(path) or document.what}: expected {expected(wanted)}, got {_shown(node)}"
+        document.error(path, message, _remedy(node, wanted) if path else NO_YAML)
         return FAILED
 
 
@@ -137,7 +137,7 @@ def expected(wanted: Any) -> str:
         return "a mapping"
     if issubclass(bare, StrEnum):
         return " or ".join(member.value for member in bare)
-    return {bool: "true or false", str: "text", int: _range_text(meta)}[bare]
+    return {bool: "true or false", str: "text", int: _range_text(meta), float: "a number"}[bare]
 
 
 def _range_text(meta: Meta | None) -> str:

@@ -30,6 +30,8 @@ _WORDS = {"true": True, "false": False, "null": None, "": None, "~": None}
 Path = tuple[str | int, ...]
 """Way into a file: keys of mappings and positions in lists."""
 
+NO_YAML = "write YAML: plants/small.yaml shows how"
+
 Plain = bool | int | float | str | list["Plain"] | dict[str, "Plain"] | None
 
 
@@ -93,12 +95,13 @@ class Unreadable(Exception):
 
 
 class Document:
-    """One plant file's tree and the findings about it.
+    """One file's tree and the findings about it; ``what`` is the file for people.
 
     ``dropped`` are the items of lists that could not be read. Raises: Unreadable: no tree can be made of the text.
     """
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, what: str = "the plant file") -> None:
+        self.what = what
         self.findings: list[Finding] = []
         self.dropped: set[Path] = set()
         self._values = 0
@@ -108,11 +111,11 @@ class Document:
         except yaml.MarkedYAMLError as wrong:
             mark = wrong.problem_mark
             line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
-            self._fail(line, column, f"this is no YAML: {wrong.problem}")
+            self._fail(line, column, f"this is no YAML: {wrong.problem}", NO_YAML)
         except yaml.reader.ReaderError as wrong:
             line = text.count("\n", 0, wrong.position) + 1
             column = wrong.position - (text.rfind("\n", 0, wrong.position) + 1) + 1
-            self._fail(line, column, f"this is no YAML: {wrong.reason}")
+            self._fail(line, column, f"this is no YAML: {wrong.reason}", NO_YAML)
 
     def error(self, path: Path, message: str, remedy: str = "", *, key: bool = False) -> None:
         """Note an error at the deepest place on the path that the file has; with ``key`` at the key, not the value."""
@@ -165,7 +168,7 @@ class Document:
         next(self._events)
         event = next(self._events)
         if isinstance(event, yaml.StreamEndEvent):
-            self._fail(1, 1, "the file is empty")
+            self._fail(1, 1, "the file is empty", NO_YAML)
         root = self._node(next(self._events), ())
         next(self._events)
         event = next(self._events)

@@ -235,6 +235,7 @@ class Vehicle(VehicleDefaults, frozen=True, kw_only=True):
     """A vehicle. `start` is the barcode where the simulated one is put; `offset` its taught difference, in pulses.
 
     An AGV (`kind: agv`) is reached over its `link`, where `dev_id` is its number, 11 to 19 unless the dialect says otherwise.
+    A `reference` vehicle has offset zero by declaration: what it teaches at a port is the port's DEST itself.
     """
 
     dev_id: Identity
@@ -243,6 +244,7 @@ class Vehicle(VehicleDefaults, frozen=True, kw_only=True):
     address: Address = ""
     offset: Pulses | UnsetType = UNSET
     start: Mark | UnsetType = UNSET
+    reference: bool = False
 
 
 class PlantFile(Strict, frozen=True):

@@ -21,9 +21,11 @@ from app.protocols.itsc.dialects import DialectError
 
 _TRANSPORT_BYTES = 64
 _ELEMENT_BYTES = 12
+NO_FIELDS = frozenset({"address", "reference"})
+"""Keys of a vehicle that become something else than a field of its own."""
 """Sub data of INST_MOVE: transport information, then the path elements (PROTOCOLS 1.6)."""
 
-_HOISTS_ALONE = frozenset({"address", "listen", "dialect", "max_count", "limits", "offset"})
+_HOISTS_ALONE = frozenset({"address", "listen", "dialect", "max_count", "limits", "offset", "reference"})
 _AGV_FIGURES = {
     "length": Millimetres(1000),
     "max_speed": Millimetres(500),
@@ -54,6 +56,10 @@ def vehicles(
                     (*path, "link"), f"{name} is a hoist: it has a line of its own", "leave link out", key=True
                 )
         _check_doubles(document, spec, path, taken)
+        if given.reference and spec.offset is not None:
+            message = f"{name} is a reference vehicle: its offset is zero, so the one given is not used"
+            document.warn((*path, "offset"), message, "leave one of them out", key=True)
+            spec = replace(spec, offset=None)
         if spec.curve_speed > spec.max_speed:
             message = f"{name}'s curve_speed {spec.curve_speed} is more than its max_speed {spec.max_speed}"
             document.warn((*path, "curve_speed"), message, "both are in mm/s")
@@ -85,7 +91,7 @@ def _merged(
 ) -> dict[str, Any]:
     values = {field.name: getattr(defaults, field.name) for field in fields(defaults)}
     values |= {field.name: value for field in fields(given) if (value := getattr(given, field.name)) is not UNSET}
-    return {name: value for name, value in values.items() if value is not UNSET and name != "address"}
+    return {name: value for name, value in values.items() if value is not UNSET and name not in NO_FIELDS}
 
 
 def _spec(name: str, values: dict[str, Any]) -> VehicleSpec:

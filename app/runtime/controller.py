@@ -13,14 +13,15 @@ from typing import TypeVar
 from structlog.typing import FilteringBoundLogger
 
 from app.control import Control, Transaction
+from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
-from app.domain.ids import VehicleId
+from app.domain.ids import LinkId, VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
-from app.domain.view import EventView, Update
+from app.domain.view import EventView, LineView, Update
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
@@ -36,7 +37,20 @@ from app.store.ledger import SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
-NOTEWORTHY = frozenset({JobEvent.VEHICLE_HELD, JobEvent.VEHICLE_RELEASED, JobEvent.ALARM_SET, JobEvent.ALARM_CLEARED})
+NOTEWORTHY = frozenset(
+    {
+        JobEvent.VEHICLE_HELD,
+        JobEvent.VEHICLE_RELEASED,
+        JobEvent.ALARM_SET,
+        JobEvent.ALARM_CLEARED,
+        JobEvent.DRIVE_OFFLINE,
+        JobEvent.DRIVE_ONLINE,
+        JobEvent.DRIVE_ERROR_SET,
+        JobEvent.DRIVE_ERROR_CLEARED,
+        JobEvent.EMERGENCY_SET,
+        JobEvent.EMERGENCY_RELEASED,
+    }
+)
 """Events that the log has too, for a person on duty without the page."""
 GONE = Refusal("not-now", "This controller has stopped.", "Ask the one that holds the plant now, or start it again.")
 
@@ -131,6 +145,26 @@ class Controller:
         """Return the last frames on a vehicle's line, oldest first."""
         return self._control.frames(vehicle)
 
+    def tell(self, word: Word) -> Reply:
+        """Take a word that changes nothing that is kept; it takes effect at once, whatever the database does."""
+        if self._over:
+            return GONE
+        reply: Reply = GONE
+        with self._whole():
+            reply = self._control.tell(word, self._clock.now())
+            for name in self._control.dirty():
+                self._lines[name].flush()
+            self._kick()
+        return reply
+
+    def links(self) -> Sequence[LineView]:
+        """Return how all links are doing."""
+        return self._control.links()
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        """Return the last frames on a link, oldest first."""
+        return self._control.link_frames(link)
+
     def utc(self) -> Timestamp:
         """Return the present moment."""
         return self._clock.utc()
@@ -197,7 +231,8 @@ class Controller:
         for update in updates:
             event = update.value
             if isinstance(event, EventView) and event.event in NOTEWORTHY:
-                self._log.warning(event.event, vehicle=event.vehicle, job=event.job, detail=event.detail)
+                about = {"vehicle": event.vehicle} if event.vehicle else {"drive": event.source}
+                self._log.warning(event.event, **about, job=event.job, detail=event.detail)
 
     @contextmanager
     def _whole(self) -> Iterator[None]:

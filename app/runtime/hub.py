@@ -286,6 +286,14 @@ class Hub:
         self._dirty: dict[tuple[Topic, str], None] = {}
         self._events: list[EventView] = []
         self._feeds: dict[frozenset[Topic], _Feed] = {}
+        self._awaited: dict[tuple[Topic, str], asyncio.Future[None]] = {}
+
+    async def changed(self, topic: Topic, key: str) -> None:
+        """Wait until an object is published again."""
+        future = self._awaited.get((topic, key))
+        if future is None:
+            future = self._awaited[topic, key] = asyncio.get_running_loop().create_future()
+        await asyncio.shield(future)
 
     @property
     def watchers(self) -> int:
@@ -295,6 +303,9 @@ class Hub:
     def publish(self, updates: Sequence[Update]) -> None:
         """Take updates into the model and to everybody who watches. Call it with what is durable only."""
         self.model.apply(updates)
+        for update in updates if self._awaited else ():
+            if future := self._awaited.pop((update.topic, update.key), None):
+                future.set_result(None)
         if not self._feeds:
             return
         for update in updates:

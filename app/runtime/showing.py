@@ -7,7 +7,7 @@ from typing import get_args
 
 import msgspec
 
-from app.domain.view import EventView, HoldView, LinkView, LockoutView, View
+from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PinView, View
 
 TIMES = frozenset({"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed"})
 """Names of the fields that are moments, in every view."""
@@ -46,14 +46,14 @@ def _shower(kind: type) -> Callable[[object], dict[str, object]]:
             if isinstance(moment, float | int):
                 out[label] = iso(moment)
         for name in nested:
-            if out[name] is not None:
+            if type(out[name]) in _SHOWERS:
                 out[name] = shown(out[name])
         return out
 
     return show
 
 
-_NESTED = frozenset({"link", "hold", "lockout"})
+_NESTED = frozenset({"link", "hold", "lockout", "pin", "lock"})
 _SHOWERS: dict[type, Callable[[object], dict[str, object]]] = {
-    kind: _shower(kind) for kind in (*get_args(View), LinkView, HoldView, LockoutView)
+    kind: _shower(kind) for kind in (*get_args(View), LinkView, HoldView, LockoutView, PinView, LockView)
 }

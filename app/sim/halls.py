@@ -7,7 +7,7 @@ import networkx as nx
 from app.domain.devices import AgvMode, AgvSpeed, DeviceId, DeviceNumber
 from app.domain.drive import DriveId
 from app.domain.ids import LinkId, StationId, VehicleId
-from app.domain.layout import LinkSpec, Plant, StationKind, VehicleKind, VehicleSpec, Wire
+from app.domain.layout import DriveUnit, LinkSpec, Plant, StationKind, VehicleKind, VehicleSpec, Wire
 from app.domain.ports import Endpoint
 from app.domain.units import Barcode, Seconds
 from app.plant.dialects import drive_dialect_of, hall_dialect_of
@@ -21,6 +21,7 @@ from app.protocols.enig.simulator import (
     SimulatedLink,
     Tape,
 )
+from app.protocols.hi.dialects import Dialect
 from app.protocols.hi.simulator import SimulatedDrive, SimulatedLine
 from app.sim.truth import Truth
 
@@ -31,9 +32,11 @@ class SimulatedHalls:
     ``starts`` says where the AGVs without a start in the plant file are put. Carts are carriers: ``truth`` knows where they are.
     """
 
-    def __init__(self, plant: Plant, starts: Mapping[VehicleId, Barcode], truth: Truth, now: Seconds) -> None:
+    def __init__(
+        self, plant: Plant, starts: Mapping[VehicleId, Barcode], now: Seconds, truth: Truth | None = None
+    ) -> None:
         self._plant = plant
-        self._truth = truth
+        self._truth = truth or Truth(plant)
         full = {station for _, station in plant.carriers}
         held = {station.buffer for station in plant.stations if station.buffer and station.id in full}
         self.doors: Mapping[DeviceId, SimulatedDoor] = {
@@ -75,13 +78,21 @@ class SimulatedHalls:
     def _line(self, link: LinkSpec) -> Endpoint:
         if link.wire is Wire.HI:
             dialect = drive_dialect_of(link)
-            drives = {unit.id: SimulatedDrive(unit.address, dialect) for unit in self._plant.drives_on(link.id)}
+            drives = {unit.id: self._drive(unit, dialect) for unit in self._plant.drives_on(link.id)}
             self.drives |= drives
             return SimulatedLine(drives.values(), dialect)
         agvs = [self.agvs[spec.id] for spec in self._plant.agvs_on(link.id)]
         buffers = [self.buffers[spec.id] for spec in self._plant.buffers if spec.link == link.id]
         doors = [self.doors[spec.id] for spec in self._plant.doors if spec.link == link.id]
         return SimulatedLink([*agvs, *buffers, *doors], hall_dialect_of(link))
+
+    def _drive(self, unit: DriveUnit, dialect: Dialect) -> SimulatedDrive:
+        """Return a drive whose parameters are as its catalogue says they come from the factory."""
+        drive = SimulatedDrive(unit.address, dialect)
+        for spec in self._plant.catalogue_of(unit).parameters.values():
+            if spec.default is not None:
+                drive.set_value(spec.number, min(spec.default, dialect.highest_value))
+        return drive
 
 
 def _options(spec: VehicleSpec) -> AgvOptions:

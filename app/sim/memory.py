@@ -3,6 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.devices import DeviceId
+from app.domain.drive import DriveId, Parameter
+from app.domain.drive_records import DriveOperation, DriveRecord, DriveValue, OperationState
 from app.domain.ids import CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.records import (
@@ -10,15 +13,18 @@ from app.domain.records import (
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
     HistoryEvent,
     Intent,
     Kept,
     Record,
     StationDest,
     StationRecord,
+    TeachingEvent,
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, SessionState, TeachingSession
 
 
 class MemoryLedger:
@@ -34,9 +40,16 @@ class MemoryLedger:
         self._carriers: dict[CarrierId, CarrierRecord] = {}
         self._dests: dict[StationId, StationDest] = {}
         self._offsets: dict[VehicleId, VehicleOffset] = {}
+        self._devices: dict[DeviceId, DeviceRecord] = {}
         self._controller = ControllerRecord(ControllerState.AUTO)
         self._next_event = 1
         self._next_order = 1
+        self._drives: dict[DriveId, DriveRecord] = {}
+        self._values: dict[tuple[DriveId, Parameter], DriveValue] = {}
+        self._operations: dict[int, DriveOperation] = {}
+        self._proposals: dict[int, Proposal] = {}
+        self._sessions: dict[int, TeachingSession] = {}
+        self._next_taught = 1
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -50,9 +63,19 @@ class MemoryLedger:
             carriers=tuple(self._carriers.values()),
             dests=tuple(self._dests.values()),
             offsets=tuple(self._offsets.values()),
+            devices=tuple(self._devices.values()),
             controller=self._controller,
             next_event=self._next_event,
             next_order=self._next_order,
+            drives=tuple(self._drives.values()),
+            drive_values=tuple(self._values.values()),
+            operations=tuple(one for one in self._operations.values() if one.state is OperationState.RUNNING),
+            next_operation=max(self._operations, default=0) + 1,
+            proposals=tuple(p for p in self._proposals.values() if not p.state.over),
+            sessions=tuple(s for s in self._sessions.values() if s.state is SessionState.OPEN),
+            next_taught=self._next_taught,
+            next_proposal=max(self._proposals, default=0) + 1,
+            next_session=max(self._sessions, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -90,8 +113,32 @@ class MemoryLedger:
                 self._dests[record.station] = record
             case VehicleOffset():
                 self._offsets[record.vehicle] = record
+            case DeviceRecord():
+                self._devices[record.device] = record
             case ControllerRecord():
                 self._controller = record
+            case _:
+                self._keep_of_drive(record)
+
+    def _keep_of_drive(self, record: Record) -> None:
+        match record:
+            case DriveRecord():
+                self._drives[record.drive] = record
+            case DriveValue():
+                self._values[record.drive, record.parameter] = record
+            case DriveOperation():
+                self._operations[record.number] = record
+            case _:
+                self._keep_teaching(record)
+
+    def _keep_teaching(self, record: Record) -> None:
+        match record:
+            case Proposal():
+                self._proposals[record.number] = record
+            case TeachingSession():
+                self._sessions[record.number] = record
+            case TeachingEvent():
+                self._next_taught = max(self._next_taught, record.number + 1)
             case _:
                 pass
 

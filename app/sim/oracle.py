@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 
+from app.domain.devices import DeviceId
 from app.domain.ids import VehicleId
 from app.domain.job import JOB_STEPS, Job, JobState
 from app.domain.layout import Plant, VehicleSpec
@@ -32,6 +33,7 @@ class Oracle:
         self._truth = truth
         self._rails = Rails(plant)
         self._meeting: frozenset[str] = frozenset()
+        self._in_doors: frozenset[str] = frozenset()
 
     def look(self, places: Mapping[VehicleId, Place], loaded: Mapping[VehicleId, bool], now: float) -> None:
         """Look at all vehicles on the rails at one moment: their places, and whether their FOUP sensors see a carrier."""
@@ -42,6 +44,18 @@ class Oracle:
         for vehicle, sensed in loaded.items():
             if sensed != (vehicle in self._truth.aboard):
                 self.note(f"{vehicle} says F={int(sensed)}, aboard is {self._truth.aboard.get(vehicle)}", now)
+
+    def look_at_doors(self, free: Mapping[DeviceId, bool], now: float) -> None:
+        """Look at all doors, after all vehicles: whether each one's leaf is out of the way of who is in it."""
+        found = set()
+        for door in self._plant.doors:
+            if free.get(door.id, True):
+                continue
+            for vehicle in self._rails.vehicles_on(door.passages):
+                found.add(f"{vehicle} is in {door.id}, which is not open")
+        for text in sorted(found - self._in_doors):
+            self.note(text, now)
+        self._in_doors = frozenset(found)
 
     def act(self, act: Act, now: float) -> None:
         """Judge what a gripper did."""

@@ -1,6 +1,7 @@
 """The simulated plant: every device of a plant file, in one physical world."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from app.domain.devices import CartState
 from app.domain.ids import VehicleId
@@ -43,12 +44,13 @@ class SimulatedPlant:
                 surroundings=self.truth,
                 options=options,
                 start=starts[spec.id],
+                aligned=partial(self.truth.aligned, spec.id),
             )
             for spec in plant.hoists
         }
         for device in self.devices.values():
             device.make_ready(now)
-        self.halls = SimulatedHalls(plant, starts, self.truth, now)
+        self.halls = SimulatedHalls(plant, starts, now, self.truth)
         self.lines: Mapping[str, Endpoint] = {
             str(name): end for name, end in (*self.devices.items(), *self.halls.lines.items())
         }

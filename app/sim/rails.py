@@ -2,6 +2,7 @@
 
 from collections import defaultdict, deque
 from collections.abc import Iterator, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import TypeAlias
@@ -67,6 +68,12 @@ class Rails:
     def covers(self, vehicle: VehicleId) -> Cover:
         """Return what a vehicle covers at its last known place."""
         return self._covers[vehicle]
+
+    def vehicles_on(self, edges: AbstractSet[Pair]) -> Iterator[VehicleId]:
+        """Give who covers part of one of these edges at its last known place."""
+        for vehicle, cover in self._covers.items():
+            if any(edge in edges and high - low > TOUCH for edge, (low, high) in cover.stretches.items()):
+                yield vehicle
 
     def _trail(self, vehicle: VehicleId, place: Place) -> list[Barcode]:
         """Return the barcodes behind and at the vehicle, newest last, as far back as it is long."""

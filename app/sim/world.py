@@ -292,6 +292,9 @@ class World:
 
     def _look(self) -> None:
         self.oracle.look(self._floor.places(self.now), self._floor.loaded(), self.now)
+        doors = self._floor.halls.doors
+        if doors:
+            self.oracle.look_at_doors({name: door.leaf_open for name, door in doors.items()}, self.now)
         self.agenda.after(LOOK_EVERY, self._look)
 
     def _acted(self, act: Act) -> None:

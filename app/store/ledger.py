@@ -10,11 +10,11 @@ from app.domain.ids import MAX_EPOCH, Epoch
 from app.domain.records import Kept, Record
 from app.domain.units import Seconds, Timestamp
 from app.store import tables
+from app.store.columns import Row
 from app.store.engine import parsed, told, writing
 from app.store.lease import LEASE_SECONDS, Lease, NoLease
 from app.store.loading import kept
 from app.store.opening import CANNOT_OPEN, opened
-from app.store.rows import Row
 from app.store.statements import Statements
 
 EPOCH_ZERO = 1_704_067_200

@@ -4,16 +4,27 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import rows
+from app.store import drive_rows, rows, teaching
+from app.store.device_rows import device
 from app.store.tables import (
     carriers,
     controller,
+    devices,
+    drive_values,
+    drives,
     events,
     going_on,
+    going_on_teaching,
     intents,
     jobs,
+    operations,
     station_dests,
     stations,
+    teaching_events,
+    teaching_proposals,
+    teaching_sessions,
+    undecided,
+    under_way,
     unsettled,
     vehicle_offsets,
     vehicles,
@@ -32,19 +43,41 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         vehicles=tuple(sorted(map(rows.vehicle, _all(connection, vehicles)), key=lambda record: record.vehicle)),
         stations=tuple(sorted(map(rows.station, _all(connection, stations)), key=lambda record: record.station)),
         carriers=tuple(sorted(map(rows.carrier, _all(connection, carriers)), key=lambda record: record.carrier)),
-        dests=tuple(sorted(map(rows.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
+        dests=tuple(sorted(map(teaching.dest, _newest(connection, station_dests)), key=lambda record: record.station)),
         offsets=tuple(
-            sorted(map(rows.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
+            sorted(map(teaching.offset, _newest(connection, vehicle_offsets)), key=lambda record: record.vehicle)
         ),
+        devices=tuple(sorted(map(device, _all(connection, devices)), key=lambda record: record.device)),
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
         next_event=_next(connection, events.c.seq),
         next_order=_next(connection, jobs.c.number),
+        drives=tuple(sorted(map(drive_rows.drive, _all(connection, drives)), key=lambda record: record.drive)),
+        drive_values=tuple(
+            sorted(map(drive_rows.value, _all(connection, drive_values)), key=lambda one: (one.drive, one.parameter))
+        ),
+        operations=tuple(
+            map(
+                drive_rows.operation,
+                connection.execute(sa.select(operations).where(under_way).order_by(operations.c.number)),
+            )
+        ),
+        next_operation=_next(connection, operations.c.number),
+        proposals=tuple(map(teaching.proposal, _those(connection, teaching_proposals, undecided))),
+        sessions=tuple(map(teaching.session, _those(connection, teaching_sessions, going_on_teaching))),
+        next_taught=_next(connection, teaching_events.c.seq),
+        next_proposal=_next(connection, teaching_proposals.c.number),
+        next_session=_next(connection, teaching_sessions.c.number),
         fresh=fresh,
     )
 
 
 def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
     return connection.execute(sa.select(table))
+
+
+def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
+    """Return the rows wanted, in the order of their number."""
+    return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
 
 
 def _newest(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:

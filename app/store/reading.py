@@ -5,13 +5,17 @@ from typing import Any, TypeVar
 
 import sqlalchemy as sa
 
+from app.domain.drive import DriveId
+from app.domain.drive_records import DriveBackup, DriveOperation
 from app.domain.errors import StoreError
-from app.domain.ids import CmdId, JobId, StationId, VehicleId
+from app.domain.ids import CmdId, JobId, VehicleId
 from app.domain.job import Job
-from app.domain.records import AuditRow, HistoryEvent, Intent, StationDest, TeachingEvent, VehicleOffset
-from app.store import rows
+from app.domain.records import AuditRow, HistoryEvent, Intent
+from app.store import drive_rows, rows
+from app.store.columns import Found, signed
 from app.store.engine import MEMORY, parsed, reading, told
-from app.store.tables import audit, events, intents, jobs, station_dests, teaching_events, vehicle_offsets
+from app.store.tables import audit, drive_backups, events, intents, jobs, operations
+from app.store.teaching_reading import TeachingReader, where
 
 T = TypeVar("T")
 _NOW: dict[str, sa.ColumnElement[float]] = {
@@ -22,7 +26,7 @@ KEY_SECONDS = 7 * 86_400
 """How long an idempotency key names its job (COMMANDS section 5)."""
 
 
-class Reader:
+class Reader(TeachingReader):
     """Questions to the database of a plant, from any thread. Every method raises StoreError if it cannot be read.
 
     ``after`` is the key of the last row that the caller has; ``limit`` bounds the answer. The tables must exist: open the
@@ -63,7 +67,7 @@ class Reader:
         limit: int = 100,
     ) -> list[Job]:
         """Return jobs, newest first; ``after`` is the ``order`` of the last one seen."""
-        query = _where(sa.select(jobs), {jobs.c.state: state, jobs.c.carrier: carrier, jobs.c.vehicle: vehicle})
+        query = where(sa.select(jobs), {jobs.c.state: state, jobs.c.carrier: carrier, jobs.c.vehicle: vehicle})
         if after is not None:
             query = query.where(jobs.c.number < after)
         return self._list(query.order_by(jobs.c.number.desc()).limit(limit), rows.job)
@@ -72,12 +76,12 @@ class Reader:
         self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
     ) -> list[HistoryEvent]:
         """Return durable events in order; ``after`` is the ``seq`` of the last one seen."""
-        query = _where(sa.select(events), {events.c.job: job, events.c.vehicle: vehicle})
+        query = where(sa.select(events), {events.c.job: job, events.c.vehicle: vehicle})
         return self._list(query.where(events.c.seq > after).order_by(events.c.seq).limit(limit), rows.event)
 
     def intent(self, cmd_id: CmdId) -> Intent | None:
         """Return a command."""
-        return self._first(sa.select(intents).where(intents.c.cmd_id == rows.signed(cmd_id)), rows.intent)
+        return self._first(sa.select(intents).where(intents.c.cmd_id == signed(cmd_id)), rows.intent)
 
     def intents(self, vehicle: VehicleId, limit: int = 100) -> list[Intent]:
         """Return a vehicle's commands, newest first."""
@@ -89,31 +93,33 @@ class Reader:
         query = sa.select(audit).where(audit.c.seq > after).order_by(audit.c.seq).limit(limit)
         return self._list(query, lambda row: (row.seq, rows.audit(row)))
 
-    def dests(self, station: StationId) -> list[StationDest]:
-        """Return every version of a station's DEST, oldest first."""
-        query = sa.select(station_dests).where(station_dests.c.station == station)
-        return self._list(query.order_by(station_dests.c.version), rows.dest)
+    def operation(self, number: int) -> DriveOperation | None:
+        """Return an operation on drives."""
+        return self._first(sa.select(operations).where(operations.c.number == number), drive_rows.operation)
 
-    def offsets(self, vehicle: VehicleId) -> list[VehicleOffset]:
-        """Return every version of a vehicle's OFFSET, oldest first."""
-        query = sa.select(vehicle_offsets).where(vehicle_offsets.c.vehicle == vehicle)
-        return self._list(query.order_by(vehicle_offsets.c.version), rows.offset)
+    def operations(
+        self, *, drive: str | None = None, line: str | None = None, after: int | None = None, limit: int = 100
+    ) -> list[DriveOperation]:
+        """Return operations, newest first; ``after`` is the number of the last one seen."""
+        query = where(sa.select(operations), {operations.c.drive: drive, operations.c.line: line})
+        if after is not None:
+            query = query.where(operations.c.number < after)
+        return self._list(query.order_by(operations.c.number.desc()).limit(limit), drive_rows.operation)
 
-    def teaching(self, vehicle: VehicleId, limit: int = 100) -> list[TeachingEvent]:
-        """Return a vehicle's raw teaching events, newest first."""
-        query = sa.select(teaching_events).where(teaching_events.c.vehicle == vehicle)
-        return self._list(query.order_by(teaching_events.c.seq.desc()).limit(limit), rows.teaching)
+    def backup(self, number: int) -> DriveBackup | None:
+        """Return a backup of a drive."""
+        return self._first(sa.select(drive_backups).where(drive_backups.c.number == number), drive_rows.backup)
 
-    def _list(self, query: sa.Select[Any], made: Callable[[rows.Found], T]) -> list[T]:
+    def backups(self, drive: DriveId, after: int | None = None, limit: int = 100) -> list[DriveBackup]:
+        """Return a drive's backups, newest first; ``after`` is the number of the last one seen."""
+        query = sa.select(drive_backups).where(drive_backups.c.drive == drive)
+        if after is not None:
+            query = query.where(drive_backups.c.number < after)
+        return self._list(query.order_by(drive_backups.c.number.desc()).limit(limit), drive_rows.backup)
+
+    def _list(self, query: sa.Select[Any], made: Callable[[Found], T]) -> list[T]:
         with told("the database cannot be read"), self._engine.connect() as connection:
             return [made(row) for row in connection.execute(query)]
 
-    def _first(self, query: sa.Select[Any], made: Callable[[rows.Found], T]) -> T | None:
+    def _first(self, query: sa.Select[Any], made: Callable[[Found], T]) -> T | None:
         return next(iter(self._list(query, made)), None)
-
-
-def _where(query: sa.Select[Any], wanted: dict[sa.Column[Any], str | None]) -> sa.Select[Any]:
-    for column, value in wanted.items():
-        if value is not None:
-            query = query.where(column == value)
-    return query

@@ -4,60 +4,31 @@ A row is a tuple in the order of its table's columns; JSON goes in as text and c
 come back equal to what went in, also CMD_IDs with the top bit set.
 """
 
-import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
-import sqlalchemy as sa
-
-from app.domain.ids import Actor, CarrierId, CmdId, StationId, VehicleId
+from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
+from app.domain.ids import Actor, CarrierId
 from app.domain.job import Job, JobState, Leg
-from app.domain.layout import Axis, PulseSet
 from app.domain.records import (
     AuditRow,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
     HistoryEvent,
     Hold,
     Intent,
     IntentState,
-    Lockout,
     Provenance,
-    StationDest,
     StationRecord,
-    TeachingEvent,
-    VehicleOffset,
     VehicleRecord,
 )
-from app.domain.units import Barcode, Pulses, Timestamp
-
-Row = tuple[str | int | float | bool | None, ...]
-Found = sa.Row[Any]
-"""A row as a query gives it."""
-
-_TOP = 1 << 63
-_WRAP = 1 << 64
-
-
-def signed(cmd_id: int) -> int:
-    """Return an unsigned 64-bit number as the database holds it."""
-    return cmd_id - _WRAP if cmd_id >= _TOP else cmd_id
-
-
-def unsigned(value: int) -> CmdId:
-    """Undo :func:`signed`."""
-    return CmdId(value + _WRAP if value < 0 else value)
-
-
-def _json(value: Mapping[str, object] | tuple[str, ...]) -> str:
-    """Return compact JSON. Raises TypeError or ValueError for what JSON cannot say."""
-    return json.dumps(value, separators=(",", ":"), allow_nan=False)
-
-
-def _names(value: tuple[str, ...]) -> str:
-    return _json(value) if value else "[]"
+from app.domain.units import Timestamp
+from app.store import drive_rows, teaching
+from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
+from app.store.device_rows import device_row, emergencies, emergencies_text
 
 
 def job_row(job: Job) -> Row:
@@ -77,7 +48,7 @@ def job_row(job: Job) -> Row:
         job.leg.value,
         job.vehicle,
         job.wish,
-        _names(job.fallbacks),
+        as_names(job.fallbacks),
         job.reason,
         job.result,
         job.assigned,
@@ -122,8 +93,8 @@ def intent_row(intent: Intent) -> Row:
         intent.opened,
         intent.actor,
         intent.job,
-        _names(intent.path),
-        _json(dict(intent.body)) if intent.body else "{}",
+        as_names(intent.path),
+        as_json(dict(intent.body)) if intent.body else "{}",
         None if intent.amends is None else signed(intent.amends),
         intent.closed,
         intent.outcome,
@@ -195,15 +166,7 @@ def audit(row: Found) -> AuditRow:
 def _hold(hold: Hold | None) -> str | None:
     if hold is None:
         return None
-    return _json({"reason": hold.reason, "remedy": hold.remedy, "since": hold.since, "doubt": hold.doubt})
-
-
-def _lockout(lockout: Lockout | None) -> str | None:
-    if lockout is None:
-        return None
-    return _json(
-        {"owner": lockout.owner, "reason": lockout.reason, "since": lockout.since, "releases": list(lockout.releases)}
-    )
+    return as_json({"reason": hold.reason, "remedy": hold.remedy, "since": hold.since, "doubt": hold.doubt})
 
 
 def vehicle_row(record: VehicleRecord) -> Row:
@@ -211,11 +174,11 @@ def vehicle_row(record: VehicleRecord) -> Row:
     return (
         record.vehicle,
         record.barcode,
-        _names(record.held),
+        as_names(record.held),
         record.carrier,
         record.believed_loaded,
         _hold(record.hold),
-        _lockout(record.lockout),
+        lockout_text(record.lockout),
         record.out_of_service,
         record.off_rail,
     )
@@ -223,7 +186,6 @@ def vehicle_row(record: VehicleRecord) -> Row:
 
 def vehicle(row: Found) -> VehicleRecord:
     """Undo :func:`vehicle_row`."""
-    lockout = row.lockout
     return VehicleRecord(
         vehicle=row.vehicle,
         barcode=row.barcode,
@@ -231,7 +193,7 @@ def vehicle(row: Found) -> VehicleRecord:
         carrier=row.carrier,
         believed_loaded=row.believed_loaded,
         hold=None if row.hold is None else Hold(**row.hold),
-        lockout=None if lockout is None else Lockout(**{**lockout, "releases": tuple(lockout["releases"])}),
+        lockout=lockout_of(row.lockout),
         out_of_service=row.out_of_service,
         off_rail=row.off_rail,
     )
@@ -278,90 +240,14 @@ def gone_row(record: CarrierGone) -> Row:
     return (record.carrier,)
 
 
-def dest_row(record: StationDest) -> Row:
-    """Columns of ``station_dests``."""
-    pulses = record.pulses
-    return (
-        record.station,
-        record.version,
-        pulses.shft,
-        pulses.rota,
-        pulses.lift,
-        record.actor,
-        record.source,
-        record.at,
-    )
-
-
-def _pulses(row: Found) -> PulseSet:
-    return PulseSet(Pulses(row.shft), Pulses(row.rota), Pulses(row.lift))
-
-
-def dest(row: Found) -> StationDest:
-    """Undo :func:`dest_row`."""
-    return StationDest(
-        StationId(row.station), row.version, _pulses(row), Actor(row.actor), row.source, Timestamp(row.at)
-    )
-
-
-def offset_row(record: VehicleOffset) -> Row:
-    """Columns of ``vehicle_offsets``."""
-    pulses = record.pulses
-    return (
-        record.vehicle,
-        record.version,
-        pulses.shft,
-        pulses.rota,
-        pulses.lift,
-        record.actor,
-        record.source,
-        record.at,
-    )
-
-
-def offset(row: Found) -> VehicleOffset:
-    """Undo :func:`offset_row`."""
-    return VehicleOffset(
-        VehicleId(row.vehicle), row.version, _pulses(row), Actor(row.actor), row.source, Timestamp(row.at)
-    )
-
-
-def teaching_row(record: TeachingEvent) -> Row:
-    """Columns of ``teaching_events`` but for its number, which the database gives."""
-    return (
-        record.vehicle,
-        record.connection,
-        signed(record.cmd_id),
-        record.code,
-        None if record.axis is None else record.axis.value,
-        record.position,
-        record.barcode,
-        record.at,
-    )
-
-
-def teaching(row: Found) -> TeachingEvent:
-    """Undo :func:`teaching_row`."""
-    return TeachingEvent(
-        vehicle=VehicleId(row.vehicle),
-        connection=row.connection,
-        cmd_id=unsigned(row.cmd_id),
-        code=row.code,
-        axis=None if row.axis is None else Axis(row.axis),
-        position=Pulses(row.position),
-        barcode=Barcode(row.barcode),
-        at=Timestamp(row.at),
-    )
-
-
 def controller_row(record: ControllerRecord) -> Row:
     """Columns of ``controller``."""
-    return (1, record.state.value, record.reason)
+    return (1, record.state.value, record.reason, emergencies_text(record.emergencies))
 
 
 def controller(row: Found) -> ControllerRecord:
     """Undo :func:`controller_row`."""
-    return ControllerRecord(ControllerState(row.state), row.reason)
+    return ControllerRecord(ControllerState(row.state), row.reason, emergencies(row.emergencies))
 
 
 ROW_OF: dict[type, Callable[[Any], Row]] = {
@@ -373,9 +259,12 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     StationRecord: station_row,
     CarrierRecord: carrier_row,
     CarrierGone: gone_row,
-    StationDest: dest_row,
-    VehicleOffset: offset_row,
-    TeachingEvent: teaching_row,
+    **teaching.ROW_OF,
     ControllerRecord: controller_row,
+    DriveOperation: drive_rows.operation_row,
+    DriveBackup: drive_rows.backup_row,
+    DriveValue: drive_rows.value_row,
+    DriveRecord: drive_rows.drive_row,
+    DeviceRecord: device_row,
 }
 """How each record type becomes a row."""

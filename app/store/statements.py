@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
 from app.domain.job import Job
 from app.domain.records import (
@@ -12,6 +13,7 @@ from app.domain.records import (
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    DeviceRecord,
     HistoryEvent,
     Intent,
     Record,
@@ -21,8 +23,10 @@ from app.domain.records import (
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Proposal, TeachingSession
 from app.store import tables
-from app.store.rows import ROW_OF, Row
+from app.store.columns import Row
+from app.store.rows import ROW_OF
 
 REPLACED: dict[type, sa.Table] = {
     Job: tables.jobs,
@@ -31,8 +35,14 @@ REPLACED: dict[type, sa.Table] = {
     StationRecord: tables.stations,
     CarrierRecord: tables.carriers,
     ControllerRecord: tables.controller,
+    DriveOperation: tables.operations,
+    DriveValue: tables.drive_values,
+    DriveRecord: tables.drives,
+    Proposal: tables.teaching_proposals,
+    TeachingSession: tables.teaching_sessions,
+    DeviceRecord: tables.devices,
 }
-"""A record replaces the row of its key, the first column."""
+"""A record replaces the row of its key: the table's first columns."""
 
 APPENDED: dict[type, sa.Table] = {
     HistoryEvent: tables.events,
@@ -40,8 +50,11 @@ APPENDED: dict[type, sa.Table] = {
     StationDest: tables.station_dests,
     VehicleOffset: tables.vehicle_offsets,
     TeachingEvent: tables.teaching_events,
+    DriveBackup: tables.drive_backups,
 }
 
+_KEYS = {kind: len(table.primary_key) for kind, table in REPLACED.items()} | {CarrierGone: 1}
+"""How many columns are the key."""
 _UNDOES = {CarrierRecord: CarrierGone, CarrierGone: CarrierRecord}
 
 
@@ -61,7 +74,7 @@ class Statements:
         Tables do not refer to one another, so order matters within a table only; of several records with one key the last
         is written. Raises StoreRefused for a record that no row can hold.
         """
-        replaced: dict[type, dict[object, Row]] = {kind: {} for kind in (*REPLACED, CarrierGone)}
+        replaced: dict[type, dict[Row, Row]] = {kind: {} for kind in (*REPLACED, CarrierGone)}
         appended: dict[type, list[Row]] = {kind: [] for kind in APPENDED}
         for record in batch:
             kind = type(record)
@@ -72,9 +85,10 @@ class Statements:
             if kind in appended:
                 appended[kind].append(row)
                 continue
-            replaced[kind][row[0]] = row
+            key = row[: _KEYS[kind]]
+            replaced[kind][key] = row
             if kind in _UNDOES:
-                replaced[_UNDOES[kind]].pop(row[0], None)
+                replaced[_UNDOES[kind]].pop(key, None)
         for kind, by_key in replaced.items():
             if by_key:
                 yield self._sql[kind], list(by_key.values())
@@ -90,10 +104,8 @@ class Statements:
 
     def _upsert(self, table: sa.Table) -> sa.ClauseElement:
         insert = self._insert(table)
-        key, *others = table.c
-        return insert.on_conflict_do_update(
-            index_elements=[key], set_={c.name: insert.excluded[c.name] for c in others}
-        )
+        given = {column.name: insert.excluded[column.name] for column in table.c if not column.primary_key}
+        return insert.on_conflict_do_update(index_elements=list(table.primary_key), set_=given)
 
     def _append(self, kind: type, table: sa.Table) -> str:
         given = [column.name for column in table.c if table.autoincrement_column is not column]

@@ -8,8 +8,10 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
+from app.domain.teaching import ProposalState, SessionState
 
 metadata = sa.MetaData(
     naming_convention={
@@ -192,11 +194,15 @@ stations = sa.Table(
 carriers = sa.Table("carriers", metadata, _key("carrier"), _maybe("place"), _text("provenance"), _at("at"))
 
 
+def _maybe_big(name: str) -> sa.Column[int]:
+    return sa.Column(name, BIG)
+
+
 def _taught(name: str, owner: str) -> sa.Table:
-    pulses = (_big("shft"), _big("rota"), _big("lift"))
-    return sa.Table(
-        name, metadata, _key(owner), _key("version", BIG), *pulses, _text("actor"), _text("source"), _at("at")
-    )
+    pulses = (_maybe_big("shft"), _maybe_big("rota"), _maybe_big("lift"))
+    derived = (sa.Column("basis", JSON), _maybe_big("proposal"), _maybe_big("restores"), _maybe("reason"))
+    made = (_text("actor"), _text("source"), _at("at"), *derived)
+    return sa.Table(name, metadata, _key(owner), _key("version", BIG), *pulses, *made)
 
 
 station_dests = _taught("station_dests", "station")
@@ -205,7 +211,7 @@ vehicle_offsets = _taught("vehicle_offsets", "vehicle")
 teaching_events = sa.Table(
     "teaching_events",
     metadata,
-    sa.Column("seq", BIG, primary_key=True),
+    _key("seq", BIG),
     _text("vehicle"),
     _text("connection"),
     _big("cmd_id"),
@@ -214,10 +220,107 @@ teaching_events = sa.Table(
     _big("position"),
     _text("barcode"),
     _at("at"),
+    _maybe("asked_by"),
     sa.UniqueConstraint(
         "vehicle", "connection", "cmd_id", "code", "position", "barcode", name="uq_teaching_events_same"
     ),
 )
+
+drives = sa.Table("drives", metadata, _key("drive"), sa.Column("lockout", JSON))
+
+drive_values = sa.Table("drive_values", metadata, _key("drive"), _key("parameter", BIG), _big("value"), _at("at"))
+
+drive_backups = sa.Table(
+    "drive_backups",
+    metadata,
+    _key("number", BIG),
+    _text("drive"),
+    _text("model"),
+    _at("at"),
+    _text("actor"),
+    _text("note"),
+    sa.Column("raws", JSON, nullable=False),
+)
+sa.Index("ix_drive_backups_drive_number", drive_backups.c.drive, drive_backups.c.number)
+
+operations = sa.Table(
+    "operations",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    _text("state"),
+    _at("opened"),
+    _text("actor"),
+    _text("line"),
+    _maybe("drive"),
+    sa.Column("body", JSON, nullable=False),
+    _big("done"),
+    _big("total"),
+    sa.Column("closed", UTC),
+    sa.Column("result", JSON, nullable=False),
+    _text("reason"),
+    _text("remedy"),
+)
+_index_where_set(operations.c.drive, operations.c.number)
+under_way = operations.c.state == sa.literal_column(f"'{OperationState.RUNNING.value}'")
+"""Operations that a restart must close."""
+sa.Index("ix_operations_under_way", operations.c.number, sqlite_where=under_way, postgresql_where=under_way)
+teaching_proposals = sa.Table(
+    "teaching_proposals",
+    metadata,
+    _key("number", BIG),
+    _text("side"),
+    _text("vehicle"),
+    _text("barcode"),
+    _at("opened"),
+    _at("at"),
+    sa.Column("readings", JSON, nullable=False),
+    _text("state"),
+    _text("why"),
+    _text("remedy"),
+    sa.Column("warnings", JSON, nullable=False),
+    _maybe("station"),
+    _maybe_big("session"),
+    _maybe_big("asked"),
+    _maybe("asked_by"),
+    sa.Column("collecting", sa.Boolean(), nullable=False),
+    _text("broken"),
+    _text("mode"),
+    sa.Column("result", JSON),
+    _big("base"),
+    _maybe_big("against_version"),
+    sa.Column("closed", UTC),
+    _maybe("closed_by"),
+    _text("reason"),
+    _maybe_big("version"),
+    _big("revision"),
+)
+undecided = teaching_proposals.c.state.not_in(
+    [sa.literal_column(f"'{state}'") for state in sorted(ProposalState) if state.over]
+)
+"""Proposals that a restart must take up again."""
+sa.Index(
+    "ix_teaching_proposals_undecided", teaching_proposals.c.number, sqlite_where=undecided, postgresql_where=undecided
+)
+_index_where_set(teaching_proposals.c.station, teaching_proposals.c.number)
+_index_where_set(teaching_proposals.c.vehicle, teaching_proposals.c.number)
+
+teaching_sessions = sa.Table(
+    "teaching_sessions",
+    metadata,
+    _key("number", BIG),
+    _text("station"),
+    _text("vehicle"),
+    _text("actor"),
+    _at("opened"),
+    _text("note"),
+    _text("state"),
+    sa.Column("ended", UTC),
+    _maybe("ended_by"),
+    _text("reason"),
+)
+going_on_teaching = teaching_sessions.c.state == sa.literal_column(f"'{SessionState.OPEN}'")
+"""Sessions that a restart must take up again."""
 
 controller = sa.Table(
     "controller",
@@ -225,5 +328,17 @@ controller = sa.Table(
     _key("one", BIG),
     _text("state"),
     _text("reason"),
+    sa.Column("emergencies", JSON),
     sa.CheckConstraint("one = 1", name="only"),
+)
+
+devices = sa.Table(
+    "devices",
+    metadata,
+    _key("device"),
+    sa.Column("lockout", JSON),
+    sa.Column("pin", JSON),
+    sa.Column("lock", JSON),
+    sa.Column("locked", sa.Boolean()),
+    _text("out_of_service"),
 )

@@ -124,7 +124,7 @@ def test_stop_holds_the_agv_and_it_goes_on_from_between_two_tags_once_released()
     world.until(lambda: world.agv().report.run == AgvRun.STOP)
     world.pass_by(5.0)
     assert world.view().mode == "auto"
-    assert world.now_of().beyond == tag(2)
+    assert world.now_of().toward == tag(2)
     assert set(world.control.fleet.books.traffic.held(A1)) == {tag(3), tag(2)}
     world.reply(ReleaseVehicle(ANNA, A1, Verdict.GO_ON, "free"))
     came_through(world)

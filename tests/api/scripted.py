@@ -4,10 +4,19 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from app.domain import requests as r
+from app.domain import teaching_requests as t
+from app.domain.device_requests import (
+    CommandDevice,
+    RaiseEmergency,
+    ReleaseEmergency,
+)
+from app.domain.drive import DriveId
+from app.domain.drive_records import DriveBackup, DriveOperation
+from app.domain.drive_requests import DriveOrder, Word
 from app.domain.errors import Refusal
-from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, StationId, VehicleId, ZoneId
+from app.domain.ids import Actor, CarrierId, CmdId, DevId, JobId, LinkId, StationId, VehicleId, ZoneId
 from app.domain.job import Job, JobState
-from app.domain.layout import Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
+from app.domain.layout import Axis, Edge, Plant, Point, PulseSet, Station, StationKind, VehicleSpec, Zone
 from app.domain.records import (
     AuditRow,
     CarrierRecord,
@@ -19,12 +28,27 @@ from app.domain.records import (
     Provenance,
     StationDest,
     StationRecord,
+    TeachingEvent,
     VehicleOffset,
 )
+from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
-from app.domain.view import BitView, CarrierView, ControllerView, LinkView, StationView, Topic, Update, VehicleView
+from app.domain.view import (
+    BitView,
+    CarrierView,
+    ControllerView,
+    DeviceView,
+    LineView,
+    LinkView,
+    StationView,
+    Topic,
+    Update,
+    VehicleView,
+)
+from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
 from app.runtime.hub import Hub, ReadModel
+from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
 B = Barcode
@@ -43,7 +67,13 @@ PLANT = Plant(
     ),
     vehicles=tuple(VehicleSpec(VehicleId(f"V00{n}"), DevId(n)) for n in (1, 2)),
     zones=(Zone(ZoneId("Z1"), frozenset({B("1003"), B("1002")})),),
+    links=LINKS,
+    drives=DRIVES,
+    catalogues=(CATALOGUE,),
 )
+
+
+DOOR = DeviceView("DOOR1", "door", "HALL", 30, fresh=True, state="closed", since=NOW, seen=NOW)
 
 
 class MemoryReader:
@@ -56,6 +86,30 @@ class MemoryReader:
         self.asked: list[AuditRow] = []
         self.pulses: list[StationDest] = []
         self.corrections: list[VehicleOffset] = []
+        self.drives = ScriptedDrives(NOW)
+        self.sent: list[TeachingEvent] = []
+        self.proposed: dict[int, Proposal] = {}
+        self.taught_in: dict[int, TeachingSession] = {}
+
+    def operation(self, number: int) -> DriveOperation | None:
+        return self.drives.operations.get(number)
+
+    def operations(
+        self, *, drive: str | None = None, line: str | None = None, after: int | None = None, limit: int = 100
+    ) -> Sequence[DriveOperation]:
+        found = [
+            one
+            for one in reversed(self.drives.operations.values())
+            if drive in (None, one.drive) and line in (None, one.line) and (after is None or one.number < after)
+        ]
+        return found[:limit]
+
+    def backup(self, number: int) -> DriveBackup | None:
+        return self.drives.backups.get(number)
+
+    def backups(self, drive: DriveId, after: int | None = None, limit: int = 100) -> Sequence[DriveBackup]:
+        found = [one for one in reversed(self.drives.backups.values()) if one.drive == drive]
+        return [one for one in found if after is None or one.number < after][:limit]
 
     def job(self, job: JobId) -> Job | None:
         return self.kept.get(job)
@@ -106,6 +160,46 @@ class MemoryReader:
     def offsets(self, vehicle: VehicleId) -> Sequence[VehicleOffset]:
         return [row for row in self.corrections if row.vehicle == vehicle]
 
+    def all_dests(self, *, history: bool = False) -> Sequence[StationDest]:
+        return self.pulses if history else list({row.station: row for row in self.pulses}.values())
+
+    def all_offsets(self, *, history: bool = False) -> Sequence[VehicleOffset]:
+        return self.corrections if history else list({row.vehicle: row for row in self.corrections}.values())
+
+    def taught(
+        self, after: int = 0, limit: int = 100, *, vehicle: str | None = None, barcode: str | None = None
+    ) -> Sequence[TeachingEvent]:
+        return [row for row in self.sent if row.number > after][:limit]
+
+    def proposals(
+        self,
+        *,
+        state: str | None = None,
+        station: str | None = None,
+        vehicle: str | None = None,
+        session: int | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[Proposal]:
+        return list(self.proposed.values())[:limit]
+
+    def proposal(self, number: int) -> Proposal | None:
+        return self.proposed.get(number)
+
+    def sessions(
+        self,
+        *,
+        state: str | None = None,
+        station: str | None = None,
+        vehicle: str | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[TeachingSession]:
+        return list(self.taught_in.values())[:limit]
+
+    def session(self, number: int) -> TeachingSession | None:
+        return self.taught_in.get(number)
+
 
 class Scripted:
     """Plays the controller. ``refusal`` set: the next request gets it. ``seen`` has every request."""
@@ -123,12 +217,24 @@ class Scripted:
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
         self.hub.publish([self._vehicle(v) for v in PLANT.vehicles])
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
+        self.drives = self.reader.drives
+        self.hub.publish(self.drives.shown())
+        self.hub.publish([Update(Topic.DEVICES, DOOR.id, DOOR)])
 
     def utc(self) -> Timestamp:
         return NOW
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic
+
+    def tell(self, word: Word) -> r.Reply:
+        return self.drives.tell(word)
+
+    def links(self) -> Sequence[LineView]:
+        return self.drives.links()
+
+    def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
+        return self.drives.traffic
 
     async def ask(self, request: r.Request) -> r.Reply:
         self.seen.append(request)
@@ -174,8 +280,32 @@ class Scripted:
                 state = ControllerState.PAUSING if isinstance(request, r.PauseController) else ControllerState.AUTO
                 self.hub.publish([self._controller(ControllerRecord(state, getattr(request, "reason", "")))])
                 return r.Accepted(Topic.CONTROLLER, "controller")
+            case _ if isinstance(request, DriveOrder):
+                reply, updates = self.drives.answer(request)
+                self.hub.publish(updates)
+                return reply
+            case t.OpenTeaching():
+                self.teach()
+                return r.Accepted(Topic.TEACHING, "session-1", created=True)
+            case t.ImportTaught():
+                return r.Accepted(Topic.TEACHING, "import", fates=(RowFate(2, "P1", Fate.SAME, version=1),))
+            case t.EndTeaching() | t.ApproveProposal() | t.RejectProposal() | t.AssignProposal():
+                return r.Accepted(Topic.TEACHING, "proposal-1")
+            case t.StartTeaching():
+                return r.Accepted(Topic.TEACHING, "session-1", cmd_id=self._cmd)
+            case _ if isinstance(request, r.HallRequest):
+                return self._hall(request)
             case _:
                 return self._vehicles(request)
+
+    def _hall(self, request: r.HallRequest) -> r.Reply:
+        match request:
+            case CommandDevice():
+                return self._device(request)
+            case RaiseEmergency() | ReleaseEmergency():
+                return r.Accepted(Topic.CONTROLLER, "controller")
+            case _:
+                return r.Accepted(Topic.DEVICES, request.device)
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1
@@ -246,6 +376,14 @@ class Scripted:
         self.hub.publish([Update(Topic.CARRIERS, row.carrier, view)])
         return r.Accepted(Topic.CARRIERS, row.carrier, created=created)
 
+    def _device(self, request: CommandDevice) -> r.Reply:
+        self._cmd += 1
+        name = VehicleId(request.device)
+        intent = Intent(CmdId(self._cmd), name, request.act.value, IntentState.OPEN, NOW, request.actor)
+        self.reader.commands[self._cmd] = intent
+        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent))])
+        return r.Accepted(Topic.DEVICES, request.device, cmd_id=self._cmd)
+
     def _vehicles(self, request: r.Request) -> r.Reply:
         vehicle = VehicleId(getattr(request, "vehicle", ""))
         spec = PLANT.vehicle(vehicle)
@@ -261,6 +399,26 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def teach(self) -> None:
+        """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""
+        v1, p1, b = VehicleId("V001"), StationId("P1"), B("1001")
+        cmd = CmdId(1 << 63)
+        self.reader.sent = [
+            TeachingEvent(v1, "1/1", cmd, 0x2074, Axis.LIFT, Pulses(7), b, NOW, 1, ACTOR),
+            TeachingEvent(v1, "1/1", cmd, 0x2079, None, Pulses(7), b, NOW, 2),
+        ]
+        session = TeachingSession(1, p1, v1, ACTOR, NOW)
+        self.reader.taught_in = {1: session}
+        readings = (Reading(Axis.LIFT, Pulses(7), cmd, (1,)),)
+        proposal = Proposal(1, Side.DEST, v1, b, NOW, NOW, readings, ProposalState.READY, station=p1, session=1)
+        self.reader.proposed = {1: replace(proposal, result=PulseSet(Pulses(1), Pulses(2), Pulses(4)), base=2)}
+        self.hub.publish(
+            [
+                Update(Topic.TEACHING, "session-1", view_of_session(session)),
+                Update(Topic.TEACHING, "proposal-1", view_of_proposal(self.reader.proposed[1])),
+            ]
+        )
 
     def forget_commands(self) -> None:
         """Let all commands leave the model."""

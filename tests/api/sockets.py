@@ -12,7 +12,13 @@ class Socket:
     """One connection; ``async with`` opens it. ``refused`` has the messages of a refusal."""
 
     def __init__(
-        self, app: ASGIApp, path: str = "/api/v1/live", query: str = "", headers: dict[str, str] | None = None
+        self,
+        app: ASGIApp,
+        path: str = "/api/v1/live",
+        query: str = "",
+        headers: dict[str, str] | None = None,
+        *,
+        answers: bool = False,
     ) -> None:
         self._app = app
         given = {"host": "localhost"} | (headers or {})
@@ -28,7 +34,7 @@ class Socket:
             "client": ("127.0.0.1", 50000),
             "server": ("localhost", 80),
             "subprotocols": [],
-            "extensions": {},
+            "extensions": {"websocket.http.response": {}} if answers else {},
         }
         self._in: asyncio.Queue[Message] = asyncio.Queue()
         self.out: asyncio.Queue[Message] = asyncio.Queue()

@@ -52,6 +52,7 @@ async def test_without_topics_a_watcher_gets_all_but_commands(app: FastAPI) -> N
             "drives",
             "jobs",
             "stations",
+            "teaching",
             "vehicles",
         ]
         assert snapshot["objects"]["vehicles"]["V001"]["bits"][0] == {"name": "MODE", "value": 3, "meaning": "AUTO"}

@@ -83,15 +83,25 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     await client.post("/jobs", json=ORDER)
     command = (await client.post("/vehicles/V001/commands", json={"command": "status"})).json()["cmd_id"]
+    opened = (await client.post("/devices/DOOR1/commands", json={"command": "open"})).json()["cmd_id"]
     await client.put("/carriers/F1", json={"place": "P1"})
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
+    await client.post("/drives/D1/jog", json={"direction": "cw"})
+    controller.drives.keep_backup()
+    controller.drives.traffic = [(NOW, "out", b"\x02M1SSQ@#8\x03"), (NOW, "in", b"\x06")]
     known = {"job": "LOT-1", "vehicle": "V001", "station": "P1", "carrier": "F1", "command": command, "code": "invalid"}
+    known |= {"drive": "D1", "operation": "1", "backup": "1", "jog": "1", "number": "1C", "link": "AXES"}
+    await client.put("/stations/P1/dest", json=pulses)
+    await client.put("/vehicles/V001/offset", json=pulses)
+    controller.teach()
+    known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):
             continue
-        answer = await client.get("http://localhost" + path.format(**known))
+        named = known | ({"device": "DOOR1", "command": opened} if "{device}" in path else {})
+        answer = await client.get("http://localhost" + path.format(**named))
         assert answer.status_code == 200, path
         pointer = path.replace("~", "~0").replace("/", "~1").replace("{", "%7B").replace("}", "%7D")
         where = f"openapi.json#/paths/{pointer}/get/responses/200/content/application~1json/schema"
@@ -114,7 +124,11 @@ async def test_every_live_frame_is_what_the_description_says(served: FastAPI, co
         socket.say("?")
         socket.say('{"resync": true}')
         frames += [await socket.frame() for _ in range(3)]
-    assert {frame["type"] for frame in frames} == {"snapshot", "change", "event", "error", "resync"}
+        socket.say('{"id": 7, "command": {"name": "vehicle.hold", "target": "V001", "body": {"reason": "look"}}}')
+        socket.say('{"id": "x", "command": {"name": "vehicle.hold", "target": "V009", "body": {"reason": "look"}}}')
+        frames += [await socket.frame() for _ in range(2)]
+    assert {frame["type"] for frame in frames} == {"snapshot", "change", "event", "error", "resync", "reply"}
+    assert [(frame["type"], frame["id"]) for frame in frames[-2:]] == [("reply", 7), ("error", "x")]
     for frame in frames:
         valid(frame, f"asyncapi.yaml#/components/messages/{frame['type']}/payload")
 

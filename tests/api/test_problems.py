@@ -1,15 +1,18 @@
 """Every route answers bad input with a problem, never with a defect."""
 
 import json
+import re
 from collections.abc import Iterator
 from typing import Any
 
 import httpx
 import pytest
+from fastapi import FastAPI
 
 from app.api.application import described
 from app.settings import Settings
 from tests.api.scripted import Scripted
+from tests.api.sockets import Socket
 
 pytestmark = pytest.mark.anyio
 
@@ -18,7 +21,11 @@ SCHEMAS: dict[str, Any] = DOCUMENT["components"]["schemas"]
 OPERATIONS = [
     (method.upper(), path, operation) for path, ops in DOCUMENT["paths"].items() for method, operation in ops.items()
 ]
-WITH_BODY = [(method, path, op["requestBody"]) for method, path, op in OPERATIONS if "requestBody" in op]
+WITH_BODY = [
+    (method, path, op["requestBody"])
+    for method, path, op in OPERATIONS
+    if "requestBody" in op and "text/csv" not in op["requestBody"]["content"]
+]
 KNOWN = {
     "job": "LOT-1",
     "vehicle": "V001",
@@ -26,6 +33,19 @@ KNOWN = {
     "carrier": "F1",
     "command": "0000000000000001",
     "code": "invalid",
+    "drive": "D1",
+    "number": "1C",
+    "watch": "mine",
+    "backup": "1",
+    "jog": "1",
+    "operation": "1",
+    "link": "AXES",
+    "session": "1",
+    "proposal": "1",
+    "other": "V002",
+    "old": "1",
+    "new": "2",
+    "device": "DOOR1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -49,6 +69,25 @@ EXAMPLES: dict[str, Any] = {
     "StationPut": {"present": True, "carrier": "", "reserved": "", "out_of_service": ""},
     "StationPatch": {"present": True},
     "CarrierPut": {"place": "P1"},
+    "KeyIn": {"key": "run"},
+    "InputsIn": {"step": 3},
+    "ReadIn": {},
+    "WriteIn": {"raw": 5},
+    "BackupIn": {},
+    "CompareIn": {"backup": 1},
+    "RestoreIn": {"backup": 1},
+    "JogIn": {"direction": "cw"},
+    "WatchIn": {"parameters": ["1C"]},
+    "SessionIn": {"station": "P1", "vehicle": "V001"},
+    "StartIn": {"what": "dest"},
+    "EndIn": {},
+    "ApproveIn": {},
+    "RejectIn": {"reason": "x"},
+    "AssignIn": {"station": "P1"},
+    "RollBackIn": {"version": 1, "reason": "x"},
+    "DeviceCommandIn": {"command": "open"},
+    "PinIn": {"position": "open", "reason": "x"},
+    "EmergencyIn": {"kind": "fire", "reason": "x"},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [
@@ -84,6 +123,7 @@ def check(answer: httpx.Response) -> None:
         assert problem["status"] == answer.status_code
         assert problem["detail"]
         assert problem["title"]
+        assert problem["remedy"]
 
 
 @pytest.mark.parametrize(("method", "path", "body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
@@ -161,12 +201,20 @@ async def test_odd_names_in_paths_and_questions_are_refused(
         check(await client.request(method, f"{filled(path)}?{query}", headers={"X-Actor": "kim"}))
 
 
+def methods_at(url: str) -> set[str]:
+    """Return the methods of every path that the URL fits: one name may also stand where another path has a parameter."""
+    place = httpx.URL(url).path
+    fits = (path for path in DOCUMENT["paths"] if re.fullmatch(re.sub(r"\{[^}]+\}", "[^/]+", path), place))
+    return {method.upper() for path in fits for method in DOCUMENT["paths"][path]}
+
+
 @pytest.mark.parametrize("path", sorted(DOCUMENT["paths"]))
 async def test_a_method_that_a_path_does_not_have_is_405(client: httpx.AsyncClient, path: str) -> None:
     answer = await client.request("TRACE", filled(path))
     check(answer)
     assert answer.status_code == 405
-    assert answer.headers["allow"]
+    has = ", ".join(sorted(methods_at(filled(path))))
+    assert (answer.headers["allow"], answer.json()["remedy"]) == (has, f"It has {has}.")
 
 
 @pytest.mark.parametrize(
@@ -181,3 +229,22 @@ async def test_a_path_that_is_not_there_is_a_404_problem(client: httpx.AsyncClie
 async def test_every_code_of_a_refusal_has_a_status(client: httpx.AsyncClient) -> None:
     codes = {item["code"] for item in (await client.get("/problems")).json()["items"]}
     assert {"not-found", "conflict", "not-now", "invalid", "no-route"} <= codes
+
+
+async def test_a_file_is_only_read(client: httpx.AsyncClient) -> None:
+    answer = await client.post("http://localhost/assets/index.js")
+    check(answer)
+    assert (answer.status_code, answer.headers["allow"]) == (405, "GET, HEAD")
+    assert (await client.post("http://localhost/")).headers["allow"] == "GET, HEAD"
+
+
+async def test_a_websocket_where_there_is_none_is_a_404_problem(served: FastAPI) -> None:
+    async with Socket(served, "/api/v1/nope") as socket:
+        refusal = await socket.message()
+    assert refusal["type"] == "websocket.close"
+    async with Socket(served, "/api/v1/nope", answers=True) as socket:
+        start, body = await socket.message(), await socket.message()
+    assert (start["type"], start["status"]) == ("websocket.http.response.start", 404)
+    problem = json.loads(body["body"])
+    assert problem["detail"] == "There is no stream at /api/v1/nope."
+    assert problem["remedy"] == "The live stream is at /api/v1/live."

@@ -43,8 +43,11 @@ def test_the_tests_own_variables_are_not_settings() -> None:
 
 
 def test_a_file_that_cannot_be_read_is_refused_by_name(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match=r"nowhere\.toml"):
+    with pytest.raises(SettingsError, match=r"nowhere\.toml cannot be read: No such file or directory$"):
         load(tmp_path / "nowhere.toml", {})
+    (tmp_path / "odd.yaml").write_bytes(b"port: \xff")
+    with pytest.raises(SettingsError, match=r"odd\.yaml is not UTF-8: invalid start byte at byte 6$"):
+        load(tmp_path / "odd.yaml", {})
     file = tmp_path / "list.yaml"
     file.write_text("- 1")
     with pytest.raises(SettingsError, match="expected names and values"):

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection
 
+from app.domain.devices import DeviceRequest
 from app.domain.ids import CarrierId, StationId
 from app.domain.job import JOB_STEPS, Job, JobState
 from app.domain.records import CarrierGone, CarrierRecord, HistoryEvent, Intent, IntentState, Kept, StationRecord
@@ -58,9 +59,12 @@ class Judge:
                     del self._carriers[record.carrier]
                 case _:
                     pass
-        opened = {r.cmd_id for r in effects.records if isinstance(r, Intent) and r.state is IntentState.OPEN}
+        opened = {int(r.cmd_id) for r in effects.records if isinstance(r, Intent) and r.state is IntentState.OPEN}
         for send in effects.sends:
             assert send.cmd_id in opened, f"{now}: {send} without an intent in the same transaction"
+        for link_send in effects.link_sends:
+            if isinstance(link_send.order, DeviceRequest):
+                assert link_send.order.id in opened, f"{now}: {link_send} without an intent in the same transaction"
         self._all_together()
 
     def _job(self, job: Job) -> None:

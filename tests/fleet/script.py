@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from app.domain.commands import Command, Send
+from app.domain.devices import DeviceEvent, DeviceId
 from app.domain.errors import Refusal
 from app.domain.events import Acknowledged, Answered, Event, LinkDown, LinkUp, NotSent, Reported, Unanswered, Unknown
 from app.domain.ids import Actor, CarrierId, CmdIds, JobId, StationId, VehicleId
@@ -15,12 +16,13 @@ from app.domain.records import HistoryEvent, Intent, Kept, Record, StationRecord
 from app.domain.requests import Accepted, CreateJob, Reply, Request
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.vehicle import Condition, VehicleStatus
-from app.domain.view import LinkView, Topic, Update, View
+from app.domain.view import DeviceView, LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
 from app.plant import read
 from app.protocols.itsc.condition import condition
 from app.sim.memory import MemoryLedger
+from tests.fleet.hall import ToyHall
 from tests.fleet.judge import Judge
 from tests.fleet.toy import TAGS, Toy
 
@@ -67,6 +69,7 @@ class Script:
         self.toys = {
             spec.id: Toy(self, spec, spec.start or self.plant.points[0].barcode) for spec in self.plant.vehicles
         }
+        self.hall = ToyHall(self) if self.plant.links else None
         self.sends: list[Send] = []
         self.records: list[Record] = []
         self.updates: list[Update] = []
@@ -101,6 +104,8 @@ class Script:
         self.sends.clear()
         for toy in self.toys.values():
             toy.linked = False
+        if self.hall:
+            self.hall.restart()
         self._start(restored=restored)
 
     def _collect(self) -> None:
@@ -122,6 +127,9 @@ class Script:
                 self.model[update.topic][update.key] = update.value
         for send in effects.sends:
             self.toys[send.vehicle].take(send)
+        for link_send in effects.link_sends:
+            if self.hall:
+                self.hall.take(link_send)
 
     # -- inputs -------------------------------------------------------------------------------------------------------
 
@@ -152,6 +160,11 @@ class Script:
     def hear(self, event: Event) -> None:
         """Let the fleet hear an event of a session."""
         self.fleet.handle(event, self.now)
+        self._collect()
+
+    def hear_device(self, event: DeviceEvent) -> None:
+        """Let the fleet hear an event of a link."""
+        self.fleet.handle_device(event, self.now)
         self._collect()
 
     def tick(self) -> None:
@@ -234,6 +247,8 @@ class Script:
         """Connect toy vehicles (all, if none is named); with ``run`` they do what they are told."""
         for name in vehicles or tuple(self.toys):
             self.toys[name].connect()
+        if self.hall:
+            self.hall.connect()
         self.run(4)
         return self
 
@@ -243,6 +258,8 @@ class Script:
         while self.now < end - 1e-9:
             self.now = Seconds(self.now + step)
             self.tick()
+            if self.hall:
+                self.hall.step()
             polls, self.polls = self.polls, []
             for toy in self.toys.values():
                 toy.step(polled=toy.spec.id in polls)
@@ -277,6 +294,12 @@ class Script:
     def station(self, name: StationId) -> StationRecord:
         """Return what is believed of a station."""
         return self.fleet.books.stations[name]
+
+    def device(self, name: str) -> DeviceView:
+        """Return a device as people see it."""
+        view = self.model[Topic.DEVICES][DeviceId(name)]
+        assert isinstance(view, DeviceView)
+        return view
 
     def events(self, job: str | None = None) -> list[str]:
         """Return the names of the durable events since ``forget``, of one job or of all."""

@@ -1,5 +1,7 @@
 """The fleet as a whole: what it takes in, what it tells, and when it wants to be woken."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.domain.commands import Display, Move, Plain, Send, Simple, Xmove
@@ -109,7 +111,7 @@ def test_teaching_events_of_two_connections_are_told_apart(ready: Script) -> Non
     ready.toys[V1].cut()
     ready.run(1)
     ready.link_up(V1)
-    ready.hear(taught)
+    ready.hear(replace(taught, connection=1))
     first, second = ready.kept(TeachingEvent)
     assert first.connection != second.connection
 

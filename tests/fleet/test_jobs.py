@@ -234,7 +234,7 @@ def test_a_port_that_was_never_taught_is_refused_with_its_missing_axes() -> None
     script = Script(replace(plant, stations=untaught))
     refusal = script.refuse(transfer("P1", "P3"))
     assert (refusal.code, refusal.field) == ("not-now", "destination")
-    assert "SHFT, ROTA and LIFT" in refusal.reason
+    assert refusal.reason == "P3 has no DEST (SHFT, ROTA, LIFT)"
     assert script.refuse(transfer("P3", "P1")).field == "source"
     script.accept(WriteDest(HOST, P3, PulseSet(Pulses(1), Pulses(2), Pulses(3))))
     assert script.accept(transfer("P1", "P3")).created

@@ -31,7 +31,7 @@ from app.domain.requests import (
 from app.domain.units import Barcode, Pulses
 from app.domain.view import Topic, VehicleView
 from app.fleet.obstacles import PLACED_COUNTS_FOR
-from tests.fleet.script import B1, B2, FOUP1, FOUP2, HOST, P1, P2, P3, V1, V2, Script, small, words
+from tests.fleet.script import B1, B2, FOUP1, FOUP2, HOST, P1, P2, P3, V1, V2, Script, small, transfer, words
 
 J1 = JobId("J1")
 KIM = Actor("kim")
@@ -158,7 +158,8 @@ def test_a_source_whose_pulses_no_vehicle_may_be_sent_is_not_fetched_from(ready:
     ready.run(8)
     assert ready.job("J1").state is JobState.QUEUED
     assert not [s for s in ready.sends if isinstance(s.command, Pickup)]
-    assert ready.job("J1").reason == "no vehicle is free: V001 is asked for, and cannot serve both stations"
+    why = "SHFT 1000010 for P1 is outside -20000..20000 of V001"
+    assert ready.job("J1").reason == f"no vehicle is free: V001 is asked for, and cannot serve P1: {why}"
     ready.order("P1", "B2", job="J2")
     ready.run(2)
     assert "DEST, OFFSET and limits" in ready.job("J2").reason
@@ -181,13 +182,11 @@ def test_a_vehicle_without_offset_is_not_given_a_job_at_a_port() -> None:
     script = Script(replace(plant, vehicles=(replace(plant.vehicles[0], offset=None), plant.vehicles[1])))
     script.world.update({P1: FOUP1, B1: FOUP2})
     script.obey()
-    script.order("P1", "P2", job="A", vehicle=V1)
+    script.order("P1", "P2", job="A")
     script.order("B1", "B2", job="B", vehicle=V1)
-    script.run_until("B")
-    assert script.job("A").reason == "no vehicle can serve both stations: see their DEST, OFFSET and limits" or (
-        script.job("A").reason.startswith("no vehicle is free: V001")
-    )
-    assert script.job("A").state is JobState.QUEUED
+    script.run_until("A", "B")
+    assert (script.job("A").vehicle, script.job("B").vehicle) == (V2, V1)
+    assert script.refuse(transfer("P1", "P2", job="C", vehicle=V1)).reason == "V001 has no OFFSET (SHFT, ROTA, LIFT)"
 
 
 # -- handling that goes wrong -----------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from app.domain.errors import Refusal
 from app.domain.events import Unknown
 from app.domain.ids import Actor
 from app.domain.records import IntentState
-from app.domain.requests import CommandVehicle, MoveVehicle, RecoverAlarm
+from app.domain.requests import CommandVehicle, HoldVehicle, MoveVehicle, RecoverAlarm
 from app.domain.units import Barcode
 from app.domain.vehicle import Condition
 from app.fleet.vehicle import Stage
@@ -292,3 +292,39 @@ def test_every_command_of_the_sequence_is_a_durable_intent_in_the_persons_name(r
     stop = next(i for i in ready.kept_intents() if i.kind == "stop")
     assert (stop.actor, stop.state) == (KIM, IntentState.OPEN)
     assert [i.state for i in ready.kept_intents() if i.kind == "stop"][-1] is IntentState.DONE
+
+
+def test_what_a_person_holds_stays_held_when_its_alarm_is_recovered(ready: Script) -> None:
+    ready.accept(HoldVehicle(KIM, V1, "a screw is loose"))
+    ready.toys[V1].linked = False
+    ready.wait(1.1)
+    ready.report(V1, "103", state(alarm=True))
+    ready.accept(RECOVER)
+    ready.report(V1, "103", state(alarm=True))
+    obeyed(ready, state())
+    obeyed(ready, state(mode=3))
+    assert "AlarmCleared" in ready.events()
+    assert hold(ready) == "held by kim: a screw is loose"
+
+
+def test_a_recovery_that_stops_leaves_the_hold_of_a_person_to_that_person(ready: Script) -> None:
+    ready.accept(HoldVehicle(KIM, V1, "a screw is loose"))
+    ready.toys[V1].linked = False
+    for _ in range(2):
+        ready.wait(1.1)
+        ready.report(V1, "103", state(alarm=True))
+        ready.accept(RECOVER)
+        ready.report(V1, "103", state(alarm=True))
+        obeyed(ready, state(alarm=True), ok=False)
+    assert hold(ready).startswith("held by kim: a screw is loose; alarm recovery stopped: alarm_clear ended abnormally")
+    assert hold(ready).count("stopped") == 1
+
+
+def test_a_vehicle_that_wants_for_nothing_is_not_recovered(ready: Script) -> None:
+    assert ready.refuse(RECOVER).remedy == "nothing needs to be done"
+    ready.accept(HoldVehicle(KIM, V1, "a screw is loose"))
+    refusal = ready.refuse(CONFIRMED)
+    assert refusal.reason == "V001 is in AUTO, homed and without an alarm"
+    assert refusal.remedy == "POST /api/v1/vehicles/V001/release"
+    assert hold(ready) == "held by kim: a screw is loose"
+    assert "AlarmCleared" not in ready.events()

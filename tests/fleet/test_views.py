@@ -6,6 +6,7 @@ import pytest
 
 from app.domain.commands import Plain
 from app.domain.ids import Actor, JobId
+from app.domain.records import StationRecord
 from app.domain.requests import (
     CommandVehicle,
     HoldVehicle,
@@ -18,7 +19,7 @@ from app.domain.requests import (
 )
 from app.domain.units import Barcode
 from app.domain.view import CommandView, ControllerView, EventView, JobView, StationView, Topic, VehicleView
-from app.fleet.views import activity_of
+from app.fleet.views import activity_of, view_of_station
 from tests.fleet.script import UTC, V1, V2, Script, small, words
 
 KIM = Actor("kim")
@@ -194,3 +195,9 @@ def test_a_station_shows_its_dest(
     view = script.model[Topic.STATIONS][station]
     assert isinstance(view, StationView)
     assert (view.target, view.target_version, view.provenance, view.verified) == (target, version, "plant", False)
+
+
+def test_a_station_that_nobody_ever_said_anything_of_has_no_moment_of_knowing(script: Script) -> None:
+    spec = next(station for station in script.plant.stations if station.id == "P1")
+    view = view_of_station(spec, StationRecord(spec.id), None)
+    assert (view.present, view.at) == (None, None)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import pytest
 
 from app.plant import Finding, Severity, UnusablePlant, document, read
+from app.plant.document import NO_YAML
 
 GOOD = """\
 name: good
@@ -59,7 +60,7 @@ def test_the_good_file_has_no_finding() -> None:
 
 
 YAML = {
-    "text that is no YAML": Case("{1: [0, 0], 2", "{1: [0, 0, 2", 2, "this is no YAML: did not find expected"),
+    "text that is no YAML": Case("{1: [0, 0], 2", "{1: [0, 0, 2", 2, "this is no YAML: did not find expected", NO_YAML),
     "a control character": Case("name: good", "name: \x07", 1, "this is no YAML: control characters are not allowed"),
     "an alias": Case(
         "start: 4", "start: &a 4, reach: *a", 14, "an alias (*a) cannot be used here", "write the value again"

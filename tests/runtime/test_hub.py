@@ -312,3 +312,18 @@ def test_the_model_gives_and_forgets_objects() -> None:
     assert model.raw(Topic.CARRIERS, "F1") is None
     assert model.all(Topic.CARRIERS) == [carrier("F2").value]
     assert model.version == 4
+
+
+def test_who_waits_for_an_object_is_woken_by_its_next_publication_even_if_another_gave_up() -> None:
+    async def scenario() -> None:
+        hub = Hub(ReadModel())
+        one, two = (asyncio.ensure_future(hub.changed(Topic.CARRIERS, "F1")) for _ in range(2))
+        await asyncio.sleep(0)
+        one.cancel()
+        hub.publish([carrier("F2")])
+        await asyncio.sleep(0)
+        assert not two.done()
+        hub.publish([carrier("F1")])
+        await two
+
+    asyncio.run(scenario())

@@ -1,8 +1,11 @@
 from dataclasses import replace
 
-from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
+import pytest
+
+from app.domain.devices import DeviceId, DeviceNumber
+from app.domain.ids import Actor, CmdId, JobId, LinkId, StationId, VehicleId
 from app.domain.job import Job, JobEvent, JobState
-from app.domain.layout import StationKind
+from app.domain.layout import DoorSpec, StationKind
 from app.domain.records import HistoryEvent, Intent, IntentState, Record
 from app.domain.units import Barcode, Timestamp
 from app.protocols.itsc.codec import Codec
@@ -12,7 +15,7 @@ from app.sim.oracle import Books, LineWatch, Oracle
 from app.sim.truth import Truth
 from tests.sim.plants import line
 
-V1 = VehicleId("V1")
+V1, DOOR1 = VehicleId("V1"), DeviceId("DOOR1")
 CODEC = Codec(DEFAULT)
 JOB = Job(
     id=JobId("J"),
@@ -104,6 +107,41 @@ def test_a_meeting_is_told_once() -> None:
     court.oracle.look(places, {}, 2.0)
     court.oracle.look(places, {}, 3.0)
     assert court.verdict == ["at 2.000 s: V1 and V2 both cover barcode c"]
+
+
+def door_court() -> Court:
+    court = Court()
+    door = DoorSpec(DOOR1, LinkId("HALL"), DeviceNumber(30), frozenset({(Barcode("c"), Barcode("d"))}))
+    court.oracle = Oracle(replace(line(), doors=(door,)), court.truth)
+    return court
+
+
+@pytest.mark.parametrize(
+    ("at", "past", "following", "inside"),
+    [
+        ("b", 900.0, "c", False),
+        ("c", 0.0, None, False),
+        ("c", 10.0, "d", True),
+        ("d", 0.0, None, True),
+        ("d", 400.0, "e", True),
+    ],
+)
+def test_a_vehicle_in_a_door_that_is_not_open_is_a_violation(
+    at: str, past: float, following: str | None, inside: bool
+) -> None:
+    court = door_court()
+    place = (Barcode(at), past, Barcode(following) if following else None)
+    for moment, open_ in ((1.0, True), (2.0, False), (3.0, False)):
+        court.oracle.look({V1: place}, {}, moment)
+        court.oracle.look_at_doors({DOOR1: open_}, moment)
+    assert court.verdict == (["at 2.000 s: V1 is in DOOR1, which is not open"] if inside else [])
+
+
+def test_a_vehicle_whose_tail_is_in_a_door_that_is_not_open_is_a_violation() -> None:
+    court = door_court()
+    court.oracle.look({V1: (Barcode("e"), 0.0, None)}, {}, 1.0)
+    court.oracle.look_at_doors({DOOR1: False}, 1.0)
+    assert court.verdict == ["at 1.000 s: V1 is in DOOR1, which is not open"]
 
 
 def test_a_move_without_a_durable_intent_is_a_violation() -> None:

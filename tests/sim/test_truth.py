@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from app.domain.ids import CarrierId, StationId, VehicleId
@@ -71,3 +73,19 @@ def test_equipment_takes_and_brings_carriers() -> None:
     assert scene.truth.total == 1
     with pytest.raises(ValueError, match="F9 stands at P1"):
         scene.truth.install(CarrierId("F1"), StationId("P1"))
+
+
+def test_a_hoist_brought_over_a_port_stands_where_the_port_and_its_own_mechanics_put_it() -> None:
+    plant = line()
+    ports = tuple(replace(s, dest=None) for s in plant.stations)
+    truth = Truth(replace(plant, stations=ports, reference_vehicles=frozenset({V})))
+    mine, again = truth.aligned(V, B), Truth(replace(plant, stations=ports)).aligned(VehicleId("V2"), B)
+    assert mine is not None
+    assert again is not None
+    assert 0 < abs(mine.lift - again.lift) <= 150
+    assert truth.aligned(V, D) is None
+
+
+def test_what_the_plant_file_says_of_a_port_is_where_it_is() -> None:
+    truth = Truth(replace(line(), reference_vehicles=frozenset({V})))
+    assert truth.aligned(V, B) == target(100)

@@ -76,5 +76,15 @@ def offset(version: int) -> VehicleOffset:
     return VehicleOffset(V1, version, pulses(version), ACTOR, "rest", Timestamp(1.0))
 
 
-def taught(cmd_id: int, at: float = 1.0) -> TeachingEvent:
-    return TeachingEvent(V1, "c1", CmdId(cmd_id), 0x2074, Axis.LIFT, Pulses(-1000), Barcode("1001"), Timestamp(at))
+def taught(cmd_id: int, at: float = 1.0, number: int = 0) -> TeachingEvent:
+    return TeachingEvent(
+        V1,
+        "c1",
+        CmdId(cmd_id),
+        0x2074,
+        Axis.LIFT,
+        Pulses(-1000),
+        Barcode("1001"),
+        Timestamp(at),
+        number or (cmd_id & 0xFF) + 1,
+    )

@@ -8,20 +8,35 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.drive_records import (
+    DriveBackup,
+    DriveOperation,
+    DriveRecord,
+    DriveValue,
+    OperationKind,
+    OperationState,
+)
 from app.domain.job import TERMINAL, Job, JobState, Leg
-from app.domain.layout import Axis, PulseSet
+from app.domain.layout import Axis
+from app.domain.pulses import pulses_of
 from app.domain.records import (
     AuditRow,
+    BufferLock,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
     ControllerState,
+    DeviceRecord,
+    DoorPosition,
+    Emergency,
+    EmergencyKind,
     HistoryEvent,
     Hold,
     Intent,
     IntentState,
     Kept,
     Lockout,
+    Pin,
     Provenance,
     Record,
     StationDest,
@@ -30,6 +45,8 @@ from app.domain.records import (
     VehicleOffset,
     VehicleRecord,
 )
+from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
+from app.domain.units import Pulses
 from app.store import tables
 from app.store.reading import Reader
 from app.store.rows import ROW_OF
@@ -49,15 +66,36 @@ JSON = st.recursive(
 NAMES = st.lists(TEXT, max_size=4).map(tuple)
 MAYBE = st.none() | TEXT
 PROVENANCE = st.sampled_from(Provenance)
-PULSE_SETS = st.builds(PulseSet, PULSES, PULSES, PULSES)
 HOLDS = st.builds(Hold, reason=TEXT, remedy=TEXT, since=TIME)
 LOCKOUTS = st.builds(Lockout, owner=TEXT, reason=TEXT, since=TIME, releases=NAMES)
+SOME_PULSES = st.dictionaries(st.sampled_from(Axis), PULSES.map(Pulses), max_size=3).map(pulses_of)
+NUMBER = st.integers(1, 1 << 62)
+NUMBERS = st.lists(NUMBER, max_size=3).map(tuple)
+BASES = st.builds(
+    Basis,
+    axis=st.sampled_from(Axis),
+    raw=PULSES,
+    vehicle=TEXT,
+    barcode=TEXT,
+    events=NUMBERS,
+    against=TEXT,
+    version=st.none() | NUMBER,
+    less=PULSES,
+)
+READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_id=UINT64, events=NUMBERS)
+PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
+BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
+EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
 TAUGHT: dict[str, st.SearchStrategy[Any]] = {
     "version": st.integers(1, 1 << 31),
-    "pulses": PULSE_SETS,
+    "pulses": SOME_PULSES,
     "actor": TEXT,
     "source": TEXT,
     "at": TIME,
+    "basis": st.lists(BASES, max_size=3).map(tuple),
+    "proposal": st.none() | NUMBER,
+    "restores": st.none() | NUMBER,
+    "reason": TEXT,
 }
 
 RECORDS: dict[type, st.SearchStrategy[Any]] = {
@@ -150,8 +188,95 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         position=PULSES,
         barcode=TEXT,
         at=TIME,
+        number=NUMBER,
+        asked_by=MAYBE,
     ),
-    ControllerRecord: st.builds(ControllerRecord, state=st.sampled_from(ControllerState), reason=TEXT),
+    Proposal: st.builds(
+        Proposal,
+        number=NUMBER,
+        side=st.sampled_from(Side),
+        vehicle=TEXT,
+        barcode=TEXT,
+        opened=TIME,
+        at=TIME,
+        readings=st.lists(READINGS, max_size=3).map(tuple),
+        state=st.sampled_from(ProposalState),
+        why=TEXT,
+        remedy=TEXT,
+        warnings=NAMES,
+        station=MAYBE,
+        session=st.none() | NUMBER,
+        asked=st.none() | UINT64,
+        asked_by=MAYBE,
+        collecting=st.booleans(),
+        broken=TEXT,
+        mode=TEXT,
+        result=st.none() | SOME_PULSES,
+        base=NUMBER,
+        against_version=st.none() | NUMBER,
+        closed=st.none() | TIME,
+        closed_by=MAYBE,
+        reason=TEXT,
+        version=st.none() | NUMBER,
+        revision=NUMBER,
+    ),
+    TeachingSession: st.builds(
+        TeachingSession,
+        number=NUMBER,
+        station=TEXT,
+        vehicle=TEXT,
+        actor=TEXT,
+        opened=TIME,
+        note=TEXT,
+        state=st.sampled_from(SessionState),
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+        reason=TEXT,
+    ),
+    DriveOperation: st.builds(
+        DriveOperation,
+        number=st.integers(1, 1 << 62),
+        kind=st.sampled_from(OperationKind),
+        state=st.sampled_from(OperationState),
+        opened=TIME,
+        actor=TEXT,
+        line=TEXT,
+        drive=MAYBE,
+        body=st.dictionaries(TEXT, JSON, max_size=3),
+        done=st.integers(0, 256),
+        total=st.integers(1, 256),
+        closed=st.none() | TIME,
+        result=st.dictionaries(TEXT, JSON, max_size=3),
+        reason=TEXT,
+        remedy=TEXT,
+    ),
+    DriveBackup: st.builds(
+        DriveBackup,
+        number=st.integers(1, 1 << 62),
+        drive=TEXT,
+        model=TEXT,
+        at=TIME,
+        actor=TEXT,
+        note=TEXT,
+        values=st.lists(st.none() | st.integers(0, 9999), max_size=256).map(tuple),
+    ),
+    DriveValue: st.builds(DriveValue, drive=TEXT, parameter=st.integers(0, 255), value=st.integers(0, 9999), at=TIME),
+    DriveRecord: st.builds(DriveRecord, drive=TEXT, lockout=st.none() | LOCKOUTS),
+    ControllerRecord: st.builds(
+        ControllerRecord,
+        state=st.sampled_from(ControllerState),
+        reason=TEXT,
+        emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+    ),
+    DeviceRecord: st.builds(
+        DeviceRecord,
+        device=TEXT,
+        lockout=st.none() | LOCKOUTS,
+        pin=st.none() | PINS,
+        lock=st.none() | BUFFER_LOCKS,
+        locked=st.none() | st.booleans(),
+        out_of_service=TEXT,
+    ),
 }
 
 
@@ -164,10 +289,24 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     StationRecord: lambda one, kept, reader: list(kept.stations),
     CarrierRecord: lambda one, kept, reader: list(kept.carriers),
     CarrierGone: lambda one, kept, reader: [one, *kept.carriers],
-    StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station)],
-    VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle)],
-    TeachingEvent: lambda one, kept, reader: list(reader.teaching(one.vehicle)),
+    StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station), *reader.all_dests()],
+    VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle), *reader.all_offsets()],
+    TeachingEvent: lambda one, kept, reader: [*reader.teaching(one.vehicle), *reader.taught()],
+    Proposal: lambda one, kept, reader: [reader.proposal(one.number), *([] if one.state.over else [kept.proposals[0]])],
+    TeachingSession: lambda one, kept, reader: [
+        reader.session(one.number),
+        *([kept.sessions[0]] if one.state is SessionState.OPEN else []),
+    ],
     ControllerRecord: lambda one, kept, reader: [kept.controller],
+    DriveOperation: lambda one, kept, reader: [
+        reader.operation(one.number),
+        *reader.operations(drive=one.drive, line=one.line),
+        *([kept.operations[0]] if one.state is OperationState.RUNNING else []),
+    ],
+    DriveBackup: lambda one, kept, reader: [reader.backup(one.number), *reader.backups(one.drive)],
+    DriveValue: lambda one, kept, reader: list(kept.drive_values),
+    DriveRecord: lambda one, kept, reader: list(kept.drives),
+    DeviceRecord: lambda one, kept, reader: list(kept.devices),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}

@@ -93,7 +93,7 @@ export interface Station {
   out_of_service: string;
   provenance: string;
   verified: boolean;
-  at: string;
+  at: string | null;
   target: [number, number, number] | null;
   target_version: number | null;
 }

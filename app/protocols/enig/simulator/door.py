@@ -22,6 +22,7 @@ class SimulatedDoor(SimulatedDevice):
         self._options = options
         self._report_now = DoorReport(int(is_open))
         self._obstructed = False
+        self._leaf_open = is_open
         self._cancel: Callable[[], None] | None = None
         self._toward: DoorState | None = None
         super().__init__(number, self._report_now, options.status_every)
@@ -33,8 +34,13 @@ class SimulatedDoor(SimulatedDevice):
 
     @property
     def is_open(self) -> bool:
-        """Whether one can pass."""
+        """Whether one can pass, by what it reports."""
         return self.state is DoorState.OPEN
+
+    @property
+    def leaf_open(self) -> bool:
+        """Whether its leaf is out of the way, whatever it reports: it came to the end and has not closed since."""
+        return self._leaf_open
 
     def obstruct(self, now: Seconds) -> None:
         """Put something in its way: it stops where it is, in error; a command while it is there ends in error again."""
@@ -55,12 +61,14 @@ class SimulatedDoor(SimulatedDevice):
             return
         self._stop()
         self._toward = toward
+        self._leaf_open = self._leaf_open and toward is DoorState.OPEN
         self._report_now.state = int(DoorState.BUSY)
         self._cancel = self._after(self._options.move_time, self._end)
 
     def _end(self) -> None:
         reached = DoorState.ERROR if self._obstructed or self._toward is None else self._toward
         self._cancel = self._toward = None
+        self._leaf_open = reached is DoorState.OPEN
         self._report_now.state = int(reached)
 
     def _stop(self) -> None:

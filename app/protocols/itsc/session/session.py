@@ -243,6 +243,7 @@ class Session(Exchange):
                 barcode_text(content.barcode),
                 CmdId(frame.cmd_id),
                 self._receipt,
+                self._connections,
             )
         )
 

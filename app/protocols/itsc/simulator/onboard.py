@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from app.domain.layout import PulseSet, VehicleSpec
+from app.domain.layout import Axis, PulseSet, VehicleSpec
 from app.domain.units import Barcode, Pulses
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.messages import Action, Code, Disp, Enq, Etb, Mode, Move, Oper, Port, Xmove
@@ -50,6 +50,7 @@ class Onboard:
         self.misread: Barcode | None = None
         self.last_refusal = ""
         self.reset: Callable[[], None] = lambda: None
+        self.aligned: Callable[[Barcode], PulseSet | None] = lambda barcode: None
         self._spec = spec
         self._codec = codec
         self._agenda = agenda
@@ -228,8 +229,16 @@ class Onboard:
         return left
 
     def _teach_all(self, job: Job, codes: tuple[Code, ...]) -> None:
+        self.align()
         self._begin(job)
         teach_each(codes, self.teach, lambda: self.job is job, self._finish)
+
+    def align(self) -> None:
+        """Who teaches has brought the hoist over the port by hand before; if nobody has jogged an axis, it is done now."""
+        where = self.aligned(self._traveler.place(self._agenda.now)[0])
+        if where is not None and not any(self.state.pulses.values()):
+            for axis in Axis:
+                self.hoist.jog(axis, where.of(axis))
 
     def teach(self, kind: Code, acked: Told, lost: Told) -> None:
         """Send one axis' position and the barcode, under the code that the dialect gives this message (I12)."""

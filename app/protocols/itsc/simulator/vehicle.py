@@ -1,8 +1,9 @@
 """A simulated vehicle: bytes on one side, operator and physical world on the other (PROTOCOLS 5.1)."""
 
+from collections.abc import Callable
 from functools import cache
 
-from app.domain.layout import Axis, VehicleSpec
+from app.domain.layout import Axis, PulseSet, VehicleSpec
 from app.domain.units import Barcode, Pulses, Seconds
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.dialects import DEFAULT, Dialect
@@ -51,8 +52,11 @@ class SimulatedVehicle:
         surroundings: Surroundings | None = None,
         options: Options | None = None,
         start: Barcode | None = None,
+        aligned: Callable[[Barcode], PulseSet | None] | None = None,
     ) -> None:
         """Put the vehicle on ``start``, or where its spec says.
+
+        ``aligned`` tells where its axes stand once a person has brought the hoist over the port at a barcode by hand.
 
         Raises: ValueError: neither is on the track, or a barcode of the track cannot be written in the dialect.
         """
@@ -73,6 +77,7 @@ class SimulatedVehicle:
             spec, codec, self._agenda, self._link, self._traveler, surroundings or Places(), self.options
         )
         self._onboard.reset = self._system_reset
+        self._onboard.aligned = aligned or self._onboard.aligned
         self._boot: Due | None = None
         self._off = False
 
@@ -228,6 +233,7 @@ class SimulatedVehicle:
         self._agenda.run(now)
         if kind not in TAUGHT_AXIS or self.state.mode is not Mode.MANT:
             raise ValueError(f"{kind.name} is no teaching event, or {self.spec.id} is not in MANT")
+        self._onboard.align()
         self._onboard.teach(kind, lambda: None, lambda: None)
 
     def insert_foup(self, now: Seconds) -> None:

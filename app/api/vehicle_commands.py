@@ -1,10 +1,10 @@
-"""Commands in ENIG's own words, for AGVs (PROTOCOLS 3.3)."""
+"""Commands to vehicles: those of every kind, and ENIG's own for AGVs (PROTOCOLS 3.3)."""
 
 from typing import Annotated, Literal
 
-from pydantic import StringConstraints
+from pydantic import Field, StringConstraints
 
-from app.api.inputs import Strict
+from app.api.inputs import DisplayCommand, MoveCommand, PlainCommand, Strict, TransferCommand
 from app.domain.devices import (
     AgvCharge,
     AgvLift,
@@ -115,3 +115,6 @@ AgvCommandIn = (
     | AgvChargeCommand
     | AgvMoveAliasCommand
 )
+
+VehicleCommand = PlainCommand | DisplayCommand | MoveCommand | TransferCommand | AgvCommandIn
+CommandIn = Annotated[VehicleCommand, Field(discriminator="command")]

@@ -1,0 +1,109 @@
+"""The table of commands that can be given over the live stream."""
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+from starlette.responses import Response
+
+from app.api import drive_backups, drive_jog, drive_parameters, drives, jobs, links, operations, plant, vehicles
+from app.api import drive_inputs as di
+from app.api.calls import answer_of, told
+from app.api.inputs import JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
+from app.api.spoken import Command, Said, Table, route
+from app.api.vehicle_commands import CommandIn
+from app.domain import drive_requests as r
+from app.domain.drive import DriveId
+
+
+async def _write(said: Said) -> Response:
+    body: di.NamedWriteIn = said.body
+    asked = drive_parameters.written(said.actor, said.target, body.parameter, body)
+    return await operations.taken(said.controller, asked, 0.0)
+
+
+async def _jog(said: Said) -> Response:
+    """Begin to jog; the jog is the watcher's: it is let go when the watcher goes."""
+    return await drive_jog.begun(
+        said.controller,
+        r.JogDrive(said.actor, DriveId(said.target), said.body.turn()),
+        lambda jog: said.speaker.until_gone(f"jog {jog}", r.ReleaseDriveJog(jog)),
+    )
+
+
+async def _keep(said: Said) -> Response:
+    told(said.controller, r.KeepDriveJog(said.body.jog))
+    return answer_of({"drive": said.target, "jog": str(said.body.jog)})
+
+
+async def _release(said: Said) -> Response:
+    said.speaker.letting_go.pop(f"jog {said.body.jog}", None)
+    told(said.controller, r.ReleaseDriveJog(said.body.jog))
+    return answer_of({"drive": said.target, "jog": str(said.body.jog)})
+
+
+async def _watch(said: Said) -> Response:
+    """Watch parameters of a drive for as long as the watcher stays."""
+    name = f"{said.speaker.name}/{said.target}"
+    numbers = said.body.numbers()
+    told(said.controller, r.WatchDrive(name, DriveId(said.target), numbers))
+    said.speaker.until_gone(f"watch {said.target}", r.UnwatchDrive(name))
+    return answer_of({"drive": said.target, "parameters": [f"{number:02X}" for number in numbers]})
+
+
+async def _unwatch(said: Said) -> Response:
+    told(said.controller, r.UnwatchDrive(f"{said.speaker.name}/{said.target}"))
+    said.speaker.letting_go.pop(f"watch {said.target}", None)
+    return answer_of({"drive": said.target, "parameters": []})
+
+
+def _of_controller(call: Callable[..., Awaitable[Response]], body: Any = None) -> Command:
+    """A command about the controller as a whole, which has no target."""
+
+    async def carry_out(said: Said) -> Response:
+        given = () if body is None else (said.body,)
+        return await call(*given, controller=said.controller, actor=said.actor)
+
+    return Command(body, carry_out)
+
+
+COMMANDS: Table = {
+    "controller.pause": _of_controller(plant.pause, ReasonIn),
+    "controller.resume": _of_controller(plant.resume),
+    "job.cancel": route(jobs.cancel_job),
+    "job.abort": route(jobs.abort_job),
+    "job.change": route(jobs.change_job, JobChange),
+    "vehicle.command": route(vehicles.command_vehicle, CommandIn),
+    "vehicle.recover": route(vehicles.recover_vehicle, RecoverIn),
+    "vehicle.hold": route(vehicles.hold_vehicle, ReasonIn),
+    "vehicle.release": route(vehicles.release_vehicle, ReleaseIn, person=True),
+    "vehicle.lockout": route(vehicles.lock_vehicle, ReasonIn, person=True),
+    "vehicle.unlock": route(vehicles.unlock_vehicle, person=True),
+    "vehicle.service": route(vehicles.set_service, ServiceIn),
+    "drive.status": route(drives.ask_drive),
+    "drive.key": route(drives.press_key, di.KeyIn),
+    "drive.inputs": route(drives.set_inputs, di.InputsIn),
+    "drive.lockout": route(drives.lock_drive, ReasonIn, person=True),
+    "drive.unlock": route(drives.unlock_drive, person=True),
+    "drive.read": Command(
+        di.ReadIn,
+        lambda said: operations.taken(
+            said.controller, r.ReadDrive(said.actor, DriveId(said.target), said.body.numbers()), 0.0
+        ),
+    ),
+    "drive.write": Command(di.NamedWriteIn, _write),
+    "drive.backup": Command(
+        di.BackupIn,
+        lambda said: operations.taken(
+            said.controller, r.BackUpDrive(said.actor, DriveId(said.target), said.body.note), 0.0
+        ),
+    ),
+    "drive.compare": route(drive_backups.compare_drive, di.CompareIn),
+    "drive.restore": route(drive_backups.restore_drive, di.RestoreIn),
+    "drive.jog": Command(di.JogIn, _jog),
+    "drive.jog.keep": Command(di.JogHeld, _keep),
+    "drive.jog.release": Command(di.JogHeld, _release),
+    "drive.watch": Command(di.WatchIn, _watch),
+    "drive.unwatch": Command(None, _unwatch),
+    "link.stop": route(links.stop_drives),
+}
+"""Name -> body and what carries it out. The target is the object's id."""

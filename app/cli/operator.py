@@ -1,0 +1,144 @@
+"""The hands at the simulated hoists: what people do at a real one with its key and its hand controller, over HTTP.
+
+GET  /hoists/V003                                     mode, barcode, pulses
+POST /hoists/V003/key    {"mode": "mant"}             turn the key
+POST /hoists/V003/jog    {"lift": 41000}              bring axes to positions, pulses; 0 is home
+POST /hoists/V003/teach  {"what": "lift_dest"}        send one axis's position to the controller
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
+
+import msgspec
+import uvicorn
+from starlette.applications import Starlette
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from app.domain.ids import VehicleId
+from app.domain.layout import Axis
+from app.domain.units import Pulses, Seconds
+from app.protocols.itsc.messages import Code, Mode
+
+if TYPE_CHECKING:
+    from starlette.requests import Request
+
+    from app.protocols.itsc.simulator import SimulatedVehicle
+    from app.runtime.lines import Line
+
+Position = Annotated[int, msgspec.Meta(ge=-(1 << 31), le=(1 << 31) - 1)]
+Word = TypeVar("Word", bound=msgspec.Struct)
+MOST = 1000
+"""Longest body, bytes. Our choice."""
+
+
+class Key(msgspec.Struct, forbid_unknown_fields=True):
+    """Where the key is turned to."""
+
+    mode: Literal["mant", "semi", "auto"]
+
+
+class Jog(msgspec.Struct, forbid_unknown_fields=True):
+    """Positions of the axes that are moved by hand."""
+
+    shft: Position | None = None
+    rota: Position | None = None
+    lift: Position | None = None
+
+
+class TeachOne(msgspec.Struct, forbid_unknown_fields=True):
+    """Which event the hand controller sends."""
+
+    what: Literal["shft_dest", "rota_dest", "lift_dest", "shft_offset", "rota_offset", "lift_offset"]
+
+
+class Hands:
+    """Does at each hoist what it is told. ``lines`` are woken after each act, so that what it has to say leaves at once."""
+
+    def __init__(
+        self, devices: Mapping[VehicleId, SimulatedVehicle], lines: Mapping[VehicleId, Line], now: Callable[[], Seconds]
+    ) -> None:
+        self._devices = devices
+        self._lines = lines
+        self._now = now
+
+    def application(self) -> Starlette:
+        """Return the ASGI application."""
+        acts: Mapping[str, tuple[type[msgspec.Struct], Callable[[SimulatedVehicle, Any], None]]] = {
+            "key": (Key, self._key),
+            "jog": (Jog, self._jog),
+            "teach": (TeachOne, self._teach),
+        }
+        routes = [Route("/hoists/{name}", self._show)]
+        routes += [
+            Route(f"/hoists/{{name}}/{act}", self._doing(kind, do), methods=["POST"])
+            for act, (kind, do) in acts.items()
+        ]
+        return Starlette(routes=routes)
+
+    def _key(self, device: SimulatedVehicle, word: Key) -> None:
+        device.panel_mode(Mode[word.mode.upper()], self._now())
+
+    def _jog(self, device: SimulatedVehicle, word: Jog) -> None:
+        for axis in Axis:
+            position = getattr(word, axis.value)
+            if position is not None:
+                device.jog(axis, Pulses(position), self._now())
+
+    def _teach(self, device: SimulatedVehicle, word: TeachOne) -> None:
+        device.teach_single(Code[f"{word.what.upper()}_TEACHING"], self._now())
+
+    async def _show(self, request: Request) -> Response:
+        device = self._devices.get(VehicleId(request.path_params["name"]))
+        return _none(request) if device is None else JSONResponse(_shown(device))
+
+    def _doing(
+        self, kind: type[Word], do: Callable[[SimulatedVehicle, Word], None]
+    ) -> Callable[[Request], Awaitable[Response]]:
+        async def act(request: Request) -> Response:
+            name = VehicleId(request.path_params["name"])
+            device = self._devices.get(name)
+            if device is None:
+                return _none(request)
+            try:
+                body = await request.body()
+                do(device, msgspec.json.decode(body[:MOST], type=kind))
+            except (msgspec.DecodeError, ValueError) as wrong:
+                return JSONResponse({"detail": str(wrong)}, 422)
+            if name in self._lines:
+                self._lines[name].flush()
+            return JSONResponse(_shown(device))
+
+        return act
+
+
+def _none(request: Request) -> Response:
+    return JSONResponse({"detail": f"there is no simulated hoist {request.path_params['name']}"}, 404)
+
+
+def _shown(device: SimulatedVehicle) -> dict[str, object]:
+    state = device.state
+    return {
+        "mode": state.mode.name.lower(),
+        "barcode": state.barcode,
+        **{axis.value: state.pulses[axis] for axis in Axis},
+    }
+
+
+class Bench(uvicorn.Server):
+    """Serves the hands at one socket; leaves signals to its owner."""
+
+    def __init__(self, hands: Hands) -> None:
+        super().__init__(
+            uvicorn.Config(
+                hands.application(), loop="none", access_log=False, log_config=None, log_level="warning", lifespan="off"
+            )
+        )
+
+    @contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Leave them."""
+        yield

@@ -1,0 +1,24 @@
+"""A maintenance lockout of a vehicle or a device (DOMAIN section 7)."""
+
+from dataclasses import dataclass, replace
+
+from app.domain.ids import Actor
+from app.domain.units import Timestamp
+
+
+@dataclass(frozen=True, slots=True)
+class Lockout:
+    """People are at the machine: no remote command, no grant (DOMAIN section 7)."""
+
+    owner: Actor
+    reason: str
+    since: Timestamp
+    releases: tuple[Actor, ...] = ()
+
+    def wished_away_by(self, actor: Actor) -> "Lockout":
+        """Return it with one more who wishes to lift it."""
+        return replace(self, releases=tuple(dict.fromkeys((*self.releases, actor))))
+
+    def lifted_by(self, actor: Actor) -> bool:
+        """Whether it goes now: its owner alone lifts it, or two others together."""
+        return actor == self.owner or len(self.releases) >= 2

@@ -1,0 +1,74 @@
+"""Doors and a buffer in the virtual world: real bytes on a link with delays, hoists that pass, killed controllers, cut lines."""
+
+from dataclasses import replace
+from random import Random
+
+import pytest
+
+from app.domain.devices import DeviceId
+from app.domain.ids import StationId
+from app.domain.layout import Plant
+from app.domain.records import Intent
+from app.domain.units import Millimetres
+from app.sim.world import World
+from tests.fleet.hall_plants import BUFFER1, DOOR1, HALL, ring
+
+QUICK = 3000
+
+
+def busy_ring() -> Plant:
+    """Return the ring with vehicles at their usual speed, P2 with its buffer."""
+    plant = ring()
+    return replace(plant, vehicles=tuple(replace(v, max_speed=Millimetres(QUICK)) for v in plant.vehicles))
+
+
+def begun(seed: int) -> World:
+    """Return a world in which the buffer's own sensor sees what the hoists do at its station."""
+    world = World(busy_ring(), seed)
+    buffer, station = world.floor.halls.buffers[BUFFER1], StationId("P2")
+    world.acted = lambda act: buffer.set_cart(world.now, cart=station in world.floor.truth.at)
+    return world
+
+
+def asked(world: World, device: DeviceId) -> list[str]:
+    ledger = world.ledger
+    intents: dict[int, Intent] = ledger._intents  # type: ignore[attr-defined]
+    return [intent.kind for intent in intents.values() if str(intent.vehicle) == device]
+
+
+def test_an_hour_of_jobs_through_a_door_and_a_buffer_breaks_no_rule() -> None:
+    world = begun(1)
+    world.work(until=3600.0, keep_open=2)
+    world.run(3600.0)
+    assert world.finish(900.0)
+    result = world.result()
+    assert result.violations == ()
+    assert result.completed > 60
+    assert asked(world, DOOR1).count("open") > 20
+    assert asked(world, BUFFER1).count("lock") == asked(world, BUFFER1).count("unlock") > 20
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_killed_controllers_and_cut_lines_close_no_door_on_anybody_and_lose_no_job(seed: int) -> None:
+    world = begun(seed)
+    dice = Random(seed)
+    world.work(until=600.0, keep_open=2)
+    for _ in range(6):
+        world.agenda.at(dice.uniform(20.0, 600.0), world.kill)
+        world.agenda.at(dice.uniform(20.0, 600.0), lambda: world.cut(HALL))
+    world.run(600.0)
+    assert world.finish(900.0)
+    assert world.result().violations == ()
+    world.run(world.now + 30.0)
+    assert not world.floor.halls.buffers[BUFFER1].locked
+    assert not world.floor.halls.doors[DOOR1].is_open
+
+
+def test_a_world_with_doors_is_the_same_to_the_byte_each_time() -> None:
+    def traced() -> str:
+        world = begun(5)
+        world.work(until=120.0, keep_open=2)
+        world.run(120.0)
+        return world.trace
+
+    assert traced() == traced()
