@@ -194,11 +194,39 @@ OTHERS: Json = {
                     }
                 )
             ),
-            "stations": _list(_object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT})),
+            "stations": _list(
+                _object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT, "buffer": _nullable(_TEXT)})
+            ),
             "zones": _list(
                 _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
             ),
-            "vehicles": _list(_object({"id": _TEXT, "length": _WHOLE, "max_speed": _WHOLE, "curve_speed": _WHOLE})),
+            "vehicles": _list(
+                _object(
+                    {
+                        "id": _TEXT,
+                        "kind": _TEXT,
+                        "link": _nullable(_TEXT),
+                        "length": _WHOLE,
+                        "max_speed": _WHOLE,
+                        "curve_speed": _WHOLE,
+                    }
+                )
+            ),
+            "links": _list(_object({"id": _TEXT, "protocol": _TEXT, "address": _TEXT})),
+            "doors": _list(
+                _object(
+                    {
+                        "id": _TEXT,
+                        "link": _TEXT,
+                        "number": _WHOLE,
+                        "passages": _list(_list(_TEXT)),
+                        "normally_open": _FLAG,
+                    }
+                )
+            ),
+            "buffers": _list(_object({"id": _TEXT, "link": _TEXT, "number": _WHOLE})),
+            "chargers": _list(_object({"id": _TEXT, "barcode": _TEXT, "alias": _nullable(_TEXT)})),
+            "drives": _list(_object({"id": _TEXT, "name": _TEXT, "line": _TEXT, "address": _WHOLE, "model": _TEXT})),
         }
     ),
 }

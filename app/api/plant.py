@@ -12,7 +12,7 @@ from app.api.inputs import After, Limit, PathId, ReasonIn
 from app.api.port import Controller
 from app.api.problems import CODES
 from app.domain import requests
-from app.domain.layout import Plant
+from app.domain.layout import LinkSpec, Plant
 from app.domain.view import Topic
 from app.runtime.showing import encode, iso
 
@@ -47,7 +47,7 @@ async def resume(controller: Ctl, actor: Who) -> Response:
     return _now(controller)
 
 
-@layout.get("", **gives("Layout", description="Track, stations and zones for drawing."))
+@layout.get("", **gives("Layout", description="Track, stations, zones and devices for drawing."))
 async def get_layout(request: Request, controller: Ctl) -> Response:
     """Show the layout; it changes with the plant file only."""
     state = request.app.state
@@ -74,7 +74,8 @@ def _drawn(plant: Plant) -> dict[str, object]:
             for e in plant.edges
         ],
         "stations": [
-            {"id": s.id, "kind": s.kind.value, "barcode": s.barcode, "display": s.display} for s in plant.stations
+            {"id": s.id, "kind": s.kind.value, "barcode": s.barcode, "display": s.display, "buffer": s.buffer}
+            for s in plant.stations
         ],
         "zones": [
             {
@@ -87,10 +88,43 @@ def _drawn(plant: Plant) -> dict[str, object]:
             for z in plant.zones
         ],
         "vehicles": [
-            {"id": v.id, "length": v.length, "max_speed": v.max_speed, "curve_speed": v.curve_speed}
+            {
+                "id": v.id,
+                "kind": v.kind.value,
+                "link": v.link,
+                "length": v.length,
+                "max_speed": v.max_speed,
+                "curve_speed": v.curve_speed,
+            }
             for v in plant.vehicles
         ],
+        **_devices(plant),
     }
+
+
+def _devices(plant: Plant) -> dict[str, object]:
+    return {
+        "links": [{"id": n.id, "protocol": n.wire.value, "address": _address(n)} for n in plant.links],
+        "doors": [
+            {
+                "id": d.id,
+                "link": d.link,
+                "number": d.number,
+                "passages": sorted(d.passages),
+                "normally_open": d.normally_open,
+            }
+            for d in plant.doors
+        ],
+        "buffers": [{"id": b.id, "link": b.link, "number": b.number} for b in plant.buffers],
+        "chargers": [{"id": c.id, "barcode": c.barcode, "alias": c.alias} for c in plant.chargers],
+        "drives": [
+            {"id": d.id, "name": d.name, "line": d.link, "address": d.address, "model": d.model} for d in plant.drives
+        ],
+    }
+
+
+def _address(link: LinkSpec) -> str:
+    return f"{link.host}:{link.port}" if link.serial is None else link.serial.device
 
 
 @audit.get("", **gives("Audit[]", description="Who asked for what, oldest first."))

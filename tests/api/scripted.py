@@ -204,8 +204,10 @@ class MemoryReader:
 class Scripted:
     """Plays the controller. ``refusal`` set: the next request gets it. ``seen`` has every request."""
 
-    def __init__(self, later: Callable[[float, Callable[[], None]], object] | None = None) -> None:
-        self.plant = PLANT
+    def __init__(
+        self, later: Callable[[float, Callable[[], None]], object] | None = None, plant: Plant = PLANT
+    ) -> None:
+        self.plant = plant
         self.model = ReadModel(lambda: float(self.model.version))
         self.hub = Hub(self.model, later)
         self.reader = MemoryReader()
@@ -215,11 +217,12 @@ class Scripted:
         self.traffic: list[tuple[Timestamp, str, bytes]] = []
         self._cmd = 1 << 32
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
-        self.hub.publish([self._vehicle(v) for v in PLANT.vehicles])
-        self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in PLANT.stations])
+        self.hub.publish([self._vehicle(v) for v in plant.vehicles])
+        self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in plant.stations])
         self.drives = self.reader.drives
-        self.hub.publish(self.drives.shown())
-        self.hub.publish([Update(Topic.DEVICES, DOOR.id, DOOR)])
+        if plant is PLANT:
+            self.hub.publish(self.drives.shown())
+            self.hub.publish([Update(Topic.DEVICES, DOOR.id, DOOR)])
 
     def utc(self) -> Timestamp:
         return NOW
@@ -309,7 +312,7 @@ class Scripted:
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1
-        known = {station.id for station in PLANT.stations}
+        known = {station.id for station in self.plant.stations}
         if request.destination not in known:
             return Refusal("invalid", f"There is no station {request.destination}.", "GET /stations", "destination")
         job = Job(
@@ -349,7 +352,7 @@ class Scripted:
         self.hub.publish([Update(Topic.JOBS, job.id, view_of_job(job))])
 
     def _write(self, request: r.WriteStation | r.WriteDest) -> r.Reply:
-        if PLANT.station(request.station) is None:
+        if self.plant.station(request.station) is None:
             return Refusal("not-found", f"There is no station {request.station}.")
         record = StationRecord(request.station, at=NOW)
         if isinstance(request, r.WriteDest):
@@ -386,7 +389,7 @@ class Scripted:
 
     def _vehicles(self, request: r.Request) -> r.Reply:
         vehicle = VehicleId(getattr(request, "vehicle", ""))
-        spec = PLANT.vehicle(vehicle)
+        spec = self.plant.vehicle(vehicle)
         if spec is None:
             return Refusal("not-found", f"There is no vehicle {vehicle}.")
         if isinstance(request, r.WriteOffset):
@@ -424,9 +427,8 @@ class Scripted:
         """Let all commands leave the model."""
         self.hub.publish([Update(Topic.COMMANDS, f"{cmd:016x}", None) for cmd in self.reader.commands])
 
-    @staticmethod
-    def _controller(record: ControllerRecord) -> Update:
-        view = ControllerView(PLANT.name, record.state.value, record.reason, 1, NOW)
+    def _controller(self, record: ControllerRecord) -> Update:
+        view = ControllerView(self.plant.name, record.state.value, record.reason, 1, NOW)
         return Update(Topic.CONTROLLER, "controller", view)
 
     @staticmethod
@@ -447,9 +449,8 @@ class Scripted:
         )
         return Update(Topic.VEHICLES, spec.id, view)
 
-    @staticmethod
-    def _station(record: StationRecord) -> Update:
-        spec = PLANT.station(record.station)
+    def _station(self, record: StationRecord) -> Update:
+        spec = self.plant.station(record.station)
         assert spec is not None
         view = StationView(
             spec.id,

@@ -21,8 +21,6 @@ doors:
   DOOR1: {{link: hall, number: 30, through: [[105, 106]]}}
 buffers:
   BUFFER1: {{link: hall, number: 21}}
-chargers:
-  CHARGER1: {{at: 117}}
 """
 
 
@@ -53,7 +51,7 @@ class People:
 
 @contextmanager
 def in_the_hall(directory: Path) -> Iterator[People]:
-    """Start a simulated plant with a door, a buffer and a charger, and its controller."""
+    """Start a simulated plant with a door and a buffer, and its controller."""
     plant = quick_plant("small", directory)
     link, port = free_ports(2)
     with plant.open("a", encoding="utf-8") as file:
@@ -76,7 +74,7 @@ def people(tmp_path_factory: pytest.TempPathFactory) -> Iterator[People]:
 
 def test_devices_are_listed(people: People) -> None:
     ((listed),) = people.run("device-list.sh")
-    assert [device["id"] for device in listed["items"]] == ["DOOR1", "BUFFER1", "CHARGER1"]
+    assert [device["id"] for device in listed["items"]] == ["DOOR1", "BUFFER1"]
 
 
 def test_a_door_is_opened_closed_and_tested(people: People) -> None:
@@ -122,10 +120,10 @@ def test_a_buffer_is_locked_and_unlocked(people: People) -> None:
     assert (unlocked["kind"], unlocked["state"]) == ("unlock", "done")
 
 
-def test_a_charger_is_taken_out_of_service_and_put_back(people: People) -> None:
-    (off,) = people.run("device-service.sh", "CHARGER1", "no current")
-    assert (off["service"], off["out_of_service"]) == ("out_of_service", "no current")
-    (on,) = people.run("device-service.sh", "CHARGER1")
+def test_a_device_is_taken_out_of_service_and_put_back(people: People) -> None:
+    (off,) = people.run("device-service.sh", "BUFFER1", "bent rail")
+    assert (off["service"], off["out_of_service"]) == ("out_of_service", "bent rail")
+    (on,) = people.run("device-service.sh", "BUFFER1")
     assert on["service"] == "in_service"
 
 

@@ -359,3 +359,19 @@ def test_a_stop_position_does_not_outlive_the_place(ready: Script) -> None:
     assert ready.vehicle(V1).stopped is None
     go(ready, "106", action=StopAction.PORT)
     assert names(path_of(ready.last(Move, V1))) == ["106"]
+
+
+# -- length ----------------------------------------------------------------------------------------------------------------
+
+
+def test_a_vehicle_longer_than_a_piece_of_track_frees_behind_it_only_what_its_tail_has_left() -> None:
+    plant = small()
+    script = Script(replace(plant, vehicles=tuple(replace(v, length=Millimetres(2500)) for v in plant.vehicles[:1])))
+    script.obey()
+    assert set(script.fleet.books.traffic.held(V1)) == {"101", "102", "103"}
+    go(script, "105")
+    while script.toys[V1].barcode != "104":
+        script.run(0.25)
+    script.run(0.25)
+    assert {"102", "103"} <= set(script.fleet.books.traffic.held(V1))
+    assert "101" not in script.fleet.books.traffic.held(V1)

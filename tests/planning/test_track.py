@@ -180,3 +180,15 @@ def test_a_very_long_edge_among_short_ones_is_found_to_cross(lay: Lay) -> None:
     at |= {f"s{i}": (i, 0) for i in range(9)} | {f"t{i}": (i, 1) for i in range(9)}
     track = lay("a b", *(f"s{i} t{i}" for i in range(9)), at=at)
     assert track.conflicts(b("b")) == {"t0", "t1"}
+
+
+def test_distances_behind_are_the_least_by_any_branch_nearest_first(lay: Lay) -> None:
+    track = lay("a b c d", "x c", edges=[Edge(b("a"), b("d"), mm(2500))])
+    assert list(track.distances_behind(b("d"), mm(2500)).items()) == [
+        (b("d"), 0),
+        (b("c"), 1000),
+        (b("b"), 2000),
+        (b("x"), 2000),
+        (b("a"), 2500),
+    ]
+    assert track.distances_behind(b("d"), mm(999)) == {b("d"): 0}

@@ -172,3 +172,13 @@ def test_an_unusable_plant_names_its_first_error_and_holds_all() -> None:
     assert str(caught.value) == "hall.yaml:6:24: error: unknown barcode 99 (and 1 more)"
     assert caught.value.remedy == "give it under barcodes"
     assert [finding.line for finding in caught.value.findings] == [6, 7]
+
+
+def test_a_reference_vehicle_has_no_offset_of_its_own() -> None:
+    text = example("small.yaml").replace("V002: {dev_id: 2,", "V002: {dev_id: 2, reference: true,")
+    plant, findings = read(text, "small.yaml")
+    assert plant.reference_vehicles == {"V002"}
+    assert plant.vehicles[1].offset is None
+    (finding,) = findings
+    assert "V002 is a reference vehicle: its offset is zero" in finding.message
+    assert "leave one of them out" in finding.remedy

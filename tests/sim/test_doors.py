@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from app.domain.devices import DeviceId
+from app.domain.devices import BufferState, DeviceId
 from app.domain.ids import StationId
 from app.domain.layout import Plant
 from app.domain.records import Intent
@@ -17,9 +17,13 @@ QUICK = 3000
 
 
 def busy_ring() -> Plant:
-    """Return the ring with vehicles at their usual speed, P2 with its buffer."""
+    """Return the ring with vehicles at their usual speed; P2 has its buffer and no fall-back, so that jobs wait for it."""
     plant = ring()
-    return replace(plant, vehicles=tuple(replace(v, max_speed=Millimetres(QUICK)) for v in plant.vehicles))
+    return replace(
+        plant,
+        vehicles=tuple(replace(v, max_speed=Millimetres(QUICK)) for v in plant.vehicles),
+        stations=tuple(replace(s, fallbacks=()) for s in plant.stations),
+    )
 
 
 def begun(seed: int) -> World:
@@ -62,6 +66,36 @@ def test_killed_controllers_and_cut_lines_close_no_door_on_anybody_and_lose_no_j
     world.run(world.now + 30.0)
     assert not world.floor.halls.buffers[BUFFER1].locked
     assert not world.floor.halls.doors[DOOR1].is_open
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_doors_and_buffers_that_fail_are_waited_for_and_nobody_is_caught(seed: int) -> None:
+    world = begun(seed)
+    dice = Random(seed)
+    halls = world.floor.halls
+    door, buffer = halls.doors[DOOR1], halls.buffers[BUFFER1]
+    world.work(until=900.0, keep_open=2)
+    for moment in sorted(dice.uniform(20.0, 880.0) for _ in range(8)):
+        fail, mend = dice.choice(
+            [
+                (lambda: door.obstruct(world.now), lambda: door.clear(world.now)),
+                (lambda: door.power_off(world.now), lambda: door.power_on(world.now)),
+                (lambda: buffer.power_off(world.now), lambda: buffer.power_on(world.now)),
+                (lambda: buffer.set_state(BufferState.ERROR, world.now), lambda: shown(world)),
+            ]
+        )
+        world.agenda.at(moment, fail)
+        world.agenda.at(moment + dice.uniform(1.0, 40.0), mend)
+    world.run(900.0)
+    assert world.finish(900.0)
+    assert world.result().violations == ()
+    assert world.result().completed > 10
+
+
+def shown(world: World) -> None:
+    """Let the buffer see again what stands there."""
+    buffer = world.floor.halls.buffers[BUFFER1]
+    buffer.set_state(BufferState.CART if buffer.cart else BufferState.NO_CART, world.now)
 
 
 def test_a_world_with_doors_is_the_same_to_the_byte_each_time() -> None:

@@ -3,7 +3,7 @@
 import asyncio
 import socket
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -18,8 +18,8 @@ from tests.api.scripted import Scripted
 class Served:
     """A server under way; ``do`` runs something in its loop, where the controller lives."""
 
-    def __init__(self, port: int, settings: Settings) -> None:
-        self.controller = Scripted()
+    def __init__(self, port: int, settings: Settings, controller: Scripted | None = None) -> None:
+        self.controller = controller or Scripted()
         self._loop = asyncio.new_event_loop()
         self._listening = socket.socket()
         self._listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -62,7 +62,11 @@ class Served:
         now = self.controller.model.get(Topic.VEHICLES, vehicle)
         assert isinstance(now, VehicleView)
         view = replace(now, barcode=barcode, dist=0, **more)  # type: ignore[arg-type]
-        self.do(lambda: self.controller.hub.publish([Update(Topic.VEHICLES, vehicle, view)]))
+        self.show([Update(Topic.VEHICLES, vehicle, view)])
+
+    def show(self, updates: Sequence[Update]) -> None:
+        """Let the read model change."""
+        self.do(lambda: self.controller.hub.publish(updates))
 
     def stop(self) -> None:
         """End it."""
@@ -77,9 +81,9 @@ class Served:
 
 
 @contextmanager
-def served(port: int = 0, **settings: object) -> Iterator[Served]:
+def served(port: int = 0, controller: Scripted | None = None, **settings: object) -> Iterator[Served]:
     """Serve until the block ends."""
-    server = Served(port, Settings.model_validate(settings))
+    server = Served(port, Settings.model_validate(settings), controller)
     try:
         yield server
     finally:

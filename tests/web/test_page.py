@@ -5,7 +5,8 @@ from urllib.parse import urlsplit
 import pytest
 
 from app.domain.requests import CreateJob
-from tests.web.served import served
+from tests.web.served import Served, served
+from tests.web.whole import device, whole
 from tools.chromium import Page, browser, installed
 
 pytestmark = [
@@ -117,3 +118,134 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
 def use(page: Page, key: str) -> None:
     page.ask(fill("dialog input", key))
     page.ask("document.querySelector('dialog form').requestSubmit()")
+
+
+def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.until(text_of(".chip", "AGV1") + " && " + text_of(".chip", "AGV2"))
+        page.ask(tab("Devices"))
+        page.until(text_of("[data-device=DOOR1]", "closed") + " && " + text_of("[data-device=BUFFER1]", "cart there"))
+        server.place("AGV1", "0142", activity="moving", granted=("0143", "0144"))
+        server.place("AGV2", "0153", activity="charging")
+        server.show([device("door", "DOOR1", 30, "open", vehicles=("AGV1",))])
+        page.until(text_of("[data-device=DOOR1]", "open") + " && " + text_of("[data-device=DOOR1]", "AGV1"))
+        page.until(text_of("[data-device=CHARGER1]", "charging") + " && " + text_of("[data-device=CHARGER1]", "AGV2"))
+        page.ask(tab("Drives"))
+        for drive in ("STK01-LIFT", "STK01-FORK", "SORT01-TURN"):
+            page.until(text_of(f"[data-drive={drive}]", "monitoring"))
+        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        assert page.complaints == []
+
+
+def test_a_door_that_is_not_heard_says_so_and_why() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Devices"))
+        page.until("document.querySelector('[data-device=DOOR1]')")
+        page.ask("document.querySelector('[data-device=DOOR1]').click()")
+        page.until(text_of(".panel h2", "DOOR1"))
+        server.show([device("door", "DOOR1", 30, "open", fresh=False, reason="no Status for 5 s")])
+        page.until(text_of(".panel .note", "no Status for 5 s"))
+        page.until(text_of(".panel dd", "last said: open"))
+
+
+def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Drives"))
+        page.until("document.querySelector('[data-drive=D1]')")
+        page.ask("document.querySelector('[data-drive=D1]').click()")
+        page.until("document.querySelector('.panel .halt')")
+        page.ask("document.querySelector('.panel .halt').click()")
+        end_of_operation(server, page, 1)
+        page.until(text_of(".panel .done", "Stop / reset: done"))
+        page.ask("document.querySelector('.panel .part h3 button').click()")
+        end_of_operation(server, page, 2)
+        page.until(text_of(".panel .done", "Read parameters: done"))
+        page.until("[...document.querySelectorAll('.panel .numbered tr')].length > 0")
+        asked = [type(request).__name__ for request in server.controller.seen]
+        assert asked == ["PressDriveKey", "ReadDrive"]
+        assert page.complaints == []
+
+
+def test_a_door_is_commanded_by_two_presses() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(tab("Devices"))
+        page.until("document.querySelector('[data-device=DOOR1]')")
+        page.ask("document.querySelector('[data-device=DOOR1]').click()")
+        page.until("document.querySelector('[data-commands=DOOR1] button')")
+        page.ask("document.querySelector('[data-commands=DOOR1] button').click()")
+        page.until(text_of("[data-commands=DOOR1] .armed", "Sure?"))
+        assert not server.controller.seen
+        page.ask("document.querySelector('[data-commands=DOOR1] .armed').click()")
+        page.until(text_of(".panel .done", "Open door"))
+        assert [type(request).__name__ for request in server.controller.seen] == ["CommandDevice"]
+
+
+def end_of_operation(server: Served, page: Page, number: int) -> None:
+    """Let an operation end once the page has asked for it."""
+    drives = server.controller.drives
+    for _ in range(600):
+        if number in drives.operations:
+            break
+        page.ask("new Promise(requestAnimationFrame)")
+    server.show([drives.end(number)])
+
+
+@pytest.mark.parametrize(("name", "kind"), [("DOOR1", "Door"), ("CHARGER1", "Charger"), ("AB2", "AGV buffer")])
+def test_what_stands_in_the_hall_is_chosen_on_the_map(name: str, kind: str) -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        click(page, *place_on_map(page, name))
+        page.until(text_of(".panel h2", name) + " && " + text_of(".panel .tag", kind))
+        assert page.complaints == []
+
+
+def place_on_map(page: Page, name: str) -> tuple[float, float]:
+    """Return where the map names something under the pointer."""
+    found = page.ask(f"""(async () => {{
+      const canvas = document.querySelectorAll('.map canvas')[1];
+      const {{ left, top, width, height }} = canvas.getBoundingClientRect();
+      for (let x = width - 5; x > width / 2; x -= 7) for (let y = 40; y < height; y += 7) {{
+        const at = {{ clientX: left + x, clientY: top + y, bubbles: true }};
+        canvas.dispatchEvent(new PointerEvent('pointermove', at));
+        if (canvas.style.cursor !== 'pointer') continue;
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        if (document.querySelector('.tip b')?.textContent === {name!r}) return [at.clientX, at.clientY];
+      }}
+      return null;
+    }})()""")
+    assert found is not None, f"{name} is nowhere on the map"
+    return found[0], found[1]
+
+
+def click(page: Page, x: float, y: float) -> None:
+    for kind in ("mousePressed", "mouseReleased"):
+        page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+
+def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        ends = "[...document.querySelectorAll('.transfer label:nth-of-type(2) option')].map((e) => e.value).join()"
+        page.ask(fill(".transfer label:nth-of-type(1) select", "AB1", "change"))
+        page.until(f"{ends} === ',AB1,AB2,AB3,AB4'")
+        page.ask(fill(".transfer label:nth-of-type(2) select", "AB2", "change"))
+        page.ask(fill(".transfer label:nth-of-type(1) select", "ETCH01-P1", "change"))
+        page.until(f"{ends}.includes('SBA-L1') && !{ends}.includes('AB1')")
+        assert page.ask("document.querySelector('.transfer label:nth-of-type(2) select').value") == ""
+
+
+def tab(name: str) -> str:
+    """Choose a list below the map."""
+    return (
+        f"[...document.querySelectorAll('.below .tabs button')].find((e) => e.textContent.includes({name!r})).click()"
+    )

@@ -25,6 +25,8 @@ export class Glide {
   private path: string[] = [];
   private s = 0;
   private reported = 0;
+  /** Index in the path of the barcode that was reported last: track driven both ways may have it twice. */
+  private here = 0;
   private pace = 0;
   private since = 0;
   private moving = false;
@@ -45,9 +47,11 @@ export class Glide {
     const ahead = this.connected(barcode, report.granted);
     const reached = this.reach(barcode, ahead);
     let offset = this.lengthTo(reached ?? 0);
+    this.here = reached ?? 0;
     if (reached === null) {
       const tail = this.tail(barcode);
       this.path = [...tail, ...ahead];
+      this.here = tail.length;
       offset = this.lengthTo(tail.length);
     }
     const at = offset + Math.max(0, report.dist ?? 0);
@@ -114,7 +118,8 @@ export class Glide {
   /** Lay the report's path behind the drawn place; returns the index of its barcode, or null if it is elsewhere. */
   private reach(barcode: string, ahead: string[]): number | null {
     if (this.path.length === 0) return null;
-    const known = this.path.indexOf(barcode);
+    const onward = this.path.indexOf(barcode, this.here);
+    const known = onward >= 0 ? onward : this.path.lastIndexOf(barcode);
     if (known >= 0) {
       this.path = [...this.path.slice(0, known), ...ahead];
       return known;
@@ -166,6 +171,7 @@ export class Glide {
       const length = this.track.way(this.path[0] as string, this.path[1] as string)?.edge.length ?? 0;
       if (this.s < length + TAIL || this.reported < length) return;
       this.path.shift();
+      this.here = Math.max(0, this.here - 1);
       this.s -= length;
       this.reported -= length;
     }

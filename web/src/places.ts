@@ -1,4 +1,4 @@
-/** Where the marks of stations lie beside the track, and what is written at them. Pure. */
+/** Where the marks of stations and chargers lie beside the track, and what is written at them. Pure. */
 import type { Spot, Track } from "./track";
 import type { Layout } from "./types";
 
@@ -22,7 +22,8 @@ export interface Cluster {
 }
 
 export const MARK = 460;
-const OFFSET = { port: 720, side: 640 };
+const OFFSET: Record<string, number> = { port: 720, agv_buffer: 1150, charger: 1150 };
+const SIDE = 640;
 const NEAR = 2200;
 
 interface Stand {
@@ -35,7 +36,8 @@ interface Stand {
 /** Stations with the same first part of the name, of one kind, next to each other, on one side of the track. */
 export function clustersOf(layout: Layout, track: Track): Cluster[] {
   const groups: { name: string; stands: Stand[] }[] = [];
-  for (const { id, kind, barcode } of layout.stations) {
+  const chargers = layout.chargers.map(({ id, barcode }) => ({ id, kind: "charger", barcode }));
+  for (const { id, kind, barcode } of [...layout.stations, ...chargers]) {
     const spot = track.spot(barcode);
     if (!spot) continue;
     const cut = id.lastIndexOf("-");
@@ -53,16 +55,16 @@ function beside(stands: Stand[], layout: Layout, track: Track): Mark[] {
   return stands.map(({ id, kind, barcode, spot }) => {
     const sign = left ? 1 : -1;
     const [nx, ny] = [Math.sin(spot.angle) * sign, -Math.cos(spot.angle) * sign];
-    const offset = kind === "port" ? OFFSET.port : OFFSET.side;
+    const offset = OFFSET[kind] ?? SIDE;
     const short = id.includes("-") ? id.slice(id.lastIndexOf("-") + 1) : "";
     return { id, kind, barcode, x: spot.x + nx * offset, y: spot.y + ny * offset, angle: spot.angle, nx, ny, short };
   });
 }
 
-/** Side buffers have their side; ports lie below the track and are drawn where there is more room. */
+/** Side buffers have their side; everything else is drawn where there is more room. */
 function onLeft(stands: Stand[], layout: Layout, track: Track): boolean {
   const kind = stands[0]?.kind;
-  if (kind !== "port") return kind === "sbfl";
+  if (kind === "sbfl" || kind === "sbfr") return kind === "sbfl";
   const here = new Set(stands.map((stand) => stand.barcode));
   const taken = (side: string): boolean => layout.stations.some((s) => s.kind === side && here.has(s.barcode));
   if (taken("sbfl") !== taken("sbfr")) return taken("sbfr");

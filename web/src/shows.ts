@@ -1,13 +1,14 @@
 /** How things look: colours by what a vehicle does, ages, times. Pure. */
-import type { Job, Vehicle } from "./types";
+import type { Device, Drive, Job, Vehicle } from "./types";
 
-export type Look = "idle" | "moving" | "waiting" | "handling" | "held" | "alarm" | "gone";
+export type Look = "idle" | "moving" | "waiting" | "handling" | "charging" | "held" | "alarm" | "gone";
 
 export const LOOKS: Record<Look, string> = {
   idle: "#93a8bd",
   moving: "#45bdff",
   waiting: "#ffd24d",
   handling: "#bba0ff",
+  charging: "#5fdc96",
   held: "#ff9640",
   alarm: "#ff5c5c",
   gone: "#66788a",
@@ -21,6 +22,7 @@ const LOOK_OF: Record<string, Look> = {
   paused: "waiting",
   acquiring: "handling",
   depositing: "handling",
+  charging: "charging",
   settling: "held",
   held: "held",
   locked_out: "held",
@@ -34,6 +36,57 @@ export function lookOf(vehicle: Vehicle): Look {
   if (vehicle.oper === "alarm" && vehicle.activity !== "absent") return "alarm";
   const look = LOOK_OF[vehicle.activity] ?? "idle";
   return look === "idle" && !vehicle.link.up ? "gone" : look;
+}
+
+export type DeviceLook = "open" | "closed" | "cart" | "no_cart" | "charging" | "free" | "busy" | "unknown" | "error" | "silent";
+
+export const DEVICE_LOOKS: Record<DeviceLook, string> = {
+  open: "#5fdc96",
+  closed: "#8fb8e8",
+  cart: "#f7e3b0",
+  no_cart: "#93a8bd",
+  charging: "#5fdc96",
+  free: "#93a8bd",
+  busy: "#ffd24d",
+  unknown: "#c4a4ff",
+  error: "#ff5c5c",
+  silent: "#7e90a2",
+};
+
+/** How a door or buffer looks: what it said counts only while it is heard. A charger says nothing itself. */
+export function lookOfDevice(device: Device | undefined, charging = false): DeviceLook {
+  if (device?.kind === "charger") return charging || device.vehicles?.length ? "charging" : "free";
+  if (!device?.fresh) return "silent";
+  const state = device.state ?? "unknown";
+  return Object.hasOwn(DEVICE_LOOKS, state) ? (state as DeviceLook) : "unknown";
+}
+
+const MODES = { parameter_select: 0, parameter_value: 0, monitoring: 0, jog: 0, error: 0 };
+export type DriveWord = keyof typeof MODES | "offline" | "not_heard" | "online";
+
+/** The sign beside a name for what colour alone does not say: an alarm, or that nobody knows. */
+export function signOfDevice(device: Device | undefined, look: DeviceLook): string {
+  if (device?.alarm || look === "error") return "!";
+  return look === "unknown" || look === "silent" ? "?" : look === "busy" ? "…" : "";
+}
+
+/** Its colour, or that of an alarm. */
+export function colourOfDevice(device: Device | undefined, look: DeviceLook): string {
+  return DEVICE_LOOKS[device?.alarm ? "error" : look];
+}
+
+/** What a drive does, in one word: that of its mode, or why there is none. */
+export function lookOfDrive(drive: Drive): { word: DriveWord; tone: Tone } {
+  if (drive.online === null) return { word: "not_heard", tone: "wait" };
+  if (!drive.online) return { word: "offline", tone: "bad" };
+  if (drive.mode === null) return { word: "online", tone: "calm" };
+  const tone = drive.mode === "error" ? "bad" : drive.mode === "jog" ? "go" : drive.mode === "monitoring" ? "good" : "calm";
+  return { word: Object.hasOwn(MODES, drive.mode) ? (drive.mode as DriveWord) : "online", tone };
+}
+
+/** A distance in hundredths, as people read it. */
+export function hundredths(distance: number): string {
+  return (distance / 100).toFixed(2);
 }
 
 export type Tone = "calm" | "go" | "wait" | "good" | "bad";

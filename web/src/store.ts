@@ -1,16 +1,19 @@
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 import { computed, signal } from "@preact/signals";
 import * as api from "./api";
+import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
+import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
-import type { Carrier, Controller, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
+import type { Carrier, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
-const TOPICS = "controller,vehicles,jobs,stations,carriers,events";
+const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,events";
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
 
-export type Selection = { kind: "vehicle" | "station"; id: string } | null;
+/** A device is a door, a buffer or a charger. */
+export type Selection = { kind: "vehicle" | "station" | "device" | "drive"; id: string } | null;
 
 export const layout = signal<Layout | null>(null);
 export const track = computed(() => (layout.value ? new Track(layout.value) : null));
@@ -29,9 +32,19 @@ export const vehicles = new Map<string, Vehicle>();
 export const jobs = new Map<string, Job>();
 export const stations = new Map<string, Station>();
 export const carriers = new Map<string, Carrier>();
+export const devices = new Map<string, Device>();
+export const drives = new Map<string, Drive>();
 const controllers = new Map<string, Controller>();
 const ended = new Map<string, Job>();
-const maps: { [T in Topic]: Map<string, Objects[T]> } = { controller: controllers, vehicles, jobs, stations, carriers };
+const maps: { [T in Topic]: Map<string, Objects[T]> } = {
+  controller: controllers,
+  vehicles,
+  jobs,
+  stations,
+  carriers,
+  devices,
+  drives,
+};
 
 export const changes = {
   controller: signal(0),
@@ -39,6 +52,8 @@ export const changes = {
   jobs: signal(0),
   stations: signal(0),
   carriers: signal(0),
+  devices: signal(0),
+  drives: signal(0),
 };
 const touched = new Set<Topic>();
 
@@ -49,8 +64,26 @@ export const controller = computed(() => {
 
 export const vehicleList = computed(() => {
   void changes.vehicles.value;
-  return [...vehicles.values()].sort((a, b) => a.id.localeCompare(b.id, undefined, { numeric: true }));
+  return [...vehicles.values()].sort(byId);
 });
+
+export type MachineKind = "door" | "buffer" | "charger";
+
+/** Doors, buffers and chargers in the order of the plant file. */
+export const machines = computed<{ id: string; kind: MachineKind }[]>(() => {
+  const { doors = [], buffers = [], chargers: places = [] } = layout.value ?? {};
+  const of = (list: { id: string }[], kind: MachineKind) => list.map(({ id }) => ({ id, kind }));
+  return [...of(doors, "door"), ...of(buffers, "buffer"), ...of(places, "charger")];
+});
+
+export const driveList = computed(() => {
+  void changes.drives.value;
+  return [...drives.values()].sort(byId);
+});
+
+function byId(a: { id: string }, b: { id: string }): number {
+  return a.id.localeCompare(b.id, undefined, { numeric: true });
+}
 
 /** Open and ended jobs, newest first. */
 export const jobList = computed(() => {
@@ -66,6 +99,59 @@ export function vehicleNow(id: string): Vehicle | undefined {
 export function stationNow(id: string): Station | undefined {
   void changes.stations.value;
   return stations.get(id);
+}
+
+export function deviceNow(id: string): Device | undefined {
+  void changes.devices.value;
+  return devices.get(id);
+}
+
+/** Choose a door, buffer or charger; a buffer is shown with the station that it belongs to. */
+export function chooseDevice(id: string): void {
+  const station = layout.value?.stations.find((one) => one.buffer === id);
+  selected.value = station ? { kind: "station", id: station.id } : { kind: "device", id };
+}
+
+export function driveNow(id: string): Drive | undefined {
+  void changes.drives.value;
+  return drives.get(id);
+}
+
+/** AGVs that charge at a charger: those on their way there are named by the server, too. */
+function chargingAt(id: string): string[] {
+  const tag = layout.value?.chargers.find((charger) => charger.id === id)?.barcode;
+  return [...vehicles.values()].filter((one) => one.activity === "charging" && one.barcode === tag).map((one) => one.id);
+}
+
+/** How a door, buffer or charger looks. */
+export function lookAt(id: string): DeviceLook {
+  const device = devices.get(id);
+  if (!layout.value?.chargers.some((charger) => charger.id === id)) return lookOfDevice(device);
+  const taken = chargingAt(id).length > 0;
+  return device ? lookOfDevice(device, taken) : taken ? "charging" : "free";
+}
+
+/** Who is in a door or will pass it, or charges at a charger. */
+export function passers(id: string): string[] {
+  return [...new Set([...(devices.get(id)?.vehicles ?? []), ...chargingAt(id)])];
+}
+
+/** Who is at which machine, as one text: it changes far less often than the vehicles do. */
+export const presence = computed(() => {
+  void changes.devices.value;
+  void changes.vehicles.value;
+  return machines.value.map(({ id }) => `${id} ${passers(id).join()}`).join();
+});
+
+/** Choose an end of the order; an end at the other side that no vehicle could join to it is forgotten. */
+export function orderFrom(id: string): void {
+  order.source.value = id;
+  if (!joins(layout.value, id, order.destination.value)) order.destination.value = "";
+}
+
+export function orderTo(id: string): void {
+  order.destination.value = id;
+  if (!joins(layout.value, order.source.value, id)) order.source.value = "";
 }
 
 function isTopic(name: string): name is Topic {

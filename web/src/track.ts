@@ -33,6 +33,8 @@ export class Track {
   readonly ways = new Map<string, Way>();
   readonly next = new Map<string, LayoutEdge[]>();
   readonly before = new Map<string, LayoutEdge[]>();
+  /** Barcodes on the floor: tape of AGVs, and all that hangs together with it. */
+  readonly floor: ReadonlySet<string>;
   readonly box: { x0: number; y0: number; x1: number; y1: number };
 
   constructor(layout: Layout) {
@@ -43,6 +45,10 @@ export class Track {
       push(this.before, edge.end, edge);
     }
     for (const edges of this.next.values()) for (const edge of edges) this.ways.set(keyOf(edge), this.draw(edge));
+    this.floor = this.connected([
+      ...layout.stations.filter((station) => station.kind === "agv_buffer").map((station) => station.barcode),
+      ...layout.chargers.map((charger) => charger.barcode),
+    ]);
     const xs = layout.points.map((p) => p.x);
     const ys = layout.points.map((p) => p.y);
     this.box = {
@@ -55,6 +61,11 @@ export class Track {
 
   way(start: string, end: string): Way | undefined {
     return this.ways.get(`${start}>${end}`);
+  }
+
+  /** Whether the same piece is driven the other way, too. */
+  twoWay(edge: LayoutEdge): boolean {
+    return this.ways.has(`${edge.end}>${edge.start}`);
   }
 
   /** Place at `mm` of travel along an edge. */
@@ -97,6 +108,16 @@ export class Track {
       edge = further;
     }
     return undefined;
+  }
+
+  /** All barcodes that hang together with these, whichever way the track is driven. */
+  private connected(starts: string[]): Set<string> {
+    const found = new Set(starts.filter((start) => this.points.has(start)));
+    for (const here of found) {
+      for (const edge of this.next.get(here) ?? []) found.add(edge.end);
+      for (const edge of this.before.get(here) ?? []) found.add(edge.start);
+    }
+    return found;
   }
 
   private chord(edge: LayoutEdge): Vec {

@@ -31,6 +31,18 @@ export interface Lockout {
   releases: string[];
 }
 
+/** What only AGVs report. `beyond`: the tag on the way to which it was stopped. */
+export interface Agv {
+  cart: string;
+  lift: string;
+  charging: boolean;
+  in_position: boolean;
+  steering: string;
+  path: number;
+  tag: string;
+  beyond: string | null;
+}
+
 export interface Vehicle {
   id: string;
   dev_id: number;
@@ -60,6 +72,83 @@ export interface Vehicle {
   hold: Hold | null;
   lockout: Lockout | null;
   seen: string | null;
+  agv?: Agv | null;
+}
+
+/** A door, a buffer or a charger. Its state is its last word, and counts only while it is fresh. */
+export interface Device {
+  id: string;
+  kind: string;
+  link: string | null;
+  number: number | null;
+  fresh: boolean;
+  reason: string;
+  state: string | null;
+  since: string | null;
+  seen: string | null;
+  out_of_service: string;
+  /** The command under way. */
+  pending: string;
+  /** In the door, granted the way through it, or charging there; `waiting` want it soon. */
+  vehicles: string[];
+  waiting: string[];
+  /** A person keeps the door open or closed. */
+  pin: { position: string; owner: string; reason: string; since: string } | null;
+  /** For whom the buffer is locked; `locked` null: not known whether it is by now. */
+  lock: { owner: string; person: boolean; since: string; locked: boolean | null } | null;
+  lockout: Lockout | null;
+  alarm: string;
+  remedy: string;
+  contradiction: string;
+}
+
+/** An axis drive; `online` is null before it was heard on this connection of its line. */
+export interface Drive {
+  id: string;
+  name: string;
+  line: string;
+  address: number;
+  model: string;
+  online: boolean | null;
+  reason: string;
+  mode: string | null;
+  output: number | null;
+  code: number | null;
+  meaning: string;
+  turn: string | null;
+  /** Hundredths of the axis's unit. */
+  distance: number | null;
+  seen: string | null;
+  /** What an error means, and what helps. */
+  error: string;
+  remedy: string;
+  moving: boolean | null;
+  operation: string | null;
+  lockout: Lockout | null;
+}
+
+/** Something that was asked about a drive: running, done, failed, or unknown (it may have taken effect). */
+export interface Operation {
+  id: string;
+  kind: string;
+  state: string;
+  done: number;
+  total: number;
+  reason: string;
+  remedy: string;
+}
+
+/** A parameter of a drive as last known; `number` in hexadecimal, `raw` null if it was not read yet. */
+export interface Parameter {
+  number: string;
+  named: boolean;
+  name: string;
+  unit: string;
+  raw: number | null;
+  text: string;
+  at: string | null;
+  read_only: boolean;
+  description: string;
 }
 
 export interface Job {
@@ -114,6 +203,8 @@ export interface Controller {
   started: string;
   waiting_for: string[];
   trouble: string;
+  /** Fires and earthquakes that nobody has released yet, in words. */
+  emergencies: string[];
 }
 
 export interface Happening {
@@ -136,6 +227,8 @@ export interface Objects {
   jobs: Job;
   stations: Station;
   carriers: Carrier;
+  devices: Device;
+  drives: Drive;
 }
 
 export type Topic = keyof Objects;
@@ -156,14 +249,38 @@ export interface LayoutEdge {
   curve: boolean;
 }
 
+export interface LayoutVehicle {
+  id: string;
+  kind: string;
+  /** The line of an AGV; a hoist has one of its own. */
+  link: string | null;
+  length: number;
+  max_speed: number;
+  curve_speed: number;
+}
+
+/** A door across the pieces of track between these pairs of barcodes, whichever way they are driven. */
+export interface LayoutDoor {
+  id: string;
+  link: string;
+  number: number;
+  passages: [string, string][];
+  normally_open: boolean;
+}
+
 /** Lengths and places in mm, speeds of edges in percent, of vehicles in mm/s. */
 export interface Layout {
   name: string;
   points: LayoutPoint[];
   edges: LayoutEdge[];
-  stations: { id: string; kind: string; barcode: string; display: string }[];
+  stations: { id: string; kind: string; barcode: string; display: string; buffer: string | null }[];
   zones: { id: string; name: string; barcodes: string[]; capacity: number; no_stop: boolean }[];
-  vehicles: { id: string; length: number; max_speed: number; curve_speed: number }[];
+  vehicles: LayoutVehicle[];
+  links: { id: string; protocol: string; address: string }[];
+  doors: LayoutDoor[];
+  buffers: { id: string; link: string; number: number }[];
+  chargers: { id: string; barcode: string; alias: string | null }[];
+  drives: { id: string; name: string; line: string; address: number; model: string }[];
 }
 
 export interface FrameRow {

@@ -28,12 +28,17 @@ const LAYOUT: Layout = {
   ],
   edges: [edge("1", "2"), edge("2", "3"), edge("3", "4"), edge("4", "5", 1571, true), edge("4", "6"), edge("6", "7")],
   stations: [
-    { id: "ETCH-P1", kind: "port", barcode: "1", display: "" },
-    { id: "ETCH-P2", kind: "port", barcode: "2", display: "" },
-    { id: "BUF-L1", kind: "sbfl", barcode: "2", display: "" },
+    { id: "ETCH-P1", kind: "port", barcode: "1", display: "", buffer: null },
+    { id: "ETCH-P2", kind: "port", barcode: "2", display: "", buffer: null },
+    { id: "BUF-L1", kind: "sbfl", barcode: "2", display: "", buffer: null },
   ],
   zones: [],
   vehicles: [],
+  links: [],
+  doors: [],
+  buffers: [],
+  chargers: [],
+  drives: [],
 };
 const track = new Track(LAYOUT);
 

@@ -1,5 +1,7 @@
 import { keyWanted, selected } from "../store";
-import { Events } from "./Events";
+import { Below } from "./Below";
+import { DevicePanel } from "./DevicePanel";
+import { DrivePanel } from "./DrivePanel";
 import { Header } from "./Header";
 import { Jobs } from "./Jobs";
 import { KeyPrompt } from "./KeyPrompt";
@@ -20,12 +22,14 @@ export function App() {
           <div class="stage">
             <TrackMap />
           </div>
-          <Events />
+          <Below />
         </section>
         <aside class={pick ? "telling" : ""}>
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
+          {pick?.kind === "device" && <DevicePanel key={pick.id} id={pick.id} />}
+          {pick?.kind === "drive" && <DrivePanel key={pick.id} id={pick.id} />}
           <Jobs />
         </aside>
       </main>

@@ -11,15 +11,12 @@ const SHOWN = 80;
 export function Events() {
   const list = happenings.value;
   return (
-    <section class="card events" aria-label={t("events")}>
-      <h2>{t("events")}</h2>
-      <ol class="scroll" reversed>
-        {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
-        {list.slice(0, SHOWN).map((event) => (
-          <Line key={event.seq} event={event} />
-        ))}
-      </ol>
-    </section>
+    <ol class="scroll events" reversed>
+      {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
+      {list.slice(0, SHOWN).map((event) => (
+        <Line key={event.seq} event={event} />
+      ))}
+    </ol>
   );
 }
 

@@ -31,15 +31,17 @@ export function Header() {
 function ControllerState() {
   const now = controller.value;
   if (!now) return <span class="pill" />;
-  const tone = now.trouble ? "bad" : now.state === "auto" ? "good" : "wait";
+  const emergency = (now.emergencies ?? []).join(", ");
+  const grave = now.trouble || emergency;
+  const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
   const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
-  const why = notice.value || now.trouble || now.reason || roll;
+  const why = notice.value || grave || now.reason || roll;
   return (
     <>
       <span class={`pill ${tone}`}>
         {t("controller")} · {said(now.state)}
       </span>
-      <span class={`why ${now.trouble ? "bad" : ""}`} role="status" title={why}>
+      <span class={`why ${grave ? "bad" : ""}`} role="status" title={why}>
         {why}
       </span>
     </>

@@ -1,14 +1,16 @@
 import { serverNow } from "../api";
-import { INK } from "../paint";
+import { INK } from "../paint/ink";
 import { span } from "../shows";
-import { order, stationNow, tick } from "../store";
+import { layout, orderFrom, orderTo, stationNow, tick } from "../store";
 import { said, t } from "../texts";
+import { DeviceBody } from "./DevicePanel";
 import { Fact, Panel } from "./Panel";
 
 export function StationPanel({ id }: { id: string }) {
   const now = stationNow(id);
   void tick.value;
   if (!now) return null;
+  const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
   const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
   return (
     <Panel title={now.id} tag={said(now.kind)} colour={now.present ? INK.carrier : INK.mark}>
@@ -31,13 +33,21 @@ export function StationPanel({ id }: { id: string }) {
         )}
       </dl>
       <div class="buttons">
-        <button type="button" onClick={() => (order.source.value = id)}>
+        <button type="button" onClick={() => orderFrom(id)}>
           {t("use_source")}
         </button>
-        <button type="button" onClick={() => (order.destination.value = id)}>
+        <button type="button" onClick={() => orderTo(id)}>
           {t("use_destination")}
         </button>
       </div>
+      {buffer && (
+        <section class="part">
+          <h3>
+            {t("buffer")} {buffer}
+          </h3>
+          <DeviceBody id={buffer} />
+        </section>
+      )}
     </Panel>
   );
 }

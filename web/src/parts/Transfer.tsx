@@ -1,7 +1,8 @@
 /** The form that orders a transfer. */
 import { useSignal } from "@preact/signals";
 import { freshKey, post, Refused } from "../api";
-import { changes, layout, order, stations, vehicleList } from "../store";
+import { worldOf, worldOfKind } from "../ends";
+import { changes, layout, order, orderFrom, orderTo, stations, vehicleList } from "../store";
 import { t } from "../texts";
 import type { Job } from "../types";
 import { Problem } from "./Problem";
@@ -51,8 +52,14 @@ export function Transfer() {
   return (
     <form class="card transfer" onSubmit={(event) => void send(event)}>
       <h2>{t("new_transfer")}</h2>
-      <Place label={t("source")} value={order.source} wrong={wrong === "source"} vehicles />
-      <Place label={t("destination")} value={order.destination} wrong={wrong === "destination"} />
+      <Place label={t("source")} value={order.source.value} choose={orderFrom} wrong={wrong === "source"} vehicles />
+      <Place
+        label={t("destination")}
+        value={order.destination.value}
+        choose={orderTo}
+        wrong={wrong === "destination"}
+        partner={order.source.value}
+      />
       <label>
         <span>{t("carrier")}</span>
         <input
@@ -88,10 +95,24 @@ export function Transfer() {
   );
 }
 
-function Place(props: { label: string; value: { value: string }; wrong: boolean; vehicles?: boolean }) {
-  const places = layout.value?.stations ?? [];
-  const ports = places.filter((station) => station.kind === "port");
-  const buffers = places.filter((station) => station.kind !== "port");
+interface PlaceProps {
+  label: string;
+  value: string;
+  choose: (id: string) => void;
+  wrong: boolean;
+  vehicles?: boolean;
+  /** The end chosen already: only ends that a vehicle can join to it are offered. */
+  partner?: string;
+}
+
+function Place(props: PlaceProps) {
+  const world = worldOf(layout.value, props.partner ?? "");
+  const places = (layout.value?.stations ?? []).filter(({ kind }) => world === null || worldOfKind(kind) === world);
+  const groups = [
+    { name: t("ports"), stations: places.filter(({ kind }) => kind === "port") },
+    { name: t("buffers"), stations: places.filter(({ kind }) => kind === "sbfl" || kind === "sbfr") },
+    { name: t("agv_buffers"), stations: places.filter(({ kind }) => kind === "agv_buffer") },
+  ];
   const loaded = props.vehicles ? vehicleList.value.filter((vehicle) => vehicle.loaded) : [];
   const shown = (id: string): string => {
     const now = stations.get(id);
@@ -102,27 +123,22 @@ function Place(props: { label: string; value: { value: string }; wrong: boolean;
       <span>{props.label}</span>
       <select
         required
-        value={props.value.value}
+        value={props.value}
         aria-invalid={props.wrong}
-        onChange={(event) => (props.value.value = event.currentTarget.value)}
+        onChange={(event) => props.choose(event.currentTarget.value)}
       >
         <option value="">{t("choose")}</option>
-        <optgroup label={t("ports")}>
-          {ports.map(({ id }) => (
-            <option key={id} value={id}>
-              {shown(id)}
-            </option>
+        {groups
+          .filter((group) => group.stations.length > 0)
+          .map((group) => (
+            <optgroup key={group.name} label={group.name}>
+              {group.stations.map(({ id }) => (
+                <option key={id} value={id}>
+                  {shown(id)}
+                </option>
+              ))}
+            </optgroup>
           ))}
-        </optgroup>
-        {buffers.length > 0 && (
-          <optgroup label={t("buffers")}>
-            {buffers.map(({ id }) => (
-              <option key={id} value={id}>
-                {shown(id)}
-              </option>
-            ))}
-          </optgroup>
-        )}
         {loaded.length > 0 && (
           <optgroup label={t("loaded_vehicles")}>
             {loaded.map(({ id, carrier }) => (

@@ -3,9 +3,9 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { actor, get, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
-import { selected, tick, vehicleNow } from "../store";
+import { layout, selected, tick, vehicleNow } from "../store";
 import { language, said, t, type Word } from "../texts";
-import type { Traffic, Vehicle } from "../types";
+import type { Agv, Traffic, Vehicle } from "../types";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 
@@ -29,7 +29,7 @@ export function VehiclePanel({ id }: { id: string }) {
           {now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""}
         </Fact>
         <Fact name={t("carrier")}>{load}</Fact>
-        <Fact name={t("place")}>
+        <Fact name={t(lineOf(id) ? "tag" : "place")}>
           {now.barcode ?? t("unknown")}
           {now.dist ? ` + ${now.dist} mm` : ""}
         </Fact>
@@ -45,13 +45,15 @@ export function VehiclePanel({ id }: { id: string }) {
         </Fact>
       </dl>
       <Decide vehicle={now} />
-      <Bits vehicle={now} />
+      {now.agv ? <AgvFacts agv={now.agv} /> : <Bits vehicle={now} />}
       <LinkFacts vehicle={now} />
       <Frames id={id} />
     </Panel>
   );
 }
 
+/** The line that an AGV shares with others; null for a hoist. */
+const lineOf = (id: string): string | null => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
 const upper = (word: string | null): string => (word === null ? "–" : word.toUpperCase());
 const hex = (code: number): string => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
 
@@ -81,10 +83,12 @@ function Bits({ vehicle }: { vehicle: Vehicle }) {
   return (
     <details open>
       <summary>
-        {t("status_bits")}
-        <code>
-          {vehicle.status1 ?? "–"} {vehicle.status2 ?? ""}
-        </code>
+        {t(lineOf(vehicle.id) ? "status" : "status_bits")}
+        {!lineOf(vehicle.id) && (
+          <code>
+            {vehicle.status1 ?? "–"} {vehicle.status2 ?? ""}
+          </code>
+        )}
       </summary>
       {vehicle.bits.length === 0 && <p class="nothing">{t("no_status")}</p>}
       <table class="bits">
@@ -102,15 +106,38 @@ function Bits({ vehicle }: { vehicle: Vehicle }) {
   );
 }
 
+function AgvFacts({ agv }: { agv: Agv }) {
+  const word = (name: string): string => said(`agv_${name}`);
+  const flag = (on: boolean): string => t(on ? "yes" : "no");
+  return (
+    <section class="part">
+      <h3>{t("status")}</h3>
+      <dl>
+        <Fact name={t("cart")}>{word(agv.cart)}</Fact>
+        <Fact name={t("lift")}>{word(agv.lift)}</Fact>
+        <Fact name={t("steering")}>{word(agv.steering)}</Fact>
+        <Fact name={t("in_position")}>{flag(agv.in_position)}</Fact>
+        <Fact name={t("charges_now")}>{flag(agv.charging)}</Fact>
+        <Fact name={t("last_tag")}>{agv.tag}</Fact>
+        {agv.beyond && <Fact name={t("beyond")}>{agv.beyond}</Fact>}
+        <Fact name={t("path")}>{agv.path}</Fact>
+      </dl>
+    </section>
+  );
+}
+
 function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
   const { link } = vehicle;
+  const line = lineOf(vehicle.id);
   return (
     <dl>
       <Fact name={t("link")}>
         <span class={link.up ? "good" : "bad"}>{t(link.up ? "link_up" : "link_down", clock(link.since))}</span>
         {!link.up && link.reason && <small> · {link.reason}</small>}
       </Fact>
-      <Fact name={t("round_trip")}>{link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`}</Fact>
+      {!line && (
+        <Fact name={t("round_trip")}>{link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`}</Fact>
+      )}
       <Fact name={t("frames_io")}>
         {link.frames_in} / {link.frames_out}
       </Fact>
@@ -118,9 +145,13 @@ function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
         {link.garbled} / {link.resends} / {link.duplicates}
       </Fact>
       <Fact name={t("seen")}>{vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"}</Fact>
-      <Fact name={t("address")}>
-        {vehicle.address} · DEV_ID {vehicle.dev_id} · {vehicle.dialect}
-      </Fact>
+      {line ? (
+        <Fact name={t("on_line")}>{t("line_number", line, vehicle.dev_id)}</Fact>
+      ) : (
+        <Fact name={t("address")}>
+          {vehicle.address} · DEV_ID {vehicle.dev_id} · {vehicle.dialect}
+        </Fact>
+      )}
     </dl>
   );
 }

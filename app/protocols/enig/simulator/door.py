@@ -68,7 +68,7 @@ class SimulatedDoor(SimulatedDevice):
     def _end(self) -> None:
         reached = DoorState.ERROR if self._obstructed or self._toward is None else self._toward
         self._cancel = self._toward = None
-        self._leaf_open = reached is DoorState.OPEN
+        self._leaf_open = self._leaf_open or reached is DoorState.OPEN
         self._report_now.state = int(reached)
 
     def _stop(self) -> None:

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Bring the vehicle home and back to AUTO, and open the port to jobs again.
+# With ABANDON=true, what the session has taught and nobody has approved is rejected.
+set -euo pipefail
+source "$(dirname "$0")/_lib.sh"
+number=$(session)
+for command in go_home auto; do
+  sent=$(api POST "/vehicles/$VEHICLE/commands" "{\"command\": \"$command\"}" | field cmd_id)
+  wait_for "/vehicles/$VEHICLE/commands/$sent" state done
+done
+answer=$(api POST "/teaching/sessions/$number/close" "{\"abandon\": ${ABANDON:-false}}")
+echo "session $number is $(field state <<<"$answer")"

@@ -1,0 +1,88 @@
+/** How people move the map and choose on it: pointer, wheel and keys. */
+import type { Painter } from "./painter";
+import { type Selection, selected } from "./store";
+
+/** Listens on the map; `show` is told what lies under the pointer, and where that is. Returns how to stop. */
+export function listenTo(
+  canvas: HTMLCanvasElement,
+  paint: Painter,
+  show: (hit: Selection, x: number, y: number) => void,
+): () => void {
+  const ends = new AbortController();
+  const { signal } = ends;
+  let from: { x: number; y: number; moved: boolean } | null = null;
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      paint.view.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
+      paint.redraw();
+    },
+    { passive: false, signal },
+  );
+  canvas.addEventListener(
+    "pointerdown",
+    (event) => {
+      from = { x: event.offsetX, y: event.offsetY, moved: false };
+      canvas.setPointerCapture(event.pointerId);
+    },
+    { signal },
+  );
+  canvas.addEventListener(
+    "pointermove",
+    (event) => {
+      const [x, y] = [event.offsetX, event.offsetY];
+      if (from) {
+        if (!from.moved && Math.hypot(x - from.x, y - from.y) < 4) return;
+        paint.view.pan(x - from.x, y - from.y);
+        from = { x, y, moved: true };
+        show(null, 0, 0);
+        paint.redraw();
+        return;
+      }
+      paint.hovered = paint.at(x, y);
+      canvas.style.cursor = paint.hovered ? "pointer" : "grab";
+      show(paint.hovered, Math.min(x + 14, paint.view.width - 250), Math.min(y + 14, paint.view.height - 90));
+      paint.wake();
+    },
+    { signal },
+  );
+  canvas.addEventListener(
+    "pointerup",
+    (event) => {
+      if (from && !from.moved) selected.value = paint.at(event.offsetX, event.offsetY);
+      from = null;
+    },
+    { signal },
+  );
+  canvas.addEventListener(
+    "pointerleave",
+    () => {
+      paint.hovered = null;
+      show(null, 0, 0);
+      paint.wake();
+    },
+    { signal },
+  );
+  canvas.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
+  return () => ends.abort();
+}
+
+function keyed(key: string, paint: Painter): boolean {
+  const { view } = paint;
+  const step = 60;
+  const moves: Record<string, () => void> = {
+    ArrowLeft: () => view.pan(step, 0),
+    ArrowRight: () => view.pan(-step, 0),
+    ArrowUp: () => view.pan(0, step),
+    ArrowDown: () => view.pan(0, -step),
+    "+": () => view.zoom(1.25, view.width / 2, view.height / 2),
+    "-": () => view.zoom(0.8, view.width / 2, view.height / 2),
+    "0": () => paint.fit(),
+    Escape: () => (selected.value = null),
+  };
+  const move = moves[key];
+  move?.();
+  if (move) paint.redraw();
+  return move !== undefined;
+}

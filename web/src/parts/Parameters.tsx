@@ -1,0 +1,92 @@
+/** A drive's parameters as last known, and how they are read from it. */
+import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { get, post } from "../api";
+import { clock } from "../shows";
+import { t } from "../texts";
+import type { Operation, Parameter } from "../types";
+import { Problem } from "./Problem";
+
+/** How an operation stands: done, under way, or why not. */
+export function Outcome({ operation, label }: { operation: Operation | null; label: string }) {
+  if (!operation) return null;
+  if (operation.state === "failed" || operation.state === "unknown") {
+    return (
+      <div class="problem" role="alert">
+        <b>{operation.reason || t("op_unknown")}</b>
+        {operation.remedy && <span>{operation.remedy}</span>}
+      </div>
+    );
+  }
+  return (
+    <span class={operation.state === "done" ? "done" : "wait"} role="status">
+      {t(operation.state === "done" ? "op_done" : "op_running", label)}
+    </span>
+  );
+}
+
+export function Parameters({ id }: { id: string }) {
+  const list = useSignal<Parameter[] | null>(null);
+  const operation = useSignal<Operation | null>(null);
+  const error = useSignal<unknown>(null);
+  const here = useRef(true);
+  const path = `/drives/${encodeURIComponent(id)}/parameters`;
+  const refresh = async (): Promise<void> => {
+    try {
+      list.value = (await get<{ items: Parameter[] }>(path)).items;
+    } catch {
+      /* The list stays as it was; reading says what is wrong. */
+    }
+  };
+  useEffect(() => {
+    here.current = true;
+    void refresh();
+    return () => {
+      here.current = false;
+    };
+  }, [id]);
+  const named = list.value?.filter((parameter) => parameter.named).map((parameter) => parameter.number) ?? [];
+  const read = async (): Promise<void> => {
+    error.value = null;
+    try {
+      let now = await post<Operation>(`/drives/${encodeURIComponent(id)}/read`, named.length ? { parameters: named } : {});
+      operation.value = now;
+      while (now.state === "running" && here.current) {
+        now = await get<Operation>(`/operations/${encodeURIComponent(now.id)}?wait=1`);
+        operation.value = now;
+        await refresh();
+      }
+    } catch (failure) {
+      error.value = failure;
+    }
+  };
+  const running = operation.value?.state === "running";
+  const known = list.value?.filter((parameter) => parameter.named || parameter.raw !== null) ?? [];
+  return (
+    <section class="part">
+      <h3>
+        {t("parameters")}
+        {operation.value && running && <small>{t("reading", operation.value.done, operation.value.total)}</small>}
+        <button type="button" disabled={running} onClick={() => void read()}>
+          {t("read_parameters")}
+        </button>
+      </h3>
+      <Problem error={error.value} />
+      {!running && <Outcome operation={operation.value} label={t("read_parameters")} />}
+      {known.length === 0 && <p class="nothing">{t("no_parameters")}</p>}
+      <table class="bits numbered">
+        <tbody>
+          {known.map((parameter) => (
+            <tr key={parameter.number} title={parameter.description}>
+              <th>{parameter.number}</th>
+              <td>{parameter.raw === null ? "–" : parameter.text}</td>
+              <td>
+                {parameter.name} {parameter.at && <small>· {clock(parameter.at)}</small>}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
