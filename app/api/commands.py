@@ -21,8 +21,9 @@ from app.api import (
 from app.api import drive_inputs as di
 from app.api.calls import answer_of, told
 from app.api.device_inputs import DeviceCommandIn, EmergencyIn, PinIn
-from app.api.inputs import CommandIn, JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
+from app.api.inputs import JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
 from app.api.spoken import Command, Said, Table, route
+from app.api.vehicle_commands import CommandIn
 from app.domain import drive_requests as r
 from app.domain.drive import DriveId
 

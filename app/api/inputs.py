@@ -118,9 +118,6 @@ class TransferCommand(Strict):
     target: Target | None = None
 
 
-CommandIn = Annotated[PlainCommand | DisplayCommand | MoveCommand | TransferCommand, Field(discriminator="command")]
-
-
 class RecoverIn(Strict):
     """``confirmed``: a person at the vehicle has seen that homing is safe."""
 

@@ -1,6 +1,6 @@
 """Vehicles: what they are and do, commands to them, and what people decide about them."""
 
-from typing import Annotated, Literal, assert_never
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
 from starlette.requests import Request
@@ -24,7 +24,6 @@ from app.api.calls import (
 from app.api.declared import gives
 from app.api.frames import explained
 from app.api.inputs import (
-    CommandIn,
     DisplayCommand,
     Limit,
     MoveCommand,
@@ -40,6 +39,7 @@ from app.api.inputs import (
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.stations import versions
+from app.api.vehicle_commands import CommandIn, VehicleCommand
 from app.domain import requests
 from app.domain.ids import Actor, CmdId, StationId, VehicleId
 from app.domain.layout import VehicleSpec
@@ -106,9 +106,7 @@ async def command_vehicle(vehicle: PathId, body: CommandIn, controller: Ctl, act
     return await _taken(controller, vehicle, _worded(VehicleId(vehicle), body, actor))
 
 
-def _worded(
-    vehicle: VehicleId, body: PlainCommand | DisplayCommand | MoveCommand | TransferCommand, actor: Actor
-) -> requests.Request:
+def _worded(vehicle: VehicleId, body: VehicleCommand, actor: Actor) -> requests.Request:
     match body:
         case PlainCommand():
             return requests.CommandVehicle(actor, vehicle, body.plain())
@@ -121,7 +119,7 @@ def _worded(
             pickup = body.command == "pickup"
             return requests.HandleOnce(actor, vehicle, StationId(body.station), pickup, target)
         case _:
-            assert_never(body)
+            return requests.CommandAgv(actor, vehicle, body.worded())
 
 
 async def _taken(controller: Controller, vehicle: str, request: requests.Request) -> Response:

@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from app.control.agv import Agv
 from app.control.lines import VehicleLine
 from app.control.links import DriveLine, HallLink
 from app.domain.devices import DeviceEvent, DeviceNotSent, DeviceRequest
@@ -15,7 +16,7 @@ from app.domain.drive import DriveEvent, DriveFailed, DriveRequest, Jog
 from app.domain.drive_requests import Word
 from app.domain.events import Event, NotSent
 from app.domain.ids import CmdIds, LinkId, VehicleId
-from app.domain.layout import Plant, Wire
+from app.domain.layout import LinkSpec, Plant, VehicleKind, Wire
 from app.domain.links import LinkSend
 from app.domain.ports import Endpoint
 from app.domain.records import Kept, Record
@@ -24,6 +25,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import LineView, LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
+from app.planning.ways import Ways
 from app.plant import dialect_of
 from app.protocols.itsc.session import Timing
 
@@ -53,18 +55,19 @@ class Control:
     ) -> None:
         self._cmd_ids = CmdIds(kept.epoch)
         self._barcodes = frozenset(point.barcode for point in plant.points)
+        self.fleet = Fleet(plant, kept, self._cmd_ids, now, utc, self._link)
         self._lines: dict[VehicleId, VehicleLine] = {}
         for spec in plant.hoists:
             dialect = dialect_of(plant, spec.dialect)
             self._lines[spec.id] = VehicleLine(self._told, spec, dialect, self._cmd_ids, timing, self._barcodes)
-        self._links: dict[LinkId, HallLink | DriveLine] = {
-            link.id: DriveLine(plant, link, self._drives_told)
-            if link.wire is Wire.HI
-            else HallLink(plant, link, self._devices_told)
-            for link in plant.links
-        }
+        ways = Ways(self.fleet.books.track)
+        agvs = (spec for spec in plant.vehicles if spec.kind is VehicleKind.AGV and spec.link is not None)
+        self._agvs: dict[VehicleId, Agv] = {spec.id: Agv(spec.id, ways, self._cmd_ids) for spec in agvs}
+        self._on_link = {spec.id: spec.link for spec in plant.vehicles if spec.link is not None}
+        self._halls = {link.id: self._hall(plant, link) for link in plant.links if link.wire is not Wire.HI}
+        drives = {link.id: DriveLine(plant, link, self._drives_told) for link in plant.links if link.wire is Wire.HI}
+        self._links: dict[LinkId, HallLink | DriveLine] = {**self._halls, **drives}
         self._ends: dict[str, Endpoint] = {str(name): end for name, end in (*self._lines.items(), *self._links.items())}
-        self.fleet = Fleet(plant, kept, self._cmd_ids, now, utc, self._link)
         self._dirty: dict[str, None] = {}
         self._tickets = 0
         self._number = 0
@@ -94,9 +97,16 @@ class Control:
         names, self._dirty = list(self._dirty), {}
         return names
 
+    def _hall(self, plant: Plant, link: LinkSpec) -> HallLink:
+        agvs = [self._agvs[spec.id] for spec in plant.agvs_on(link.id)]
+        return HallLink(plant, link, self._devices_told, agvs, self._told)
+
     def frames(self, vehicle: VehicleId) -> list[tuple[Timestamp, str, bytes]]:
-        """Return the last packets on a vehicle's line, oldest first: when (UTC), ``in`` or ``out``, bytes."""
-        session = self._lines[vehicle]
+        """Return the last packets on a vehicle's line, oldest first: when (UTC), ``in`` or ``out``, bytes.
+
+        An AGV's line is its link: the packets of all devices on it.
+        """
+        session = self._halls[self._on_link[vehicle]] if vehicle in self._agvs else self._lines[vehicle]
         return [(self.fleet.books.utc_at(when), way, packet) for when, way, packet in session.last_frames]
 
     def link_frames(self, link: LinkId) -> list[tuple[Timestamp, str, bytes]]:
@@ -129,7 +139,7 @@ class Control:
 
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""
-        return self._lines[vehicle].hint
+        return self._lines[vehicle].hint if vehicle in self._lines else ""
 
     def _link(self, vehicle: VehicleId) -> LinkView:
         now, session = self.fleet.books.vehicles[vehicle], self._lines.get(vehicle)
@@ -244,16 +254,19 @@ class Control:
             self._lines[name].stored(receipt, now)
             self._dirty[name] = None
         for send in effects.sends:
-            self._dirty[send.vehicle] = None
+            self._dirty[self._on_link.get(send.vehicle, send.vehicle)] = None
             if objection := self.fleet.objection(send):
                 self.fleet.handle(NotSent(send.vehicle, send.cmd_id, send.command, objection), now)
+            elif send.vehicle in self._agvs:
+                self._agvs[send.vehicle].send(send, now)
             else:
                 self._lines[send.vehicle].send(send, now)
         for link_send in effects.link_sends:
             self._send_to_link(link_send, now)
         for name in effects.polls:
-            self._lines[name].ask(now)
-            self._dirty[name] = None
+            if name in self._lines:  # AGVs report by themselves
+                self._lines[name].ask(now)
+                self._dirty[name] = None
         self._publish(effects.updates)
         self._replies += effects.replies
 

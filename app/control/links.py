@@ -1,10 +1,13 @@
 """Our ends of the lines that carry several devices, as their owner feeds them: sessions, with what they tell passed on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict
 
+from app.control.agv import Agv
+from app.control.lines import Told
 from app.domain.devices import DeviceEvent, DeviceId, DeviceKind, DeviceNumber, DeviceRequest, DeviceSpec
 from app.domain.drive import DriveEvent, DriveLineId, DriveRequest, DriveSpec, Jog, KeepJogging, ReleaseJog
+from app.domain.events import Event
 from app.domain.layout import LinkSpec, Plant
 from app.domain.links import LinkOrder
 from app.domain.units import Seconds
@@ -14,6 +17,10 @@ from app.protocols.hi.session import LineSession
 
 DevicesTold = Callable[[list[DeviceEvent], Seconds], None]
 DrivesTold = Callable[[list[DriveEvent], Seconds], None]
+
+
+def _to_nobody(events: list[Event], now: Seconds) -> None:
+    """For a link without AGVs."""
 
 
 class Connection:
@@ -32,9 +39,14 @@ class Connection:
 class HallLink(LinkSession):
     """An ENIG link with the AGVs, buffers and doors on it: an ``app.domain.ports.Endpoint`` that tells after every input."""
 
-    def __init__(self, plant: Plant, link: LinkSpec, told: DevicesTold) -> None:
+    def __init__(
+        self, plant: Plant, link: LinkSpec, told: DevicesTold, agvs: Iterable[Agv] = (), moved: Told = _to_nobody
+    ) -> None:
+        """``agvs`` are the AGVs on this link; what they have to say as vehicles goes to ``moved``."""
         super().__init__(devices_on(plant, link), hall_dialect_of(link), places=plant.aliases)
         self._pass_on = told
+        self._agvs = {agv.device: agv for agv in agvs}
+        self._moved = moved
         self.connection = Connection()
 
     def connected(self, now: Seconds) -> None:
@@ -77,9 +89,26 @@ class HallLink(LinkSession):
             self.send(order, now)
 
     def tell(self, now: Seconds) -> None:
-        """Pass on what has happened."""
-        if events := self.events():
-            self._pass_on(events, now)
+        """Pass on what has happened, and send what AGVs on their way are to be told next."""
+        told: list[DeviceEvent] = []
+        moved: list[Event] = []
+        while True:
+            events = self.events()
+            told += [event for event in events if event.device not in self._agvs]
+            for name, agv in self._agvs.items():
+                agv.take([event for event in events if event.device == name], now)
+                if self.fresh(name):
+                    agv.hear(self.status(name), self.status_at(name), now)
+                moved += agv.events()
+            requests = [request for agv in self._agvs.values() for request in agv.requests()]
+            if not requests:
+                break
+            for request in requests:
+                self.send(request, now)
+        if told:
+            self._pass_on(told, now)
+        if moved:
+            self._moved(moved, now)
 
 
 class DriveLine(LineSession):

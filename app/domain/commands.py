@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.devices import DeviceCommand
 from app.domain.ids import CmdId, VehicleId
 from app.domain.layout import PulseSet, StationKind
 from app.domain.route import PathElement
@@ -87,7 +88,14 @@ class Display:
     alarm: int | None = None
 
 
-Command = Move | Xmove | Pickup | Place | Simple | Display
+@dataclass(frozen=True, slots=True)
+class Direct:
+    """A command in ENIG's own words (PROTOCOLS 3.3), for AGVs alone."""
+
+    command: DeviceCommand
+
+
+Command = Move | Xmove | Pickup | Place | Simple | Display | Direct
 
 
 @dataclass(frozen=True, slots=True)

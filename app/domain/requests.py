@@ -5,6 +5,7 @@ from enum import StrEnum
 
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
+from app.domain.devices import DeviceCommand
 from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
@@ -67,6 +68,15 @@ class CommandVehicle:
     actor: Actor
     vehicle: VehicleId
     what: Plain
+
+
+@dataclass(frozen=True, slots=True)
+class CommandAgv:
+    """Send an AGV one of ENIG's own commands."""
+
+    actor: Actor
+    vehicle: VehicleId
+    command: DeviceCommand
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,6 +236,7 @@ class WriteOffset:
 
 VehicleRequest = (
     CommandVehicle
+    | CommandAgv
     | DisplayOnVehicle
     | MoveVehicle
     | HandleOnce

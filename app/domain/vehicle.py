@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
 
+from app.domain.devices import AgvStatus
 from app.domain.layout import StationKind
 from app.domain.units import Barcode, Millimetres
 
@@ -33,6 +34,9 @@ class Condition:
     knows only document B says 1 for all, ``at_tag`` is true then too). ``at_rest`` is: no axis (TRAV, SHFT, ROTA, LIFT,
     SLID, GRIP, SFTB) driving or in error. ``homed`` is ``all_home`` with LIFT, SHFT, ROTA, SLID at home in STATUS1 too.
     ``details`` holds every field of both words as (name, raw value, meaning), for people.
+
+    An AGV has no status words (both are 0): ``agv`` is its Status, ``at_tag`` that it stands in position, ``at_rest`` that
+    neither wheels nor lift move. ``doubt`` is what it does not know of itself, in words that go on after its name.
     """
 
     status1: int
@@ -51,6 +55,8 @@ class Condition:
     at_rest: bool
     homed: bool
     details: tuple[tuple[str, int, str], ...]
+    agv: AgvStatus | None = None
+    doubt: str = ""
 
 
 @dataclass(frozen=True, slots=True, init=False)

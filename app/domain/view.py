@@ -70,10 +70,28 @@ class LockoutView:
 
 
 @dataclass(frozen=True, slots=True)
+class AgvView:
+    """What only AGVs report (PROTOCOLS 3.3): ``cart`` none, present or unknown, ``lift`` down, up or unknown, ``steering``
+    straight, left, right or mark_stop, ``path`` the number of the last move taken. ``toward`` is the tag on the way to which it
+    was stopped: it stands between there and the vehicle's barcode.
+    """
+
+    cart: str
+    lift: str
+    charging: bool
+    in_position: bool
+    steering: str
+    path: int
+    tag: str
+    toward: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class VehicleView:
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting, settling,
     absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may drive,
-    ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS.
+    ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS. An
+    AGV (``kind``) has ``agv`` in place of status words, SEQ and code.
     """
 
     id: str
@@ -104,6 +122,8 @@ class VehicleView:
     hold: HoldView | None = None
     lockout: LockoutView | None = None
     seen: float | None = None
+    kind: str = "hoist"
+    agv: AgvView | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,9 @@ class Alarms:
         self._recovery = recovery
 
     def unsafe_to_home(self, status: VehicleStatus) -> str:
-        """Return which axis forbids homing without a person at the vehicle, empty if none does."""
+        """Return which axis forbids homing without a person at the vehicle, empty if none does. An AGV is not homed."""
+        if status.condition.agv is not None:
+            return ""
         safe = {"lift": {1}, "slid": {1}, "shft": {1}, "grip": {3}}
         values = {name: (value, meaning) for name, value, meaning in status.condition.details}
         bad = [f"{axis.upper()} {values[axis][1]}" for axis, good in safe.items() if values[axis][0] not in good]
@@ -62,6 +64,8 @@ class Alarms:
 
     def _next_command(self, status: VehicleStatus) -> Plain | None:
         condition = status.condition
+        if condition.agv is not None:  # Reset is all that ENIG has; the mode is changed at the AGV alone (E21)
+            return Plain.ALARM_CLEAR if condition.oper is Oper.ALARM else None
         if condition.mode is Mode.AUTO:
             fine = condition.servos_on and condition.home_known and condition.all_home
             return None if fine and condition.oper is not Oper.ALARM else Plain.STOP

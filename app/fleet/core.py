@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Display, Move, Send, Simple, Xmove
+from app.domain.commands import Direct, Display, Move, Send, Simple, Xmove
 from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
 from app.domain.drive import DriveEvent
 from app.domain.drive_requests import Word
@@ -28,9 +28,11 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
+from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
 from app.fleet.buffers import Buffers
+from app.fleet.charging import Charging
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
@@ -90,16 +92,26 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._charging = Charging(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
+        self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders)
         self.teaching = Teaching(self.books)
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
         emergency = EmergencyDesk(self.books, self._plant_orders)
         self._desk = Desk(
-            self.books, self._jobs, orders, self._plant_orders, self.drives, teaching, device_orders, emergency
+            self.books,
+            self._jobs,
+            orders,
+            self._agv_orders,
+            self._plant_orders,
+            self.drives,
+            teaching,
+            device_orders,
+            emergency,
         )
         self._link = link
         self._shown: dict[VehicleId, VehicleView] = {}
@@ -159,6 +171,7 @@ class Fleet:
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
             self.books.wake(vehicle.id)
+        self._charging.run()
         self._dispatch.run()
         self._go_on()
 
@@ -273,7 +286,8 @@ class Fleet:
             self.recovery.begin(vehicle)
         self.missions.confirm(vehicle, event.status, event.asked_at)
         if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (
-            vehicle.handling is None and vehicle.loaded is not self.recovery.believed_loaded(vehicle)
+            vehicle.handling is None
+            and (event.status.condition.doubt or vehicle.loaded is not self.recovery.believed_loaded(vehicle))
         ):
             self.recovery.begin(vehicle)
 
@@ -382,6 +396,7 @@ class Fleet:
             return
         self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
         self.alarms.unanswered(vehicle, event.cmd_id, event.why)
+        self._agv_orders.unanswered(vehicle, event)
         self.teaching.answered(vehicle, event.cmd_id, event.why.value)
         if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
             self.recovery.begin(vehicle)
@@ -414,7 +429,7 @@ class Fleet:
         vehicle = self.books.vehicles[send.vehicle]
         if send.cmd_id not in vehicle.opened:
             return "it was settled before it could be sent"
-        if isinstance(send.command, Simple | Display):
+        if isinstance(send.command, Simple | Display | Direct):
             return ""
         if barrier := self._barrier(send):
             return barrier

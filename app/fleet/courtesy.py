@@ -23,6 +23,7 @@ class Courtesy:
     def __init__(self, books: Books, motion: Motion) -> None:
         self._books = books
         self._motion = motion
+        self._chargers = {charger.barcode for charger in books.plant.chargers}
 
     def explain(self, vehicle: VehicleNow, blocked: Blocked | None) -> None:
         """Say what a vehicle waits for, and ask who stands in its way idle to give way."""
@@ -32,6 +33,7 @@ class Courtesy:
             reason = self._sentence(vehicle, blocked)
             if blocked.by:
                 self.ask_way(vehicle, self._books.vehicles[blocked.by])
+                self._untie(vehicle)
         moving = vehicle.drive is not None
         if not moving and reason != vehicle.waiting:
             if not vehicle.waiting:
@@ -87,9 +89,13 @@ class Courtesy:
 
     def ask_way(self, asker: VehicleNow, other: VehicleNow) -> None:
         """Send an idle vehicle that stands in the way to a place where it is in nobody's."""
-        if not other.fit or not other.at_rest or other.order or other.errand or other.teaching is not None:
+        bound = other.order or other.errand or other.kept or other.teaching is not None
+        if not other.fit or not other.at_rest or bound:
             return
         if other.job and not self._stands_by(other):
+            return
+        if other.is_agv:
+            self._part(asker, other)
             return
         goal = self.refuge(asker, other)
         if goal is None:
@@ -98,6 +104,60 @@ class Courtesy:
             self._motion.send(other, Errand(goal, StopAction.STOP, Purpose.GIVE_WAY))
         except NoRoute:
             return
+
+    def _untie(self, vehicle: VehicleNow) -> None:
+        """Where AGVs wait for each other in a circle, one that stands backs out to where it is in nobody's way.
+
+        Its job goes on from there (TRAFFIC section 5). On two-way track no order of going can rule such circles out: two AGVs
+        may want each other's place.
+        """
+        books = self._books
+        if not vehicle.is_agv:
+            return
+        circle = next((c for c in books.traffic.cycles() if vehicle.id in c), ())
+        tied = [books.vehicles[name] for name in circle]
+        if any(v.errand and v.errand.purpose is Purpose.BACK_OUT for v in tied):
+            return
+        for index, other in enumerate(tied):
+            waiter = tied[index - 1]
+            if other.fit and other.at_rest and not other.ahead and self._let_agv(waiter, other, Purpose.BACK_OUT):
+                return
+
+    def _part(self, asker: VehicleNow, other: VehicleNow) -> None:
+        """Send an idle AGV out of the way; where it is shut in by the one that asks, that one backs out first."""
+        if self._let_agv(asker, other, Purpose.GIVE_WAY) or asker.barcode is None or asker.ahead:
+            return
+        if asker.fit and asker.at_rest and not self._books.track.may_rest(asker.barcode):
+            self._let_agv(other, asker, Purpose.BACK_OUT)
+
+    def _wanted(self, asker: VehicleNow) -> set[Barcode]:
+        """Return the track that has to be left for an AGV: its way, and all of the zone that it waits for."""
+        wanted = {b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None}
+        blocked = self._books.traffic.blocked.get(asker.id)
+        if blocked is not None and blocked.zone is not None:
+            wanted |= {
+                b for zone in self._books.track.zones_at(blocked.at) if zone.id == blocked.zone for b in zone.barcodes
+            }
+        return wanted
+
+    def _let_agv(self, asker: VehicleNow, other: VehicleNow, purpose: Purpose) -> bool:
+        """Send an AGV out of another's way over free track, to where it harms nobody's passage; else just out of the way."""
+        books, length = self._books, other.spec.length
+        if other.toward is not None:
+            return False
+        whole = self._wanted(asker)
+        near = {b for b in (asker.barcode, *asker.ahead, *asker.rest[:1]) if b is not None}
+        tries = ((whole, True), (whole, False), (near, True))
+        for way, harmless in tries:
+
+            def ends(place: Barcode, way: set[Barcode] = way, harmless: bool = harmless) -> bool:
+                return (books.track.may_rest(place) or not harmless) and self._off(place, way, length, other)
+
+            if found := self._motion.free_way(other, ends):
+                self._motion.send(other, Errand(found[-1], StopAction.STOP, purpose), found)
+                books.wake(other.id)
+                return True
+        return False
 
     def _stands_by(self, other: VehicleNow) -> bool:
         """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
@@ -146,8 +206,12 @@ class Courtesy:
 
     def _free_of(self, place: Barcode, way: set[Barcode], length: int, other: VehicleNow) -> bool:
         """Whether a vehicle standing there is off the way, off no-stop zones and on nobody's track."""
+        return not self._books.track.no_stop(place) and self._off(place, way, length, other)
+
+    def _off(self, place: Barcode, way: set[Barcode], length: int, other: VehicleNow) -> bool:
+        """Whether a vehicle standing there is off the way, at no charger, and on nobody's track."""
         books = self._books
         covered = {place, *books.track.behind(place, other.spec.length)} if length else {place}
-        if covered & way or books.track.no_stop(place):
+        if covered & way or place in self._chargers:
             return False
         return not any(books.traffic.holders(b) - {other.id} for b in covered)

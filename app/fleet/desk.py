@@ -10,6 +10,7 @@ from app.domain.requests import (
     Accepted,
     CancelJob,
     ChangeJob,
+    CommandAgv,
     CommandVehicle,
     CreateJob,
     DisplayOnVehicle,
@@ -35,6 +36,7 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.domain.teaching_requests import TeachingRequest
+from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
@@ -43,6 +45,7 @@ from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders, no_vehicle
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.teaching_desk import TeachingDesk
+from app.fleet.vehicle import VehicleNow
 
 TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
 """Parts of a request that name what it is about, the first that is there."""
@@ -59,6 +62,7 @@ class Desk:
         books: Books,
         jobs: Jobs,
         vehicles: VehicleOrders,
+        agvs: AgvOrders,
         plant: PlantOrders,
         drives: Drives,
         teaching: TeachingDesk,
@@ -68,6 +72,7 @@ class Desk:
         self._books = books
         self._jobs = jobs
         self._vehicles = vehicles
+        self._agvs = agvs
         self._plant = plant
         self._drives = drives
         self._teaching = teaching
@@ -128,12 +133,8 @@ class Desk:
         if vehicle is None:
             return no_vehicle(request.vehicle)
         match request:
-            case CommandVehicle():
-                return orders.command(vehicle, request)
-            case DisplayOnVehicle():
-                return orders.display(vehicle, request)
-            case MoveVehicle():
-                return orders.move(vehicle, request)
+            case CommandVehicle() | CommandAgv() | DisplayOnVehicle() | MoveVehicle():
+                return self._answer_by_kind(vehicle, request)
             case HandleOnce():
                 return orders.handle(vehicle, request)
             case RecoverAlarm():
@@ -148,6 +149,21 @@ class Desk:
                 return orders.lock(vehicle, request)
             case UnlockVehicle():
                 return orders.unlock(vehicle, request)
+
+    def _answer_by_kind(
+        self, vehicle: VehicleNow, request: CommandVehicle | CommandAgv | DisplayOnVehicle | MoveVehicle
+    ) -> Reply:
+        """Answer what hoists and AGVs are asked in different ways."""
+        own = self._agvs if vehicle.is_agv else self._vehicles
+        match request:
+            case CommandVehicle():
+                return own.command(vehicle, request)
+            case CommandAgv():
+                return self._agvs.direct(vehicle, request)
+            case DisplayOnVehicle():
+                return own.display(vehicle, request)
+            case MoveVehicle():
+                return own.move(vehicle, request)
 
 
 def _said(request: Request) -> str:

@@ -9,6 +9,7 @@ from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.records import ControllerState
 from app.domain.units import Barcode, Seconds
 from app.fleet.books import Books
+from app.fleet.kinds import serves
 from app.fleet.missions import Missions
 from app.fleet.obstacles import against_picking_up, against_putting_down
 from app.fleet.targets import target_for
@@ -156,6 +157,7 @@ class Dispatch:
             (vehicle.teaching is not None, f"is used for teaching (session {vehicle.teaching})"),
             (not vehicle.fit, "is not ready"),
             (self.loaded(vehicle), "is loaded"),
+            (vehicle.kept, vehicle.kept),
         )
         return next((words for applies, words in states if applies), "")
 
@@ -242,7 +244,9 @@ class Dispatch:
         known = self._served.get((vehicle.id, place))
         if known is None:
             station = self._books.specs.get(StationId(place))
-            known = station is None or not isinstance(target_for(self._books, vehicle, station), Refusal)
+            known = station is None or (
+                serves(vehicle, station) and not isinstance(target_for(self._books, vehicle, station), Refusal)
+            )
             self._served[vehicle.id, place] = known
         return known
 

@@ -9,6 +9,7 @@ from app.domain.layout import StationKind
 from app.domain.requests import AbortJob, Accepted, CancelJob, ChangeJob, CreateJob, Reply
 from app.domain.view import Topic
 from app.fleet.books import Books
+from app.fleet.kinds import between_kinds
 from app.fleet.missions import Missions
 from app.fleet.plant_orders import unfit_name
 from app.fleet.targets import no_dest, no_offset
@@ -96,8 +97,10 @@ class Jobs:
             return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
+        others = (request.destination, *request.fallbacks)
         return (
-            self._untaught(request.source, request.destination)
+            between_kinds(books, request.source, others, request.vehicle)
+            or self._untaught(request.source, request.destination)
             or self._unfit(request)
             or self._no_route(request.source, request.destination)
         )
@@ -235,6 +238,8 @@ class Jobs:
                 return Refusal(
                     "invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle"
                 )
+            if refusal := between_kinds(self._books, job.source, (), request.vehicle):
+                return refusal
             if job.source in self._books.vehicles and request.vehicle != job.source:
                 return Refusal("invalid", f"the carrier is aboard {job.source}", "leave vehicle out", "vehicle")
             if job.state not in {JobState.QUEUED, JobState.WAITING}:
@@ -256,6 +261,7 @@ class Jobs:
         source: str = (job.vehicle or job.source) if job.leg is Leg.TO_DESTINATION else job.source
         return (
             self._unknown_ends(source, request.destination, ())
+            or between_kinds(self._books, source, (request.destination,), None)
             or self._untaught(source, request.destination)
             or self._no_route(source, request.destination)
         )

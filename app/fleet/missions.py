@@ -17,6 +17,7 @@ from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
 from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
+from app.fleet.kinds import serves
 from app.fleet.motion import Motion
 from app.fleet.obstacles import against_picking_up, against_putting_down
 from app.fleet.recovery import Recovery
@@ -45,6 +46,10 @@ class Missions:
         if not vehicle.fit or vehicle.handling:
             return
         self._resume(vehicle)
+        if vehicle.errand and vehicle.errand.purpose is Purpose.BACK_OUT:
+            if not self._motion.arrived(vehicle):
+                return
+            self._motion.drop(vehicle)
         if vehicle.drive:
             self._redirect(vehicle)
             return
@@ -169,7 +174,7 @@ class Missions:
             spec = books.specs.get(fallback)
             if spec is None or fallback in engaged or against_putting_down(books, fallback, job.id):
                 continue
-            if not isinstance(target_for(self._books, vehicle, spec), Refusal):
+            if serves(vehicle, spec) and not isinstance(target_for(self._books, vehicle, spec), Refusal):
                 return fallback
         return None
 
@@ -245,6 +250,7 @@ class Missions:
         self._buffers.give_back(vehicle, handling.station)
         if state in {IntentState.DONE, IntentState.SETTLED_DONE}:
             vehicle.missed = 0
+            vehicle.trips += not handling.pickup
             carrier_moved(self._books, vehicle, handling.station, handling.job, pickup=handling.pickup)
         vehicle.order = None
         self._books.wake(vehicle.id)

@@ -4,6 +4,7 @@ A vehicle moves only on what it holds. MOVE goes to the end of what is held; bef
 XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 
@@ -22,6 +23,7 @@ from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.kinematics import braking_distance, driving_time, elements
 from app.planning.traffic import Blocked, BlockReason
+from app.planning.ways import free_way
 
 REACTION = Seconds(0.5)
 """From a barcode read to the XMOVE in the vehicle: link both ways, our commit, its next cycle (our choice, TRAFFIC 2)."""
@@ -49,6 +51,7 @@ class Motion:
         """
         books = self._books
         before = books.traffic.held(vehicle.id)
+        vehicle.toward = self._next_tag(vehicle, barcode)
         vehicle.trail = self._covered(vehicle, barcode)
         beyond = tuple(b for b in books.track.successors(barcode) if b in before and b not in vehicle.trail)
         vehicle.beyond = beyond or (vehicle.beyond if vehicle.barcode == barcode else ())
@@ -57,12 +60,30 @@ class Motion:
         if vehicle.barcode != barcode:
             vehicle.barcode, vehicle.stopped = barcode, None
         vehicle.ahead, vehicle.rest = [], []
-        books.traffic.release(vehicle.id, [b for b in before if b not in vehicle.trail])
-        clashes = books.traffic.hold(vehicle.id, tuple(reversed(vehicle.trail)))
+        held = (*reversed(vehicle.trail), *((vehicle.toward,) if vehicle.toward else ()))
+        books.traffic.release(vehicle.id, [b for b in before if b not in held])
+        clashes = books.traffic.hold(vehicle.id, held)
         self._wake_waiters(before)
         self._set_out_anew(vehicle)
-        books.save_vehicle(vehicle, barcode=barcode, held=tuple(reversed(vehicle.trail)))
+        books.save_vehicle(vehicle, barcode=barcode, held=held)
         return tuple(dict.fromkeys(at for at, _ in clashes))
+
+    def _next_tag(self, vehicle: VehicleNow, barcode: Barcode) -> Barcode | None:
+        """Return the tag on the way to which an AGV was stopped, None if it stands in position (PROTOCOLS 3.3).
+
+        It may be anywhere between the two. What was granted to it last tells, in this process life or by its open intents.
+        """
+        if vehicle.in_position:
+            return None
+        if vehicle.barcode == barcode and vehicle.drive is None and vehicle.toward:
+            return vehicle.toward
+        here = () if vehicle.barcode is None else (vehicle.barcode, *vehicle.ahead)
+        for way in (here, *(intent.path for intent in vehicle.opened.values()), vehicle.record.held):
+            if barcode in way[:-1]:
+                after = way[way.index(barcode) + 1]
+                if after in self._books.track.successors(barcode):
+                    return after
+        return None
 
     def _set_out_anew(self, vehicle: VehicleNow) -> None:
         """The way to the errand's goal begins somewhere else now; an errand of a job is found again from the job."""
@@ -78,7 +99,17 @@ class Motion:
         length = vehicle.spec.length
         if vehicle.barcode == barcode and vehicle.trail.get(barcode) == 0:
             return vehicle.trail
-        return self._books.track.distances_behind(barcode, length)
+        if not vehicle.is_agv:
+            return self._books.track.distances_behind(barcode, length)
+        around = dict.fromkeys(self._around(vehicle, barcode), length)
+        return {barcode: Millimetres(0)} | around | self._books.track.distances_behind(barcode, length)
+
+    def _around(self, vehicle: VehicleNow, barcode: Barcode) -> list[Barcode]:
+        """Return what an AGV may cover on any side of it: it may have come backwards, or have turned; but not over another."""
+        if not vehicle.is_agv:
+            return []
+        near = self._books.track.reach(barcode, vehicle.spec.length) - {barcode}
+        return sorted(b for b in near if self._books.traffic.holders(b) <= {vehicle.id})
 
     def report(self, vehicle: VehicleNow, barcode: Barcode, seq: int) -> None:
         """The vehicle has read a barcode: it goes on along what it holds, and what it has left is free.
@@ -86,7 +117,7 @@ class Motion:
         Raises OffPath: the barcode is neither where it was nor ahead on its path, or not the one that its path has at
         this SEQ (misread, or another path).
         """
-        if barcode in vehicle.trail:
+        if barcode in vehicle.trail and barcode not in vehicle.ahead[:1]:
             return
         if barcode not in vehicle.ahead:
             raise OffPath(f"{vehicle.id} reports barcode {barcode}, which is not on the track it holds")
@@ -103,12 +134,13 @@ class Motion:
             trail[end] = gone
         length = vehicle.spec.length
         vehicle.trail = dict(sorted(((b, d) for b, d in trail.items() if d <= length), key=lambda item: item[1]))
-        vehicle.barcode, vehicle.stopped, vehicle.beyond = barcode, None, ()
+        vehicle.barcode, vehicle.stopped, vehicle.beyond, vehicle.toward = barcode, None, (), None
         del vehicle.ahead[:count]
         vehicle.way += passed[1:]
         while len(vehicle.way) > 2 and vehicle.way[1] not in vehicle.trail:
             del vehicle.way[0]
-        left = [b for b in trail if b not in vehicle.trail and b not in vehicle.ahead]
+        held = self._books.traffic.held(vehicle.id) if vehicle.is_agv else tuple(trail)
+        left = [b for b in held if b not in vehicle.trail and b not in vehicle.ahead]
         self._books.traffic.release(vehicle.id, left)
         self._wake_waiters(left)
 
@@ -141,17 +173,31 @@ class Motion:
 
     # -- where it goes ------------------------------------------------------------------------------------------------
 
-    def send(self, vehicle: VehicleNow, errand: Errand) -> None:
-        """Give the vehicle an errand. Raises NoRoute: no way leads there from the end of what it holds."""
+    def send(self, vehicle: VehicleNow, errand: Errand, way: tuple[Barcode, ...] | None = None) -> None:
+        """Give the vehicle an errand, by the way given (from where it is) or the quickest.
+
+        Raises NoRoute: no way leads there from the end of what it holds.
+        """
         if vehicle.drive is None:
             self.shrink_ahead(vehicle)
         start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
         if start is None:
             raise NoRoute(f"the place of {vehicle.id} is not known")
-        rest = self._books.router.route(start, errand.goal)[1:]
-        vehicle.errand, vehicle.rest = errand, list(rest)
+        rest = self._way(vehicle, start, errand.goal) if way is None else list(way[1:])
+        vehicle.errand, vehicle.rest = errand, rest
         self._books.touch(vehicle)
         self._books.wake(vehicle.id)
+
+    def _way(self, vehicle: VehicleNow, start: Barcode, goal: Barcode) -> list[Barcode]:
+        """Return the barcodes from ``start``, left out, to the goal. Raises NoRoute.
+
+        An AGV that was stopped between two tags comes to the second one first: it would turn, or not, as it likes.
+        """
+        rest = list(self._books.router.route(start, goal)[1:])
+        via = vehicle.toward if start == vehicle.barcode and not vehicle.ahead else None
+        if via is None or rest[:1] == [via]:
+            return rest
+        return list(self._books.router.route(via, goal))
 
     def drop(self, vehicle: VehicleNow) -> None:
         """Forget the errand: the vehicle runs to the end of what it was told, and stays there."""
@@ -165,7 +211,7 @@ class Motion:
         errand = vehicle.errand
         if errand is None or vehicle.drive is not None or vehicle.barcode != errand.goal or vehicle.rest:
             return False
-        return errand.action is StopAction.STOP or vehicle.stopped is errand.action
+        return vehicle.in_position and (errand.action is StopAction.STOP or vehicle.stopped is errand.action)
 
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
@@ -183,8 +229,11 @@ class Motion:
         return tuple(name for name in books.roll_call if self._may_be_in(area, books.vehicles[name]))
 
     def _may_be_in(self, area: int, absent: VehicleNow) -> bool:
-        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in self._books.track]
-        return not places or any(self._books.track.area(b) == area for b in places)
+        track = self._books.track
+        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in track]
+        if not places:
+            return absent.spec.kind in track.kinds(area)
+        return any(track.area(b) == area for b in places)
 
     def advance(self, vehicle: VehicleNow) -> Blocked | None:
         """Claim what is wanted next and tell the vehicle. Returns what stands against it, if anything does."""
@@ -195,13 +244,16 @@ class Motion:
         return self._extend(vehicle, vehicle.drive)
 
     def on_its_way(self, vehicle: VehicleNow, time: Seconds) -> list[tuple[Barcode, Barcode]]:
-        """Return the pieces of track before a vehicle, as far as it claims ahead and drives within ``time`` besides."""
+        """Return the pieces of track before a vehicle, as far as it claims ahead and drives within ``time`` besides.
+
+        A no-stop zone is granted as a whole, however long it is.
+        """
         if vehicle.barcode is None:
             return []
         _, high = self._horizon(vehicle)
         left, found = high + vehicle.spec.max_speed * time, []
         for start, end in pairwise([vehicle.barcode, *vehicle.ahead, *vehicle.rest]):
-            if left < 0:
+            if left < 0 and not self._books.track.no_stop(start):
                 break
             found.append((start, end))
             left -= self._books.track.edge(start, end).length
@@ -287,6 +339,8 @@ class Motion:
             return None
         _, high = self._horizon(vehicle)
         blocked = self._claim(vehicle, high)
+        if not vehicle.ahead and vehicle.rest and self._detour(vehicle, errand.goal):
+            blocked = self._claim(vehicle, high)
         if not vehicle.ahead and vehicle.rest:
             return blocked
         path = [here, *vehicle.ahead]
@@ -307,6 +361,20 @@ class Motion:
         vehicle.drive = Drive(intent.cmd_id, move_path, intent)
         vehicle.waiting = ""
         return blocked
+
+    def _detour(self, vehicle: VehicleNow, goal: Barcode) -> bool:
+        """Lead a blocked AGV to its goal over track that is free now, if there is such a way (our choice; floors are small)."""
+        way = self.free_way(vehicle, lambda barcode: barcode == goal) if vehicle.is_agv and not vehicle.toward else None
+        if way is not None:
+            vehicle.rest = list(way[1:])
+        return way is not None
+
+    def free_way(self, vehicle: VehicleNow, ends: Callable[[Barcode], bool]) -> tuple[Barcode, ...] | None:
+        """Return the shortest way for a standing vehicle over track that it would be granted; None: there is none."""
+        traffic = self._books.traffic
+        if vehicle.barcode is None:
+            return None
+        return free_way(self._books.track, vehicle.barcode, ends, lambda b: traffic.obstacle(vehicle.id, b) is None)
 
     def _display(self, job: Job | None) -> tuple[str, str, str]:
         """Return FOUP ID, SOURCE and DESTINATION for the vehicle's display."""

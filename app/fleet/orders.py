@@ -26,6 +26,7 @@ from app.domain.vehicle import Mode, Oper
 from app.domain.view import Topic
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
+from app.fleet.kinds import no_servant
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.obstacles import against_putting_down
@@ -129,7 +130,7 @@ class VehicleOrders:
             vehicle, self._books.open_intent(vehicle, "display", command, request.actor, body=body).cmd_id
         )
 
-    def _unfit(self, vehicle: VehicleNow) -> Refusal | None:
+    def unfit(self, vehicle: VehicleNow) -> Refusal | None:
         """Return why a vehicle cannot be moved or made to handle for a person now."""
         if vehicle.barred:
             return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift that first")
@@ -138,9 +139,12 @@ class VehicleOrders:
         if vehicle.job:
             return Refusal("conflict", f"{vehicle.id} is on job {vehicle.job}", "cancel the job, or let it end")
         if vehicle.mode is not Mode.AUTO:
-            return Refusal(
-                "not-now", f"{vehicle.id} is not in AUTO", "send servo_on, search_home and auto, or recover it"
+            remedy = (
+                "switch it to auto at the AGV"
+                if vehicle.is_agv
+                else "send servo_on, search_home and auto, or recover it"
             )
+            return Refusal("not-now", f"{vehicle.id} is not in AUTO", remedy)
         if vehicle.oper is Oper.ALARM:
             return Refusal("not-now", f"{vehicle.id} has an alarm", f"POST /api/v1/vehicles/{vehicle.id}/recover")
         if vehicle.stage is not Stage.READY or vehicle.recovery:
@@ -164,7 +168,7 @@ class VehicleOrders:
             return Refusal("invalid", f"there is no barcode {request.barcode}", "see GET /api/v1/layout", "barcode")
         if request.action is StopAction.RUN:
             return Refusal("invalid", "a path ends in a stop", "leave action out, or name a stop", "action")
-        if refusal := self._unfit(vehicle):
+        if refusal := self.unfit(vehicle):
             return refusal
         try:
             self._motion.send(vehicle, Errand(request.barcode, request.action, Purpose.PERSON))
@@ -177,9 +181,9 @@ class VehicleOrders:
         station = self._books.specs.get(request.station)
         if station is None:
             return replace(no_station(request.station), code="invalid", field="station")
-        if refusal := self._unfit(vehicle):
+        if refusal := self.unfit(vehicle):
             return refusal
-        if refusal := self._misplaced(vehicle, station):
+        if refusal := no_servant(vehicle, station) or self._misplaced(vehicle, station):
             return refusal
         target = target_for(self._books, vehicle, station, request.target)
         if isinstance(target, Refusal):

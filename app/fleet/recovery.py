@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from app.domain.commands import Plain, Simple
+from app.domain.devices import AgvStatus
 from app.domain.ids import Actor
 from app.domain.job import JobEvent
 from app.domain.records import Hold, Intent, IntentState, Provenance
@@ -57,6 +58,7 @@ class Recovery:
             (condition.oper is Oper.ALARM, f"is in ALARM {condition.code}"),
             (condition.oper in {Oper.RUN, Oper.PAUSE}, f"is in {condition.oper.name}"),
             (condition.travelling, "is driving"),
+            (condition.doubt, condition.doubt),
             (not condition.servos_on, "has its servos off: send SERVO ON, SEARCH HOME, AUTO"),
             (not condition.home_known, "has not found its home position: send SEARCH HOME"),
             (not (condition.at_rest and condition.homed), "has an axis that is not at home"),
@@ -278,10 +280,10 @@ class Recovery:
             "go_home": condition.homed,
             "alarm_clear": condition.oper is not Oper.ALARM,
             "auto": condition.mode is Mode.AUTO,
-            "stop": condition.mode is Mode.MANT,
+            "stop": condition.mode is Mode.MANT or (condition.agv is not None and not condition.travelling),
             "stop_by_host": not condition.travelling,
         }
-        return visible.get(intent.kind, False)
+        return visible.get(intent.kind, False) or (condition.agv is not None and _agv_shows(intent, condition.agv))
 
     # -- holds --------------------------------------------------------------------------------------------------------
 
@@ -308,6 +310,18 @@ class Recovery:
         vehicle.stage, vehicle.stage_since = Stage.ABSENT, self._books.now
         vehicle.agreed, vehicle.trusted, vehicle.waiting = None, False, ""
         self._books.touch(vehicle)
+
+
+def _agv_shows(intent: Intent, agv: AgvStatus) -> bool:
+    """Whether the effect of one of ENIG's own commands is visible in a Status; that of a manual move never is."""
+    shown: dict[str, dict[str, object]] = {
+        "agv_set_current": {"tag": agv.tag},
+        "agv_lift": {"action": agv.lift.name.lower()},
+        "agv_charge": {"on": agv.charging},
+    }
+    wanted = shown.get(intent.kind)
+    reached = intent.kind == "agv_move_alias" and agv.arrived and intent.path[-1:] == (agv.tag,)
+    return reached or (wanted is not None and wanted.items() <= dict(intent.body).items())
 
 
 def _first_seq(intent: Intent) -> int:

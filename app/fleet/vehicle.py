@@ -5,7 +5,7 @@ from enum import StrEnum
 
 from app.domain.commands import Plain
 from app.domain.ids import Actor, CmdId, JobId, StationId, VehicleId
-from app.domain.layout import PulseSet, StopAction, VehicleSpec
+from app.domain.layout import PulseSet, StopAction, VehicleKind, VehicleSpec
 from app.domain.records import Intent, VehicleRecord
 from app.domain.route import PathElement
 from app.domain.units import Barcode, Millimetres, Seconds
@@ -34,6 +34,9 @@ class Purpose(StrEnum):
     PERSON = "person"
     GIVE_WAY = "give_way"
     PARK = "park"
+    BACK_OUT = "back_out"
+    """Out of the way of one that waits for it as it waits for that one: its job goes on afterwards."""
+    CHARGE = "charge"
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +129,8 @@ class VehicleNow:
     ``opened`` are the intents whose outcome is not known yet, by CMD_ID. ``agreed`` is the first of the two STATUS that must
     agree; ``trusted``: a named person vouched for what it reports next.
     ``missed`` counts handlings or moves in a row that ended abnormally. ``teaching`` is its open teaching session.
+    ``toward`` is the tag on the way to which an AGV was stopped: it stands between there and its ``barcode``. ``kept`` says
+    why no job is given to it though it is idle; ``trips`` counts the carriers that it has put down.
     """
 
     spec: VehicleSpec
@@ -161,11 +166,24 @@ class VehicleNow:
     unfit_since: Seconds | None = None
     waiting: str = ""
     waiting_since: Seconds = Seconds(0.0)
+    toward: Barcode | None = None
+    kept: str = ""
+    trips: int = 0
 
     @property
     def id(self) -> VehicleId:
         """The vehicle's name."""
         return self.spec.id
+
+    @property
+    def is_agv(self) -> bool:
+        """Whether it is an AGV: it chooses its way itself, and reports without being asked."""
+        return self.spec.kind is VehicleKind.AGV
+
+    @property
+    def in_position(self) -> bool:
+        """Whether it stands at its barcode, not somewhere after it: an AGV says so, a hoist stops nowhere else."""
+        return not self.is_agv or (self.status is not None and self.status.condition.at_tag)
 
     @property
     def mode(self) -> Mode | None:
@@ -225,5 +243,5 @@ class VehicleNow:
     def available(self) -> bool:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}
-        bound = self.job or self.order or self.handling or self.teaching is not None
+        bound = self.job or self.order or self.handling or self.kept or self.teaching is not None
         return self.fit and free and not bound

@@ -19,6 +19,7 @@ from app.domain.teaching import TeachingSession
 from app.domain.units import Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
+    AgvView,
     BitView,
     CarrierView,
     CommandView,
@@ -172,6 +173,7 @@ def activity_of(vehicle: VehicleNow) -> str:
         (vehicle.handling, "depositing"),
         (vehicle.oper is Oper.PAUSE, "paused"),
         (vehicle.drive, "moving"),
+        (_charges(vehicle), "charging"),
         (vehicle.waiting, "waiting"),
         (vehicle.errand or vehicle.job or vehicle.order, "busy"),
     )
@@ -181,6 +183,8 @@ def activity_of(vehicle: VehicleNow) -> str:
 def address_of(vehicle: VehicleNow) -> str:
     """Return where the vehicle's line leads."""
     spec = vehicle.spec
+    if vehicle.is_agv:
+        return f"{spec.link}, device {spec.dev_id}"
     return f"listening for DEV_ID {spec.dev_id}" if spec.listen else f"{spec.host}:{spec.port}"
 
 
@@ -217,6 +221,7 @@ def view_of_vehicle(
     """Return a vehicle as people see it."""
     spec, record, status = vehicle.spec, vehicle.record, vehicle.status
     condition = status.condition if status else None
+    words = condition if condition and condition.agv is None else None
     hold = HoldView(record.hold.reason, record.hold.remedy, record.hold.since) if record.hold else None
     lock = record.lockout
     return VehicleView(
@@ -230,15 +235,15 @@ def view_of_vehicle(
         link=link,
         mode=condition.mode.name.lower() if condition else None,
         oper=condition.oper.name.lower() if condition else None,
-        code=condition.code if condition else None,
+        code=words.code if words else None,
         code_name=_code_name(vehicle, plant),
         loaded=condition.loaded if condition else None,
         carrier=record.carrier,
         barcode=vehicle.barcode or (status.barcode if status else record.barcode),
         dist=status.dist if status else None,
-        seq=status.seq if status else None,
-        status1=f"{condition.status1:08X}" if condition else None,
-        status2=f"{condition.status2:08X}" if condition else None,
+        seq=status.seq if status and words else None,
+        status1=f"{words.status1:08X}" if words else None,
+        status2=f"{words.status2:08X}" if words else None,
         bits=bits_of(condition) if condition else (),
         job=vehicle.job,
         goal=goal_of(vehicle.errand, job),
@@ -248,6 +253,29 @@ def view_of_vehicle(
         hold=hold,
         lockout=LockoutView(lock.owner, lock.reason, lock.since, lock.releases) if lock else None,
         seen=utc_at(vehicle.seen) if vehicle.seen is not None else None,
+        kind=spec.kind.value,
+        agv=_view_of_agv(vehicle),
+    )
+
+
+def _charges(vehicle: VehicleNow) -> bool:
+    agv = vehicle.status.condition.agv if vehicle.status else None
+    return agv is not None and agv.charging
+
+
+def _view_of_agv(vehicle: VehicleNow) -> AgvView | None:
+    agv = vehicle.status.condition.agv if vehicle.status else None
+    if agv is None:
+        return None
+    return AgvView(
+        cart=agv.cart.name.lower(),
+        lift=agv.lift.name.lower(),
+        charging=agv.charging,
+        in_position=agv.in_position,
+        steering=agv.steering.name.lower(),
+        path=agv.path,
+        tag=agv.tag,
+        toward=vehicle.toward,
     )
 
 

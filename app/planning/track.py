@@ -9,9 +9,10 @@ from typing import TypeAlias, TypeVar
 import networkx as nx
 
 from app.domain.ids import DevId, VehicleId
-from app.domain.layout import Edge, Plant, Point, Station, VehicleSpec, Zone
+from app.domain.layout import Edge, Plant, Point, Station, VehicleKind, VehicleSpec, Zone
 from app.domain.units import Barcode, Millimetres
 from app.planning.clearance import crossing_edges, near_points
+from app.planning.floor import corridors, floor_of, kinds_on
 from app.planning.kinematics import edge_time
 
 Links: TypeAlias = dict[Barcode, list[tuple[Barcode, Millimetres]]]
@@ -58,7 +59,10 @@ class Track:
         self._points = {point.barcode: point for point in plant.points}
         self._edges = {(edge.start, edge.end): edge for edge in plant.edges}
         self._stations: dict[Barcode, tuple[Station, ...]] = _by_barcode((s.barcode, s) for s in plant.stations)
-        self._zones: dict[Barcode, tuple[Zone, ...]] = _by_barcode((b, z) for z in plant.zones for b in z.barcodes)
+        self.floor = floor_of(plant)
+        """The barcodes that AGVs read."""
+        zones = (*plant.zones, *corridors(plant, self.floor))
+        self._zones: dict[Barcode, tuple[Zone, ...]] = _by_barcode((b, z) for z in zones for b in z.barcodes)
         self._ahead: Links = {barcode: [] for barcode in self._points}
         self._behind: Links = {barcode: [] for barcode in self._points}
         for edge in self._edges.values():
@@ -72,6 +76,7 @@ class Track:
         self.graph = self._draw(reference or next(iter(plant.vehicles), None) or BOOK_VEHICLE)
         self.areas = self._find_areas()
         self._area = {barcode: i for i, area in enumerate(self.areas) for barcode in area}
+        self._kinds = tuple(kinds_on(plant, area) for area in self.areas)
 
     def __contains__(self, barcode: object) -> bool:
         return barcode in self._points
@@ -157,6 +162,15 @@ class Track:
     def area(self, barcode: Barcode) -> int:
         """Return the index in ``areas`` of the area this barcode lies in."""
         return self._area[barcode]
+
+    def kinds(self, area: int) -> frozenset[VehicleKind]:
+        """Return the kinds of vehicle that may be in an area."""
+        return self._kinds[area]
+
+    def may_rest(self, barcode: Barcode) -> bool:
+        """Return whether a vehicle that waits harms nobody's passage here: outside no-stop zones, or at a dead end."""
+        around = {*self._successors[barcode], *self._predecessors[barcode]}
+        return not self.no_stop(barcode) or (barcode in self.floor and len(around) == 1)
 
     def distance(self, path: Sequence[Barcode]) -> Millimetres:
         """Return the length of a path of neighbours."""

@@ -4,15 +4,16 @@ from collections.abc import Mapping
 
 import networkx as nx
 
-from app.domain.devices import AgvMode, DeviceId, DeviceNumber
+from app.domain.devices import AgvMode, AgvSpeed, DeviceId, DeviceNumber
 from app.domain.drive import DriveId
-from app.domain.ids import LinkId, VehicleId
-from app.domain.layout import DriveUnit, LinkSpec, Plant, VehicleKind, Wire
+from app.domain.ids import LinkId, StationId, VehicleId
+from app.domain.layout import DriveUnit, LinkSpec, Plant, StationKind, VehicleKind, VehicleSpec, Wire
 from app.domain.ports import Endpoint
 from app.domain.units import Barcode, Seconds
 from app.plant.dialects import drive_dialect_of, hall_dialect_of
 from app.protocols.enig.messages import SetCurrent
 from app.protocols.enig.simulator import (
+    AgvOptions,
     Hall,
     SimulatedAgv,
     SimulatedBuffer,
@@ -22,16 +23,20 @@ from app.protocols.enig.simulator import (
 )
 from app.protocols.hi.dialects import Dialect
 from app.protocols.hi.simulator import SimulatedDrive, SimulatedLine
+from app.sim.truth import Truth
 
 
 class SimulatedHalls:
     """AGVs ready on their tape (in auto, their tag read), doors as they are at rest, buffers with the carts of the plant file.
 
-    ``starts`` says where the AGVs without a start in the plant file are put.
+    ``starts`` says where the AGVs without a start in the plant file are put. Carts are carriers: ``truth`` knows where they are.
     """
 
-    def __init__(self, plant: Plant, starts: Mapping[VehicleId, Barcode], now: Seconds) -> None:
+    def __init__(
+        self, plant: Plant, starts: Mapping[VehicleId, Barcode], now: Seconds, truth: Truth | None = None
+    ) -> None:
         self._plant = plant
+        self._truth = truth or Truth(plant)
         full = {station for _, station in plant.carriers}
         held = {station.buffer for station in plant.stations if station.buffer and station.id in full}
         self.doors: Mapping[DeviceId, SimulatedDoor] = {
@@ -58,8 +63,17 @@ class SimulatedHalls:
         )
         doors = {passage: self.doors[door.id] for door in plant.doors for passage in door.passages}
         buffers = {s.barcode: self.buffers[s.buffer] for s in plant.stations if s.buffer is not None}
-        hall = Hall(doors, buffers)
-        return {spec.id: SimulatedAgv(DeviceNumber(spec.dev_id), tape, starts[spec.id], hall=hall) for spec in specs}
+        stations = {s.barcode: s.id for s in plant.stations if s.kind is StationKind.AGV_BUFFER}
+        return {
+            spec.id: SimulatedAgv(
+                DeviceNumber(spec.dev_id),
+                tape,
+                starts[spec.id],
+                options=_options(spec),
+                hall=TrueHall(spec.id, self._truth, stations, doors, buffers),
+            )
+            for spec in specs
+        }
 
     def _line(self, link: LinkSpec) -> Endpoint:
         if link.wire is Wire.HI:
@@ -79,6 +93,55 @@ class SimulatedHalls:
             if spec.default is not None:
                 drive.set_value(spec.number, min(spec.default, dialect.highest_value))
         return drive
+
+
+def _options(spec: VehicleSpec) -> AgvOptions:
+    """Return an AGV that drives as fast as the plant file says; its half is slow (our choice)."""
+    speeds = {
+        AgvSpeed.SLOW: spec.max_speed / 2,
+        AgvSpeed.NORMAL: float(spec.max_speed),
+        AgvSpeed.FAST: float(spec.max_speed),
+    }
+    return AgvOptions(speeds=speeds)
+
+
+class TrueHall(Hall):
+    """The hall around one AGV, where carts are carriers: its lift takes them from stations and puts them there.
+
+    The buffer device of a station sees what stands there.
+    """
+
+    def __init__(
+        self,
+        vehicle: VehicleId,
+        truth: Truth,
+        stations: Mapping[Barcode, StationId],
+        doors: Mapping[tuple[Barcode, Barcode], SimulatedDoor],
+        buffers: Mapping[Barcode, SimulatedBuffer],
+    ) -> None:
+        super().__init__(doors, buffers)
+        self._vehicle, self._truth, self._stations = vehicle, truth, stations
+        self._devices = buffers
+
+    def take_cart(self, tag: Barcode, now: Seconds) -> bool:
+        """Return whether a lift that has risen here has a cart on it now. Away from stations there is nothing to take."""
+        if tag not in self._stations:
+            return False
+        taken = self._truth.take(self._vehicle, tag, StationKind.AGV_BUFFER, None)
+        self._show(tag, now)
+        return taken
+
+    def put_cart(self, tag: Barcode, now: Seconds) -> bool:
+        """Return whether a lift that has sunk here has left its cart at a station."""
+        if tag not in self._stations:
+            return False
+        put = self._truth.put(self._vehicle, tag, StationKind.AGV_BUFFER, None)
+        self._show(tag, now)
+        return put
+
+    def _show(self, tag: Barcode, now: Seconds) -> None:
+        if tag in self._devices:
+            self._devices[tag].set_cart(now, cart=self._stations[tag] in self._truth.at)
 
 
 def _connected(plant: Plant, starts: list[Barcode]) -> set[Barcode]:

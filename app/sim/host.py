@@ -1,6 +1,7 @@
 """The host of a virtual world: orders random jobs, some of them ahead, and repeats what was not answered."""
 
 from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from random import Random
 
@@ -24,7 +25,8 @@ class _Order:
 class Host:
     """Looks once in a while; each station is in one chain of orders at a time.
 
-    ``jobs`` are the durable jobs and their states, ``at`` where carriers really stand, ``ask`` sends a request.
+    ``jobs`` are the durable jobs and their states, ``at`` where carriers really stand, ``ask`` sends a request; ``agv`` are the
+    stations of AGVs.
     """
 
     def __init__(
@@ -35,6 +37,7 @@ class Host:
         ask: Callable[[CreateJob], object],
         pace: Pace,
         dice: Random,
+        agv: AbstractSet[StationId] = frozenset(),
     ) -> None:
         self._stations = stations
         self._at = at
@@ -42,6 +45,7 @@ class Host:
         self._ask = ask
         self._pace = pace
         self._dice = dice
+        self._agv = agv
         self._orders: dict[JobId, _Order] = {}
         self._number = 0
 
@@ -59,13 +63,15 @@ class Host:
 
     def _order(self, now: float) -> bool:
         engaged = {StationId(end) for order in self._orders.values() for end in _ends(order.request)}
-        errand = choose(self._dice, self._stations, self._at, engaged)
+        errand = choose(self._dice, self._stations, self._at, engaged, self._agv)
         if errand is None:
             return False
         self._send(errand.source, errand.destination, errand.carrier, now)
         engaged |= {errand.source, errand.destination}
         if self._dice.random() < AHEAD:
-            free = [station for station in self._stations if station not in self._at and station not in engaged]
+            kind = errand.destination in self._agv
+            like = [station for station in self._stations if (station in self._agv) is kind]
+            free = [station for station in like if station not in self._at and station not in engaged]
             if free:
                 self._send(errand.destination, self._dice.choice(free), errand.carrier, now)
         return True

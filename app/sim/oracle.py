@@ -124,6 +124,8 @@ class Books:
 
     def __init__(self, oracle: Oracle) -> None:
         self.intents: dict[int, VehicleId] = {}
+        self.open_intents: dict[VehicleId, dict[int, Intent]] = {}
+        """The commands whose outcome is not known, by vehicle."""
         self.jobs: dict[str, JobState] = {}
         self._oracle = oracle
         self._last_event = 0
@@ -137,6 +139,10 @@ class Books:
                 case Intent():
                     if self.intents.setdefault(record.cmd_id, record.vehicle) != record.vehicle:
                         self._oracle.note(f"CMD_ID {record.cmd_id:016X} was used for two vehicles", now)
+                    opened = self.open_intents.setdefault(record.vehicle, {})
+                    opened.pop(record.cmd_id, None)
+                    if not record.state.closed:
+                        opened[record.cmd_id] = record
                 case HistoryEvent():
                     if record.seq != self._last_event + 1:
                         self._oracle.note(f"event {record.seq} follows event {self._last_event}", now)

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import partial
 
+from app.domain.devices import CartState
 from app.domain.ids import VehicleId
 from app.domain.layout import Plant
 from app.domain.ports import Endpoint
@@ -49,18 +50,21 @@ class SimulatedPlant:
         }
         for device in self.devices.values():
             device.make_ready(now)
-        self.halls = SimulatedHalls(plant, starts, now)
+        self.halls = SimulatedHalls(plant, starts, now, self.truth)
         self.lines: Mapping[str, Endpoint] = {
             str(name): end for name, end in (*self.devices.items(), *self.halls.lines.items())
         }
 
     def places(self, now: Seconds) -> dict[VehicleId, Place]:
         """Return where every vehicle is."""
-        return {vehicle: device.place(now) for vehicle, device in self.devices.items()}
+        hoists = {vehicle: device.place(now) for vehicle, device in self.devices.items()}
+        return hoists | {vehicle: agv.place(now) for vehicle, agv in self.halls.agvs.items()}
 
     def loaded(self) -> dict[VehicleId, bool]:
         """Return which vehicles' sensors see a carrier."""
-        return {vehicle: device.state.foup for vehicle, device in self.devices.items()}
+        hoists = {vehicle: device.state.foup for vehicle, device in self.devices.items()}
+        agvs = self.halls.agvs.items()
+        return hoists | {vehicle: agv.report.cart == CartState.PRESENT for vehicle, agv in agvs}
 
     def refuses(self, line: str) -> bool:
         """Whether the far end of a line takes no connection now."""

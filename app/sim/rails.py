@@ -150,12 +150,20 @@ class Rails:
     def _shared_edges(self) -> Iterator[str]:
         taken: dict[Pair, list[tuple[float, float, VehicleId]]] = {}
         for vehicle, cover in self._covers.items():
-            for edge, (low, high) in cover.stretches.items():
+            for edge, (low, high) in map(self._one_way, cover.stretches.items()):
                 others = taken.setdefault(edge, [])
                 for other_low, other_high, other in others:
-                    if min(high, other_high) - max(low, other_low) > TOUCH:
+                    if other != vehicle and min(high, other_high) - max(low, other_low) > TOUCH:
                         yield f"{other} and {vehicle} overlap between {edge[0]} and {edge[1]}"
                 others.append((low, high, vehicle))
+
+    def _one_way(self, stretch: tuple[Pair, tuple[float, float]]) -> tuple[Pair, tuple[float, float]]:
+        """Return a stretch of two-way track in one direction, the same for all: it is one piece of floor."""
+        (start, end), (low, high) = stretch
+        if start < end or (end, start) not in self._lengths:
+            return stretch
+        length = self._lengths[start, end]
+        return (end, start), (length - high, length - low)
 
     def _shared_crossings(self) -> Iterator[str]:
         if not self._crossings:

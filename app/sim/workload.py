@@ -18,18 +18,24 @@ class Errand:
 
 
 def choose(
-    rng: Random, stations: Sequence[StationId], at: Mapping[StationId, CarrierId], engaged: AbstractSet[StationId]
+    rng: Random,
+    stations: Sequence[StationId],
+    at: Mapping[StationId, CarrierId],
+    engaged: AbstractSet[StationId],
+    agv: AbstractSet[StationId] = frozenset(),
 ) -> Errand | None:
     """Return an errand between two of the stations that are in no open job, or None if there is none.
 
-    ``at`` maps a station to the carrier that stands there. The choice depends on nothing but the arguments, in their order.
+    ``at`` maps a station to the carrier that stands there; ``agv`` are the AGVs' stations, between which and the others
+    nothing is carried. The choice depends on nothing but the arguments, in their order.
     """
-    sources = [station for station in stations if station in at and station not in engaged]
     destinations = [station for station in stations if station not in at and station not in engaged]
+    served = {station in agv for station in destinations}
+    sources = [s for s in stations if s in at and s not in engaged and (s in agv) in served]
     if not sources or not destinations:
         return None
     source = rng.choice(sources)
-    return Errand(source, rng.choice(destinations), at[source])
+    return Errand(source, rng.choice([d for d in destinations if (d in agv) is (source in agv)]), at[source])
 
 
 class Pace:

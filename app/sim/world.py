@@ -9,7 +9,7 @@ from random import Random
 
 from app.control import Control, Transaction
 from app.domain.ids import VehicleId
-from app.domain.layout import Plant
+from app.domain.layout import Plant, StationKind, Wire
 from app.domain.ports import Ledger
 from app.domain.records import Record
 from app.domain.requests import Reply, Request
@@ -19,6 +19,7 @@ from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.sim.agenda import Agenda
 from app.sim.cables import Cable
+from app.sim.hallwatch import HallWatch
 from app.sim.host import Host
 from app.sim.memory import MemoryLedger, written
 from app.sim.oracle import Books, LineWatch, Oracle
@@ -158,6 +159,7 @@ class World:
             self.ask,
             Pace(self._random("pace"), per_hour=per_hour, keep_open=keep_open),
             self._random("jobs"),
+            frozenset(s.id for s in self.plant.stations if s.kind is StationKind.AGV_BUFFER),
         )
 
         def look() -> None:
@@ -197,11 +199,15 @@ class World:
         hoist = VehicleId(line)
         if hoist in self._floor.devices:
             self._watches[hoist] = self._watch(hoist)
+        hall = next((k for k in self.plant.links if k.id == line and k.wire is Wire.ENIG), None)
+        watch = None if hall is None else HallWatch(self.plant, hall, self.books, self.oracle)
 
         def wire(direction: str, data: bytes) -> None:
             self._trace.update(struct.pack("<d", self.now) + name + direction.encode() + data)
             if direction == ">" and hoist in self._watches:
                 self._watches[hoist].sent(data, self.now)
+            if watch is not None:
+                watch.passed(direction, data, self.now)
 
         dice = self._random(f"cable {line}")
         end = self._floor.lines[line]

@@ -2,7 +2,7 @@
 
 from typing import assert_never
 
-from app.domain.commands import Command, Display, Move, Pickup, Place, Plain, Send, Simple, Xmove
+from app.domain.commands import Command, Direct, Display, Move, Pickup, Place, Plain, Send, Simple, Xmove
 from app.domain.errors import EncodeError
 from app.domain.layout import StationKind
 from app.domain.route import PathElement
@@ -48,7 +48,7 @@ MOTION = frozenset(
 
 
 def code_of(command: Command) -> Code:
-    """Return the code under which the command and its answer travel."""
+    """Return the code under which the command and its answer travel. Raises: EncodeError: iTSC has no such command."""
     match command:
         case Move():
             return Code.MOVE
@@ -62,6 +62,8 @@ def code_of(command: Command) -> Code:
             return _PLAIN[command.what]
         case Display():
             return Code.DISPLAY_BY_HOST
+        case Direct():
+            raise EncodeError("iTSC has no command of an AGV", remedy="send it to an AGV")
     assert_never(command)
 
 
@@ -81,6 +83,8 @@ def frame_of(send: Send, dev_id: int, dialect: Dialect) -> Enq | Etb:
             return Enq(dev_id, send.cmd_id, code, NOTHING)
         case Display():
             return Enq(dev_id, send.cmd_id, code, _display(command))
+        case Direct():
+            raise EncodeError("iTSC has no command of an AGV", remedy="send it to an AGV")
     assert_never(command)
 
 

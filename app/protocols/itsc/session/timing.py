@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import assert_never
 
-from app.domain.commands import Command, Display, Move, Pickup, Place, Plain, Simple, Xmove
+from app.domain.commands import Command, Direct, Display, Move, Pickup, Place, Plain, Simple, Xmove
 from app.domain.units import Seconds
 
 
@@ -52,7 +52,7 @@ class Timing:
                 return self.xmove
             case Pickup() | Place():
                 return self.transfer
-            case Display():
+            case Display() | Direct():
                 return self.status
             case Simple():
                 return self._simple(command.what)
