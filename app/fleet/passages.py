@@ -20,13 +20,17 @@ class Passages:
     def __init__(self, books: Books, devices: Devices) -> None:
         self._books = books
         self.doors: dict[DeviceNow, tuple[Passage, ...]] = {
-            device: tuple(sorted(device.spec.passages))
-            for device in devices.all.values()
-            if isinstance(device.spec, DoorSpec)
+            device: self._both_ways(device.spec) for device in devices.all.values() if isinstance(device.spec, DoorSpec)
         }
         self._at: dict[Passage, DeviceNow] = {
             passage: door for door, passages in self.doors.items() for passage in passages
         }
+
+    def _both_ways(self, spec: DoorSpec) -> tuple[Passage, ...]:
+        """Return the pieces of track that lead through a door: those named, and the same ones driven the other way."""
+        track = self._books.track
+        named = {*spec.passages, *((end, start) for start, end in spec.passages)}
+        return tuple(sorted((start, end) for start, end in named if start in track and end in track.successors(start)))
 
     def door_at(self, start: Barcode, end: Barcode) -> DeviceNow | None:
         """Return the door across a piece of track, if there is one."""
