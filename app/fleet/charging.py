@@ -10,10 +10,12 @@ from dataclasses import dataclass
 from app.domain.commands import Direct
 from app.domain.devices import AgvCharge
 from app.domain.errors import NoRoute
+from app.domain.ids import VehicleId
 from app.domain.layout import ChargerSpec, StopAction
 from app.domain.records import ControllerState
 from app.domain.units import Barcode, Seconds
 from app.fleet.books import SYSTEM, Books
+from app.fleet.devices import Devices
 from app.fleet.motion import Motion
 from app.fleet.vehicle import Errand, Purpose, VehicleNow
 
@@ -38,9 +40,10 @@ class Battery:
 class Charging:
     """Sends AGVs to charge, and has them stay."""
 
-    def __init__(self, books: Books, motion: Motion) -> None:
+    def __init__(self, books: Books, motion: Motion, devices: Devices) -> None:
         self._books = books
         self._motion = motion
+        self._devices = devices
         self._rules = books.plant.charging
         self._at: dict[Barcode, ChargerSpec] = {charger.barcode: charger for charger in books.plant.chargers}
         agvs = (vehicle.id for vehicle in books.vehicles.values() if vehicle.is_agv)
@@ -55,6 +58,19 @@ class Charging:
             self._note(vehicle, battery)
             if self._idle(vehicle) and self._books.controller.state is ControllerState.AUTO:
                 self._mind(vehicle, battery)
+        for barcode, charger in self._at.items():
+            self._devices.charging(charger.id, self._user_of(barcode))
+
+    def _user_of(self, charger: Barcode) -> VehicleId | None:
+        """Return the AGV that charges at a charger, or is on its way there."""
+        for name, battery in self._batteries.items():
+            vehicle = self._books.vehicles[name]
+            comes = vehicle.errand is not None and vehicle.errand.purpose is Purpose.CHARGE
+            goal = vehicle.errand.goal if vehicle.errand and comes else None
+            begins = any(intent.kind == "agv_charge" for intent in vehicle.opened.values())
+            if goal == charger or (vehicle.barcode == charger and (begins or battery.begun is not None)):
+                return name
+        return None
 
     def _note(self, vehicle: VehicleNow, battery: Battery) -> None:
         """Follow by Status whether it charges, and how long it has to stay."""
@@ -125,13 +141,14 @@ class Charging:
         self._books.open_intent(vehicle, "agv_charge", Direct(AgvCharge(on=True)), SYSTEM, body=body)
 
     def _charger_for(self, vehicle: VehicleNow) -> ChargerSpec | None:
-        """Return the nearest charger that no other AGV charges at or is going to; None: there is none."""
+        """Return the nearest charger in service that no other AGV charges at or is going to; None: there is none."""
         if vehicle.barcode is None:
             return None
         books = self._books
         taken = {v.errand.goal for v in books.vehicles.values() if v.errand and v.id != vehicle.id}
         taken |= {v.barcode for v in books.vehicles.values() if v.kept and v.id != vehicle.id and v.barcode}
-        free = [charger for charger in self._at.values() if charger.barcode not in taken]
+        devices = self._devices.all
+        free = [one for one in self._at.values() if one.barcode not in taken and not devices[one.id].barred]
         times = {charger.id: books.router.time(vehicle.barcode, charger.barcode) for charger in free}
         reached = [charger for charger in free if times[charger.id] < float("inf")]
         return min(reached, key=lambda charger: (times[charger.id], charger.id), default=None)

@@ -288,8 +288,10 @@ class Devices:
 
     def charging(self, charger: DeviceId, vehicle: VehicleId | None) -> None:
         """Say which vehicle charges at a charger, or is on its way to; None: nobody."""
-        if device := self.all.get(charger):
-            device.vehicles = () if vehicle is None else (vehicle,)
+        device = self.all.get(charger)
+        vehicles = () if vehicle is None else (vehicle,)
+        if device and device.vehicles != vehicles:
+            device.vehicles = vehicles
             self.touch(device)
 
     # -- alarms -------------------------------------------------------------------------------------------------------

@@ -164,7 +164,9 @@ def doors(document: Document, file: file_format.PlantFile, places: Places, links
                 document.error(where, message, "name two neighbours on the track")
             passages.append((start, end))
         if link is not None:
-            yield DoorSpec(DeviceId(name), link, DeviceNumber(given.number), frozenset(passages), given.normally_open)
+            number = DeviceNumber(given.number)
+            open_at_rest, then = given.normally_open, given.on_emergency
+            yield DoorSpec(DeviceId(name), link, number, frozenset(passages), open_at_rest, then)
 
 
 def buffers(document: Document, file: file_format.PlantFile, links: Links) -> Iterable[BufferSpec]:

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import UNSET, Meta, UnsetType
 
-from app.domain.layout import StationKind, VehicleKind, Wire
+from app.domain.layout import OnEmergency, StationKind, VehicleKind, Wire
 from app.protocols.itsc.dialects import DIALECTS, Dialect
 
 
@@ -155,13 +155,14 @@ class Link(Strict, frozen=True):
 class Door(Strict, frozen=True):
     """A door across the track: vehicles pass the pieces of track in `through`, either way, only while it is open.
 
-    A `normally_open` door is closed by people alone.
+    A `normally_open` door is closed by people alone. `on_emergency` says what it does when a fire or an earthquake is told.
     """
 
     link: Name
     through: Annotated[list[tuple[Mark, Mark]], Meta(min_length=1)]
     number: Byte = 30
     normally_open: bool = False
+    on_emergency: OnEmergency = OnEmergency.LEAVE
 
 
 class Buffer(Strict, frozen=True):

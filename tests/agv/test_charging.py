@@ -1,10 +1,12 @@
 """AGVs charge by rules, at chargers reached by granted moves (DOMAIN section 7, COMMANDS section 1)."""
 
+from app.domain.device_requests import SetDeviceService
+from app.domain.devices import DeviceId
 from app.domain.job import JobState
 from app.domain.layout import ChargingRules, Plant
 from app.domain.units import Seconds
-from app.domain.view import VehicleView
-from tests.agv.hall import A1, A2, HallWorld, hall, tag
+from app.domain.view import DeviceView, VehicleView
+from tests.agv.hall import A1, A2, ANNA, HallWorld, hall, tag
 
 
 def charging_hall(rules: ChargingRules, *, starts: tuple[int, ...] = (3,), chargers: tuple[int, ...] = (8,)) -> Plant:
@@ -83,6 +85,35 @@ def test_two_agvs_take_turns_at_one_charger() -> None:
     world.until(lambda: charges(world, world.view(second)), 300.0)
     assert not charges(world, world.view(first))
     assert world.result().violations == ()
+
+
+def users(world: HallWorld) -> tuple[str, ...]:
+    """Return who is shown at the charger."""
+    views = [update.value for update in world.control.snapshot() if update.key == "CH1"]
+    (view,) = [view for view in views if isinstance(view, DeviceView)]
+    return view.vehicles
+
+
+def test_a_charger_shows_who_charges_there_or_comes_to_it() -> None:
+    world = HallWorld(charging_hall(ChargingRules(after=Seconds(40.0), lasting=Seconds(20.0))))
+    world.ready()
+    assert users(world) == ()
+    world.until(lambda: users(world) == (A1,), 100.0)
+    assert not charges(world, world.view())
+    world.until(lambda: charges(world, world.view()), 100.0)
+    assert users(world) == (A1,)
+    world.order("B1", "B5")
+    world.until(lambda: users(world) == (), 100.0)
+
+
+def test_a_charger_out_of_service_is_not_used() -> None:
+    world = HallWorld(charging_hall(ChargingRules(after=Seconds(40.0), lasting=Seconds(20.0))))
+    world.ready()
+    world.reply(SetDeviceService(ANNA, DeviceId("CH1"), "no power"))
+    world.pass_by(120.0)
+    assert not charges(world, world.view())
+    world.reply(SetDeviceService(ANNA, DeviceId("CH1"), ""))
+    world.until(lambda: charges(world, world.view()), 100.0)
 
 
 def test_an_agv_that_only_waits_at_a_charger_makes_room() -> None:

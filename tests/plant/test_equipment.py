@@ -12,6 +12,7 @@ from app.domain.layout import (
     DoorSpec,
     DriveUnit,
     LinkSpec,
+    OnEmergency,
     SerialPort,
     StationKind,
     VehicleKind,
@@ -35,7 +36,7 @@ links:
   hall: {protocol: enig, address: "10.0.0.1:9000", dialect: {preset: max64}}
   axes: {protocol: hi, serial: {device: /dev/ttyS0, parity: even}}
 doors:
-  DOOR1: {link: hall, through: [["0103", "0104"]]}
+  DOOR1: {link: hall, through: [["0103", "0104"]], on_emergency: open}
 buffers:
   BUF1: {link: hall, number: 21}
 chargers:
@@ -61,7 +62,9 @@ def test_a_hall_is_read_as_it_stands() -> None:
         LinkSpec(LinkId("axes"), Wire.HI, "", 0, SerialPort("/dev/ttyS0", parity="E")),
     )
     passages = frozenset({(Barcode("0103"), Barcode("0104"))})
-    assert plant.doors == (DoorSpec(DeviceId("DOOR1"), LinkId("hall"), DeviceNumber(30), passages),)
+    assert plant.doors == (
+        DoorSpec(DeviceId("DOOR1"), LinkId("hall"), DeviceNumber(30), passages, on_emergency=OnEmergency.OPEN),
+    )
     assert plant.buffers == (BufferSpec(DeviceId("BUF1"), LinkId("hall"), DeviceNumber(21)),)
     assert plant.chargers == (ChargerSpec(DeviceId("CHG1"), Barcode("0106"), AliasName("C1")),)
     assert plant.charging == ChargingRules(20, Seconds(3600), Seconds(600), ((720, 750),))

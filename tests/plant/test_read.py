@@ -62,11 +62,11 @@ def test_the_demo_plant_has_room_for_ten_hoists_in_two_dialects() -> None:
     plant, _ = read(example("demo.yaml"), "demo")
     kinds = [station.kind for station in plant.stations]
     assert (kinds.count(StationKind.PORT), kinds.count(StationKind.SBFL), kinds.count(StationKind.SBFR)) == (20, 8, 8)
-    assert [vehicle.dev_id for vehicle in plant.vehicles] == list(range(1, 11))
-    assert sorted({vehicle.dialect for vehicle in plant.vehicles}) == ["default", "slides"]
+    assert [vehicle.dev_id for vehicle in plant.hoists] == list(range(1, 11))
+    assert sorted({vehicle.dialect for vehicle in plant.hoists}) == ["default", "slides"]
     assert sum(point.park for point in plant.points) >= len(plant.vehicles)
     assert all(station.dest for station in plant.stations if station.kind is StationKind.PORT)
-    assert all(vehicle.offset and vehicle.start for vehicle in plant.vehicles)
+    assert all(vehicle.offset and vehicle.start for vehicle in plant.hoists)
 
 
 def test_edges_follow_the_track_in_driving_direction_and_measure_the_positions() -> None:
