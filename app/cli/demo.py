@@ -18,7 +18,7 @@ from app.cli.running import on_loop, plant_of, stop_signal
 from app.cli.workload import order
 
 if TYPE_CHECKING:
-    from app.domain.layout import Plant
+    from app.domain.layout import Plant, Station
     from app.settings import Settings
 
 GRACE = 5.0
@@ -114,14 +114,36 @@ async def _work(url: str, keep: int, stop: asyncio.Event) -> None:
     await order(url, Random(), stop, rate=None, keep=keep, quiet=True)
 
 
+def _alike(one: Station, other: Station) -> bool:
+    """Whether one vehicle can serve both stations."""
+    from app.domain.layout import VehicleKind
+
+    return any({one.kind, other.kind} <= kind.serves for kind in VehicleKind)
+
+
+def counted(plant: Plant) -> str:
+    """Return what there is to see, in words: ``10 hoists, 2 AGVs, 1 door``."""
+    hoists = len(plant.hoists)
+    numbers = {
+        "hoist": hoists,
+        "AGV": len(plant.vehicles) - hoists,
+        "door": len(plant.doors),
+        "buffer": len(plant.buffers),
+        "charger": len(plant.chargers),
+        "drive": len(plant.drives),
+    }
+    return ", ".join(f"{number} {name}{'s' * (number > 1)}" for name, number in numbers.items() if number) or "nothing"
+
+
 def _invitation(plant: Plant, url: str) -> str:
     """Return where to look and one line to try: a transfer that this plant can do."""
     full = {station: carrier for carrier, station in plant.carriers}
-    source = next((station.id for station in plant.stations if station.id in full), None)
-    destination = next((station.id for station in reversed(plant.stations) if station.id not in full), None)
-    lines = [f"hoistway shows {plant.name} with {len(plant.vehicles)} simulated hoists: {url}"]
+    source = next((station for station in plant.stations if station.id in full), None)
+    empty = [station for station in reversed(plant.stations) if station.id not in full]
+    destination = next((station for station in empty if source and _alike(source, station)), None)
+    lines = [f"hoistway shows {plant.name} with {counted(plant)}, all simulated: {url}"]
     if source and destination:
-        body = json.dumps({"source": source, "destination": destination})
+        body = json.dumps({"source": source.id, "destination": destination.id})
         lines += [
             "Order a transfer from another terminal:",
             f"  curl -X POST {url}/api/v1/jobs -H 'Content-Type: application/json' -d '{body}'",

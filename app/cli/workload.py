@@ -85,9 +85,10 @@ async def _look_and_order(client: httpx.AsyncClient, rng: Random, pace: Pace, no
     engaged = {StationId(job[end]) for job in living for end in ("source", "destination")}
     at = {StationId(one["id"]): CarrierId(one["carrier"]) for one in stations if one["present"] and one["carrier"]}
     ids = [StationId(one["id"]) for one in stations if _usable(one)]
+    agv = {StationId(one["id"]) for one in stations if one["kind"] == "agv_buffer"}
     told = []
     for _ in range(pace.due(now, len(living))):
-        errand = choose(rng, ids, at, engaged)
+        errand = choose(rng, ids, at, engaged, agv)
         if errand is None:
             break
         engaged |= {errand.source, errand.destination}

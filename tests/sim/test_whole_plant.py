@@ -11,10 +11,11 @@ from typing import Any
 from app.domain.layout import Plant
 from app.plant import read
 from app.sim.run import run
-from app.sim.world import Result
+from app.sim.truth import Act
+from app.sim.world import Result, World
 
 PLANTS = Path(__file__).parents[2] / "plants"
-TWO_HOURS = 7200.0
+ONE_HOUR, TWO_HOURS = 3600.0, 7200.0
 AGAIN = """
 import json, sys
 from dataclasses import asdict
@@ -56,6 +57,23 @@ def test_two_hours_under_load_end_every_job_break_no_rule_and_are_the_same_in_ev
     assert here.open == ()
     assert here.completed == here.ended == here.takes == here.puts
     assert here.completed > 500
+    assert json.loads(there) == plain(here)
+
+
+def test_an_hour_in_the_agv_hall_ends_every_job_through_its_door_and_is_the_same_in_every_process() -> None:
+    elsewhere = begun_elsewhere("hall", ONE_HOUR, "4711")
+    world = World(plant_of("hall"), 1)
+    acts: list[Act] = []
+    world.acted = acts.append
+    world.work(until=ONE_HOUR, keep_open=8)
+    world.run(ONE_HOUR)
+    assert world.finish(1800.0)
+    here = world.result()
+    there, _ = elsewhere.communicate()
+    assert here.violations == ()
+    assert here.completed == here.ended == here.takes == here.puts
+    assert here.completed > 60
+    assert sum(act.station == "AB3" for act in acts) > 20, "AB3 lies behind the door"
     assert json.loads(there) == plain(here)
 
 

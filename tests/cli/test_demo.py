@@ -1,0 +1,40 @@
+"""What ``hoistway demo`` invites to: a transfer that the plant can do."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from app.cli.demo import _invitation, counted
+from app.domain.layout import Plant, VehicleKind
+from app.plant import read
+
+PLANTS = Path(__file__).parents[2] / "plants"
+
+
+def plant_of(name: str) -> Plant:
+    return read((PLANTS / f"{name}.yaml").read_text(encoding="utf-8"), name)[0]
+
+
+@pytest.mark.parametrize("name", ["demo", "hall", "small"])
+def test_the_invited_transfer_is_between_stations_that_one_vehicle_serves(name: str) -> None:
+    plant = plant_of(name)
+    body = re.search(r"-d '(.*)'", _invitation(plant, "http://127.0.0.1:8080"))
+    assert body is not None
+    ends = [plant.station(place) for place in json.loads(body[1]).values()]
+    kinds = {end.kind for end in ends if end is not None}
+    assert len(ends) == 2
+    assert any(kinds <= kind.serves for kind in VehicleKind)
+
+
+def test_the_readmes_transfer_is_the_one_that_is_invited_to() -> None:
+    line = _invitation(plant_of("demo"), "http://127.0.0.1:8080").splitlines()[2]
+    body = re.search(r"-d '(.*)'", line)
+    assert body is not None
+    assert body[1] in (PLANTS.parent / "README.md").read_text(encoding="utf-8")
+
+
+def test_everything_in_the_plant_is_counted() -> None:
+    assert counted(plant_of("demo")) == "10 hoists, 2 AGVs, 1 door, 4 buffers, 1 charger, 3 drives"
+    assert counted(plant_of("small")) == "2 hoists"
