@@ -15,6 +15,7 @@ from app.domain.device_requests import (
 from app.domain.devices import DeviceAct, DeviceId
 from app.domain.ids import Actor
 from app.domain.records import AuditRow, DoorPosition, IntentState
+from app.fleet.device_views import view_of_device
 from tests.fleet.drives import KIM, go
 from tests.fleet.hall import ToyHall
 from tests.fleet.hall_plants import BUFFER1, CHARGER1, DOOR1, ring
@@ -214,12 +215,11 @@ def test_a_charger_is_shown_with_its_place_and_its_service(script: Script) -> No
 
 
 def test_who_charges_at_a_charger_is_shown(script: Script) -> None:
-    script.fleet.devices.charging(CHARGER1, V1)
-    script.run(1)
-    assert script.device(CHARGER1).vehicles == ("V001",)
-    script.fleet.devices.charging(CHARGER1, None)
-    script.run(1)
-    assert script.device(CHARGER1).vehicles == ()
+    devices, books = script.fleet.devices, script.fleet.books
+    devices.charging(CHARGER1, V1)
+    assert view_of_device(devices.all[CHARGER1], books).vehicles == ("V001",)
+    devices.charging(CHARGER1, None)
+    assert view_of_device(devices.all[CHARGER1], books).vehicles == ()
 
 
 def test_every_decision_is_a_durable_event_under_the_devices_name(script: Script) -> None:
