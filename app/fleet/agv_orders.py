@@ -25,7 +25,7 @@ from app.domain.vehicle import Mode
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.motion import Motion
-from app.fleet.orders import VehicleOrders, no_link
+from app.fleet.orders import VehicleOrders, no_link, standstill
 from app.fleet.recovery import Recovery
 from app.fleet.vehicle import Drive, Errand, Purpose, VehicleNow
 from app.planning.kinematics import elements
@@ -208,7 +208,7 @@ class AgvOrders:
         if goal is None:
             known = ", ".join(sorted(books.plant.aliases)) or "none"
             return Refusal("invalid", f"there is no alias {command.alias}", f"known are: {known}", "alias")
-        if refusal := self._orders.unfit(vehicle):
+        if refusal := self._orders.unfit(vehicle) or standstill(books):
             return refusal
         self._motion.drop(vehicle)
         here = vehicle.barcode
@@ -219,8 +219,8 @@ class AgvOrders:
         if here is None or vehicle.toward or self._ways.sure(path) != len(path) - 1:
             reason = f"{vehicle.id} may choose another way to {command.alias} than the one that would be granted"
             return Refusal("conflict", reason, f"send move to {goal}: it leads there tag by tag", "alias")
-        if blocked := next((b for at in path[1:] if (b := books.traffic.obstacle(vehicle.id, at))), None):
-            reason = f"the way to {command.alias} is not free: {blocked.at} ({blocked.by or blocked.note})"
+        if obstacle := self._obstacle(vehicle, path):
+            reason = f"the way to {command.alias} is not free: {obstacle}"
             return Refusal("conflict", reason, f"wait, or send move to {goal}: it goes as far as it may", "alias")
         vehicle.ahead += books.traffic.claim(vehicle.id, path[1:], goal_included=True).granted
         kind, body = named(command)
@@ -228,6 +228,14 @@ class AgvOrders:
         vehicle.errand = Errand(goal, StopAction.STOP, Purpose.PERSON)
         vehicle.drive = Drive(intent.cmd_id, elements(books.track, path, StopAction.STOP, vehicle.spec), intent)
         return self._accepted(vehicle, intent.cmd_id)
+
+    def _obstacle(self, vehicle: VehicleNow, path: tuple[Barcode, ...]) -> str:
+        """Return what keeps a path from being granted whole, as a clause; empty if nothing does."""
+        passages, traffic = self._motion.passages, self._books.traffic
+        if door := next(passages.shut_on(path), None):
+            return f"{door.id} is {passages.against(door)}"
+        blocked = next((b for at in path[1:] if (b := traffic.obstacle(vehicle.id, at))), None)
+        return f"{blocked.at} ({blocked.by or blocked.note})" if blocked else ""
 
     # -- what became of it --------------------------------------------------------------------------------------------
 

@@ -66,6 +66,14 @@ def no_link(vehicle: VehicleNow) -> Refusal:
     return Refusal("not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power")
 
 
+def standstill(books: Books) -> Refusal | None:
+    """Refusal of what moves something at once while the controller is paused, or pauses; None: it may move."""
+    state = books.controller.state
+    if state is ControllerState.AUTO:
+        return None
+    return Refusal("not-now", f"the controller is {state.value}", "resume it first")
+
+
 class VehicleOrders:
     """Answers requests about one vehicle."""
 
@@ -203,8 +211,8 @@ class VehicleOrders:
 
     def _misplaced(self, vehicle: VehicleNow, station: Station) -> Refusal | None:
         """Return why the vehicle cannot handle at this station from where it is."""
-        if self._books.controller.state is not ControllerState.AUTO:
-            return Refusal("not-now", f"the controller is {self._books.controller.state.value}", "resume it first")
+        if refusal := standstill(self._books):
+            return refusal
         tagged = vehicle.status is not None and vehicle.status.condition.at_tag
         if vehicle.barcode != station.barcode or not vehicle.at_rest or not tagged:
             return Refusal(

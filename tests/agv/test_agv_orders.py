@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from app.domain.commands import Plain
+from app.domain.device_requests import CommandDevice
 from app.domain.devices import (
     AgvCharge,
     AgvLift,
@@ -19,6 +20,8 @@ from app.domain.devices import (
     CartState,
     DeviceAct,
     DeviceCommand,
+    DeviceId,
+    DeviceNumber,
     LiftAction,
     LiftState,
     ManualDirection,
@@ -26,7 +29,7 @@ from app.domain.devices import (
 )
 from app.domain.errors import Refusal
 from app.domain.ids import DevId, JobId, StationId, VehicleId
-from app.domain.layout import Edge, Plant, Point, Station, StationKind, StopAction, VehicleSpec
+from app.domain.layout import DoorSpec, Edge, Plant, Point, Station, StationKind, StopAction, VehicleSpec
 from app.domain.requests import (
     Accepted,
     CommandAgv,
@@ -36,6 +39,7 @@ from app.domain.requests import (
     HandleOnce,
     LockVehicle,
     MoveVehicle,
+    PauseController,
     ReleaseVehicle,
     Verdict,
 )
@@ -273,3 +277,27 @@ def test_agv_commands_are_not_for_hoists() -> None:
     answer = world.reply(CommandAgv(ANNA, HOIST, AgvLift(LiftAction.UP)))
     assert isinstance(answer, Refusal)
     assert "is a hoist" in answer.reason
+
+
+def aliased() -> Plant:
+    """Return the line of the hall with a charger ``C1`` at its end, and a door on the way there."""
+    plant = hall(two_way=["1-2-3-4-5"], stations=[5], starts=[3], carts=1, chargers=[1])
+    door = DoorSpec(DeviceId("DOOR1"), HALL, DeviceNumber(30), frozenset({(tag(2), tag(1))}))
+    return replace(plant, doors=(door,))
+
+
+def test_an_alias_is_refused_while_a_door_on_the_way_is_not_open() -> None:
+    world = ready(aliased())
+    answer = refused(world, AgvMoveAlias(AliasName("C1")))
+    assert answer.reason == "the way to C1 is not free: DOOR1 is closed"
+    world.reply(CommandDevice(ANNA, DeviceId("DOOR1"), DeviceAct.OPEN))
+    world.pass_by(5.0)
+    assert isinstance(asked(world, AgvMoveAlias(AliasName("C1"))), Accepted)
+    world.until(lambda: world.view().barcode == tag(1) and world.now_of().at_rest)
+    assert world.result().violations == ()
+
+
+def test_an_alias_is_refused_while_the_controller_is_paused() -> None:
+    world = ready(aliased())
+    world.reply(PauseController(ANNA, "shift change"))
+    assert "paused" in refused(world, AgvMoveAlias(AliasName("C1"))).reason
