@@ -121,10 +121,11 @@ class Agv:
         self._drive_on(journey)
 
     def _cut_short(self) -> None:
-        """A Stop goes out: no journey is told another way."""
+        """A Stop goes out: nothing more of what drives leaves. A handling ends: half a lift is no safer."""
         for task in self._tasks.values():
-            if isinstance(task, Journey):
+            if not isinstance(task, Handling) and (task.steps or isinstance(task, Journey)):
                 task.stopped = True
+                task.steps.clear()
 
     # -- from the link ------------------------------------------------------------------------------------------------
 
@@ -218,6 +219,8 @@ class Agv:
             self._order(task, task.steps.popleft())
         elif isinstance(task, Journey) and task.at_its_aim_short_of_the_end:
             self._drive_on(task)
+        elif task.stopped and not isinstance(task, Journey):
+            self._finish(task, Outcome(ok=False, reason="stopped before it set out"))
         else:
             task.ended = now
             self._conclude(task, now)

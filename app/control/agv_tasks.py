@@ -38,13 +38,15 @@ class Outcome:
 class Task:
     """A command under way. ``steps`` are still to be sent, one after the other; ``request`` is the one sent last.
 
-    ``waits``: it has not shown to have taken that. ``ended`` is when the last of them ended; a Status has the last word then.
+    ``waits``: it has not shown to have taken that. ``stopped``: a Stop was sent before all of it was. ``ended`` is when the
+    last of them ended; a Status has the last word then.
     """
 
     send: Send
     steps: deque[DeviceCommand]
     request: DeviceRequestId | None = None
     waits: bool = False
+    stopped: bool = False
     ended: Seconds | None = None
 
     def judged(self, status: AgvStatus) -> Outcome:
@@ -56,8 +58,7 @@ class Task:
 class Journey(Task):
     """A MOVE with its amendments: ``way`` are the granted tags, ``at`` the index of the last one read.
 
-    ``aim`` is the index that the AGV was told last (None: nothing yet); ``under_way``: it has not arrived there. ``stopped``:
-    a Stop was sent meanwhile.
+    ``aim`` is the index that the AGV was told last (None: nothing yet); ``under_way``: it has not arrived there.
     """
 
     way: list[Barcode] = field(default_factory=list)
@@ -65,7 +66,6 @@ class Journey(Task):
     aim: int | None = None
     under_way: bool = False
     acknowledged: bool = False
-    stopped: bool = False
 
     @property
     def ends(self) -> bool:

@@ -301,3 +301,29 @@ def test_an_alias_is_refused_while_the_controller_is_paused() -> None:
     world = ready(aliased())
     world.reply(PauseController(ANNA, "shift change"))
     assert "paused" in refused(world, AgvMoveAlias(AliasName("C1"))).reason
+
+
+def test_a_stop_ends_what_was_to_be_driven_after_the_lift() -> None:
+    world = ready(hall(two_way=["1-2-3-4-5"], stations=[5], starts=[3], carts=1, chargers=[1]))
+    asked(world, AgvLift(LiftAction.UP))
+    world.until(lambda: world.agv().report.lift == LiftState.UP and world.now_of().fit)
+    assert isinstance(asked(world, AgvMoveAlias(AliasName("C1"))), Accepted)
+    world.pass_by(1.0)
+    world.reply(CommandVehicle(ANNA, A1, Plain.STOP))
+    world.pass_by(30.0)
+    assert world.agv().report.tag == tag(3)
+    assert world.agv().report.run == AgvRun.STOP
+
+
+def test_a_stop_ends_a_move_before_the_lift_has_made_it_ready() -> None:
+    world = ready(hall(two_way=["1-2-3-4-5"], stations=[5], starts=[3], carts=1))
+    asked(world, AgvLift(LiftAction.UP))
+    world.until(lambda: world.agv().report.lift == LiftState.UP and world.now_of().fit)
+    world.reply(MoveVehicle(ANNA, A1, tag(1)))
+    world.pass_by(1.0)
+    world.reply(CommandVehicle(ANNA, A1, Plain.STOP))
+    world.pass_by(30.0)
+    assert world.agv().report.tag == tag(3)
+    assert world.view().activity == "held"
+    world.reply(ReleaseVehicle(ANNA, A1, Verdict.GO_ON, "seen"))
+    world.until(lambda: world.now_of().fit)
