@@ -293,6 +293,11 @@ class ControllerRecord:
     reason: str = ""
     emergencies: tuple[Emergency, ...] = ()
 
+    @property
+    def told(self) -> str:
+        """What emergencies there are, for people; empty if there is none."""
+        return ", ".join(emergency.kind.value for emergency in self.emergencies)
+
 
 Record = (
     Job

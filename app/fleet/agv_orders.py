@@ -25,16 +25,15 @@ from app.domain.vehicle import Mode
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.motion import Motion
-from app.fleet.orders import VehicleOrders, no_link, standstill
+from app.fleet.orders import VehicleOrders
 from app.fleet.recovery import Recovery
+from app.fleet.refusals import standstill
 from app.fleet.vehicle import Drive, Errand, Purpose, VehicleNow
 from app.planning.kinematics import elements
 from app.planning.ways import Ways
 
 PLAIN = frozenset({Plain.STATUS, Plain.STOP, Plain.STOP_BY_HOST, Plain.ALARM_CLEAR})
 """The commands without data that AGVs have too: both stops are Stop, ALARM CLEAR is Reset."""
-HARMLESS: frozenset[DeviceCommand] = frozenset({DeviceAct.MARK_STOP, AgvLift(LiftAction.STOP), AgvCharge(on=False)})
-"""What a lockout lets through: it ends something (our choice)."""
 AT_THE_AGV = "the mode is changed at the AGV alone (ENIG has no command for it)"
 
 
@@ -64,15 +63,14 @@ class AgvOrders:
                 f"AGVs take stop, alarm_clear and the agv_ commands; {AT_THE_AGV}",
                 "command",
             )
-        stops = what in {Plain.STOP, Plain.STOP_BY_HOST}
-        if refusal := self._out_of_reach(vehicle, harmless=stops or what is Plain.STATUS):
+        if refusal := self._orders.out_of_reach(vehicle, Simple(what)):
             return refusal
         if what is Plain.STATUS:  # it reports each second
             return self._accepted(vehicle)
         if what is Plain.ALARM_CLEAR and _run(vehicle) is not AgvRun.ERROR:
             return Refusal("not-now", f"{vehicle.id} reports no error to reset", "")
         intent = self._books.open_intent(vehicle, what.value, Simple(what), request.actor)
-        if stops:
+        if what in {Plain.STOP, Plain.STOP_BY_HOST}:
             self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
         return self._accepted(vehicle, intent.cmd_id)
 
@@ -87,17 +85,6 @@ class AgvOrders:
             return Refusal("invalid", reason, "leave action out, or send stop", "action")
         return self._orders.move(vehicle, request)
 
-    def _out_of_reach(self, vehicle: VehicleNow, *, harmless: bool) -> Refusal | None:
-        lock = vehicle.record.lockout
-        if lock and not harmless:
-            reason = f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}"
-            return Refusal("not-now", reason, "lift the lockout first")
-        if not vehicle.linked or vehicle.status is None:
-            return no_link(vehicle)
-        if vehicle.recovery and not harmless:
-            return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
-        return None
-
     # -- ENIG's own ---------------------------------------------------------------------------------------------------
 
     def direct(self, vehicle: VehicleNow, request: CommandAgv) -> Reply:
@@ -105,7 +92,7 @@ class AgvOrders:
         command = request.command
         if not vehicle.is_agv:
             return Refusal("invalid", f"{vehicle.id} is a hoist: agv_ commands are for AGVs", "", "command")
-        if refusal := self._out_of_reach(vehicle, harmless=command in HARMLESS):
+        if refusal := self._orders.out_of_reach(vehicle, Direct(command)):
             return refusal
         if refusal := self._against(vehicle, command):
             return refusal

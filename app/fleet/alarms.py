@@ -127,6 +127,11 @@ class Alarms:
         other = "" if hold is None or _is_ours(vehicle) else f"{hold.reason.partition(f'; {STOPPED}')[0]}; "
         self._recovery.hold(vehicle, f"{other}{STOPPED}: {failure}", remedy)
 
+    def break_off(self, vehicle: VehicleNow, why: str) -> None:
+        """People have come to the vehicle, or an emergency: nothing more of the sequence is sent."""
+        if vehicle.recovery:
+            self._end(vehicle, why)
+
     def link_lost(self, vehicle: VehicleNow) -> None:
         """The sequence does not go on by itself once the vehicle is back."""
         if vehicle.recovery:

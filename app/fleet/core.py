@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Direct, Display, Move, Send, Simple, Xmove
+from app.domain.commands import Direct, Display, Move, Send, Simple
 from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
 from app.domain.drive import DriveEvent
 from app.domain.drive_requests import Word
@@ -41,6 +41,7 @@ from app.fleet.dispatch import Dispatch
 from app.fleet.doors import Doors
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
+from app.fleet.harmless import harmless
 from app.fleet.jobs import Jobs
 from app.fleet.missions import MAX_MISSES, Missions
 from app.fleet.motion import Motion, OffPath
@@ -101,7 +102,7 @@ class Fleet:
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
-        emergency = EmergencyDesk(self.books, self._plant_orders)
+        emergency = EmergencyDesk(self.books, self._plant_orders, self.alarms)
         self._desk = Desk(
             self.books,
             self._jobs,
@@ -403,6 +404,7 @@ class Fleet:
 
     def _not_sent(self, vehicle: VehicleNow, event: NotSent) -> None:
         """Nothing left: the intent is closed, and what hung on it is thought over."""
+        barred = self._barrier(Send(event.vehicle, event.cmd_id, event.command))
         drive, handling = vehicle.drive, vehicle.handling
         if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
             self.motion.not_amended(vehicle, drive, IntentState.NOT_SENT, event.reason)
@@ -416,7 +418,6 @@ class Fleet:
             self.alarms.unanswered(vehicle, event.cmd_id, event.reason)
             return
         if vehicle.linked and vehicle.stage is Stage.READY:
-            barred = self._barrier(Send(event.vehicle, event.cmd_id, event.command))
             if vehicle.fit and isinstance(event.command, Move) and not barred:
                 self._missed(vehicle, f"could not be sent {MAX_MISSES} times ({event.reason})")
             self.recovery.begin(vehicle)
@@ -429,21 +430,27 @@ class Fleet:
         vehicle = self.books.vehicles[send.vehicle]
         if send.cmd_id not in vehicle.opened:
             return "it was settled before it could be sent"
-        if isinstance(send.command, Simple | Display | Direct):
+        if harmless(send.command):
             return ""
+        if vehicle.record.lockout:
+            return vehicle.barred
         if barrier := self._barrier(send):
             return barrier
+        if isinstance(send.command, Simple | Display | Direct):
+            return ""
         if vehicle.fit:
             return ""
         return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
 
     def _barrier(self, send: Send) -> str:
         """Return what came between the decision and the sending that is not the vehicle's doing; empty if nothing did."""
-        told = ", ".join(e.kind.value for e in self.books.controller.emergencies)
-        if told or not isinstance(send.command, Move | Xmove):
+        if isinstance(send.command, Display):
+            return ""
+        if told := self.books.controller.told:
             return told
         passages = self.motion.passages
-        doors = passages.shut_on([element.barcode for element in send.command.path])
+        intent = self.books.vehicles[send.vehicle].opened.get(send.cmd_id)
+        doors = passages.shut_on(intent.path if intent else ())
         return next((f"{door.id} on its way is {passages.against(door)}" for door in doors), "")
 
     def device_objection(self, request: DeviceRequest) -> str:

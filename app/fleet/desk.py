@@ -42,8 +42,9 @@ from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
 from app.fleet.jobs import Jobs
-from app.fleet.orders import VehicleOrders, no_vehicle
+from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
+from app.fleet.refusals import no_vehicle
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
 

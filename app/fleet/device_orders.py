@@ -1,7 +1,5 @@
 """Requests about doors, buffers and chargers: commands, pins, lockouts, service (DOMAIN section 7)."""
 
-from dataclasses import replace
-
 from app.domain.device_requests import (
     CommandDevice,
     DeviceOrder,
@@ -23,6 +21,7 @@ from app.fleet.buffers import Buffers
 from app.fleet.devices import DeviceNow, Devices
 from app.fleet.doors import Doors
 from app.fleet.passages import Passages
+from app.fleet.refusals import not_lifted
 
 ACTS = {
     DeviceKind.DOOR: (DeviceAct.OPEN, DeviceAct.CLOSE),
@@ -110,7 +109,7 @@ class DeviceOrders:
         """Return why a person cannot have a door in this position now."""
         pin, wanted = door.record.pin, self._doors.in_emergency(door)
         if wanted and wanted is not position:
-            told = ", ".join(e.kind.value for e in self._books.controller.emergencies)
+            told = self._books.controller.told
             return Refusal("not-now", f"{door.id} is kept {wanted.value}: {told}", "release the emergency first")
         if pin and pin.position is not position:
             return Refusal(
@@ -170,14 +169,10 @@ class DeviceOrders:
         lockout = device.record.lockout
         if lockout is None:
             return Refusal("conflict", f"{device.id} is not locked out", "")
-        releases = tuple(dict.fromkeys((*lockout.releases, request.actor)))
-        if request.actor != lockout.owner and len(releases) < 2:
-            self._devices.save(device, lockout=replace(lockout, releases=releases))
-            return Refusal(
-                "not-now",
-                f"the lockout is {lockout.owner}'s; your wish to lift it is noted",
-                f"{lockout.owner} alone can lift it, or one more person with you",
-            )
+        wished = lockout.wished_away_by(request.actor)
+        if not wished.lifted_by(request.actor):
+            self._devices.save(device, lockout=wished)
+            return not_lifted(lockout)
         self._devices.save(device, lockout=None)
         return self._changed(device, request.actor, "is locked out no more")
 

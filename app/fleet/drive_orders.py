@@ -47,6 +47,7 @@ from app.fleet.books import SYSTEM, Books
 from app.fleet.drive import DriveNow, hexed, named
 from app.fleet.drive_operations import Operations
 from app.fleet.drive_tasks import Ask, HoldKey, Task, Work
+from app.fleet.refusals import not_lifted
 
 JOG_HOLD = Seconds(0.5)
 """A jog ends so long after the caller has last said that the key is held. Our choice: two lost messages of five a second."""
@@ -311,11 +312,7 @@ class DriveOrders:
         wished = lock.wished_away_by(request.actor)
         if not wished.lifted_by(request.actor):
             self._save(drive, wished)
-            return Refusal(
-                "not-now",
-                f"the lockout is {lock.owner}'s; your wish to lift it is noted",
-                f"{lock.owner} alone can lift it, or one more person with you",
-            )
+            return not_lifted(lock)
         self._save(drive, None)
         return Accepted(Topic.DRIVES, drive.id)
 

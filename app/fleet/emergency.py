@@ -13,6 +13,7 @@ from app.domain.job import JobEvent
 from app.domain.records import ControllerState, Emergency
 from app.domain.requests import Accepted, Reply
 from app.domain.view import Topic
+from app.fleet.alarms import Alarms
 from app.fleet.books import Books
 from app.fleet.halting import halt
 from app.fleet.plant_orders import PlantOrders
@@ -21,9 +22,10 @@ from app.fleet.plant_orders import PlantOrders
 class EmergencyDesk:
     """Answers who tells an emergency, and who releases it."""
 
-    def __init__(self, books: Books, plant_orders: PlantOrders) -> None:
+    def __init__(self, books: Books, plant_orders: PlantOrders, alarms: Alarms) -> None:
         self._books = books
         self._plant_orders = plant_orders
+        self._alarms = alarms
 
     def answer(self, request: RaiseEmergency | ReleaseEmergency) -> Reply:
         """Tell an emergency, or release it."""
@@ -41,11 +43,9 @@ class EmergencyDesk:
             books.save_controller(changed)
             books.event(JobEvent.EMERGENCY_SET, detail=reason)
         for vehicle in books.vehicles.values():
-            travels = vehicle.status is not None and vehicle.status.condition.travelling
-            if vehicle.drive or travels:
-                stopped = halt(books, vehicle, request.actor, f"{request.kind.value}: {request.reason}")
-                if vehicle.drive and stopped:
-                    vehicle.drive.recalled = True
+            self._alarms.break_off(vehicle, request.kind.value)
+            if vehicle.moves:
+                halt(books, vehicle, request.actor, f"{request.kind.value}: {request.reason}")
             books.wake(vehicle.id)
         self._plant_orders.note_rest()
         return Accepted(Topic.CONTROLLER, books.plant.name)

@@ -12,5 +12,7 @@ def halt(books: Books, vehicle: VehicleNow, actor: Actor, why: str) -> Intent | 
     """Send STOP BY HOST (an AGV: Stop); None if the vehicle is where it cannot be told: silent, or driven by people."""
     if not vehicle.linked or (not vehicle.is_agv and vehicle.mode not in {Mode.AUTO, Mode.SEMI}):
         return None
+    if vehicle.drive:
+        vehicle.drive.recalled = True
     stop = Plain.STOP_BY_HOST
     return books.open_intent(vehicle, stop.value, Simple(stop), actor, body={"why": why})

@@ -282,8 +282,8 @@ class Motion:
             self.shrink_ahead(vehicle)
             if errand and len(vehicle.ahead) < before:
                 self._set_out_anew_on(vehicle, errand)
-        elif not drive.recalled and halt(self._books, vehicle, SYSTEM, why):
-            drive.recalled = True
+        elif not drive.recalled:
+            halt(self._books, vehicle, SYSTEM, why)
 
     def _set_out_anew_on(self, vehicle: VehicleNow, errand: Errand) -> None:
         try:

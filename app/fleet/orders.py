@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from app.domain.commands import Display, Plain, Simple
+from app.domain.commands import Command, Display, Plain, Simple
 from app.domain.errors import NoRoute, Refusal
 from app.domain.job import JobEvent
 from app.domain.layout import Station, StopAction
-from app.domain.records import ControllerState, Lockout
+from app.domain.records import Lockout
 from app.domain.requests import (
     Accepted,
     CommandVehicle,
@@ -26,16 +26,17 @@ from app.domain.vehicle import Mode, Oper
 from app.domain.view import Topic
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
+from app.fleet.halting import halt
+from app.fleet.harmless import harmless
 from app.fleet.kinds import no_servant
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.obstacles import against_putting_down
 from app.fleet.recovery import Recovery
+from app.fleet.refusals import in_emergency, no_link, no_station, not_lifted, standstill
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, HandleOrder, Purpose, Stage, VehicleNow
 
-HARMLESS = frozenset({Plain.STATUS, Plain.STOP, Plain.STOP_BY_HOST})
-"""Commands that a lockout lets through: they read or stop, they start nothing (our choice)."""
 MANT_ONLY = frozenset(
     {
         Plain.SERVO_ON,
@@ -49,29 +50,6 @@ MANT_ONLY = frozenset(
         Plain.PORT_OFFSET_TEACHING,
     }
 )
-
-
-def no_vehicle(name: str) -> Refusal:
-    """Refusal for a vehicle that the plant does not have."""
-    return Refusal("not-found", f"there is no vehicle {name}", "see GET /api/v1/vehicles")
-
-
-def no_station(name: str) -> Refusal:
-    """Refusal for a station that the plant does not have."""
-    return Refusal("not-found", f"there is no station {name}", "see GET /api/v1/stations")
-
-
-def no_link(vehicle: VehicleNow) -> Refusal:
-    """Refusal for a vehicle that is not connected."""
-    return Refusal("not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power")
-
-
-def standstill(books: Books) -> Refusal | None:
-    """Refusal of what moves something at once while the controller is paused, or pauses; None: it may move."""
-    state = books.controller.state
-    if state is ControllerState.AUTO:
-        return None
-    return Refusal("not-now", f"the controller is {state.value}", "resume it first")
 
 
 class VehicleOrders:
@@ -104,15 +82,8 @@ class VehicleOrders:
 
     def unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
         """Return why a command cannot be sent now, with what would help."""
-        lock = vehicle.record.lockout
-        if lock and what not in HARMLESS:
-            return Refusal(
-                "not-now", f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}", "lift the lockout first"
-            )
-        if not vehicle.linked or vehicle.status is None:
-            return no_link(vehicle)
-        if vehicle.recovery and what not in HARMLESS:
-            return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
+        if refusal := self.out_of_reach(vehicle, Simple(what)):
+            return refusal
         mode = vehicle.mode
         if what in MANT_ONLY and mode is not Mode.MANT:
             return Refusal(
@@ -124,14 +95,32 @@ class VehicleOrders:
             return Refusal("not-now", f"{vehicle.id} is in MANT: stop_by_host needs AUTO or SEMI", "send stop")
         return None
 
+    def out_of_reach(self, vehicle: VehicleNow, command: Command) -> Refusal | None:
+        """Return why a person's command cannot go to a vehicle now, whatever its mode is."""
+        passes = harmless(command)
+        if refusal := None if passes else self._locked_out(vehicle) or in_emergency(self._books):
+            return refusal
+        if not vehicle.linked or vehicle.status is None:
+            return no_link(vehicle)
+        if vehicle.recovery and not passes:
+            return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
+        return None
+
+    def _locked_out(self, vehicle: VehicleNow) -> Refusal | None:
+        lock = vehicle.record.lockout
+        if lock is None:
+            return None
+        reason = f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}"
+        return Refusal("not-now", reason, "lift the lockout first")
+
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """Show a text on the vehicle."""
         if refusal := self.unready(vehicle, Plain.STOP_BY_HOST):
             return replace(
                 refusal, reason=refusal.reason.replace("stop_by_host", "display"), remedy="switch it to AUTO"
             )
-        if vehicle.record.lockout:
-            return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift the lockout first")
+        if refusal := self._locked_out(vehicle):
+            return refusal
         command = Display(request.text, request.alarm)
         body = {"text": request.text, "alarm": request.alarm}
         return self._accepted(
@@ -226,8 +215,8 @@ class VehicleOrders:
 
     def recover(self, vehicle: VehicleNow, request: RecoverAlarm) -> Reply:
         """Start the alarm recovery of PROTOCOLS 6.2."""
-        if vehicle.record.lockout:
-            return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift the lockout first")
+        if refusal := self._locked_out(vehicle) or in_emergency(self._books):
+            return refusal
         if not vehicle.linked or vehicle.status is None:
             return no_link(vehicle)
         if vehicle.recovery:
@@ -327,27 +316,21 @@ class VehicleOrders:
             owner = vehicle.record.lockout.owner
             return Refusal("conflict", f"{vehicle.id} is locked out by {owner} already", f"ask {owner}")
         self._missions.give_back(vehicle, f"{vehicle.id} is locked out by {request.actor}")
+        self._alarms.break_off(vehicle, f"locked out by {request.actor}")
         self._books.save_vehicle(vehicle, lockout=Lockout(request.actor, request.reason, self._books.utc))
-        if vehicle.linked and vehicle.drive and vehicle.mode in {Mode.AUTO, Mode.SEMI}:
-            stop = Plain.STOP_BY_HOST
-            return self._accepted(
-                vehicle, self._books.open_intent(vehicle, stop.value, Simple(stop), request.actor).cmd_id
-            )
-        return self._accepted(vehicle)
+        why = f"locked out: {request.reason}"
+        stop = halt(self._books, vehicle, request.actor, why) if vehicle.moves else None
+        return self._accepted(vehicle, stop.cmd_id if stop else None)
 
     def unlock(self, vehicle: VehicleNow, request: UnlockVehicle) -> Reply:
         """Lifted by its owner, or by two others together."""
         lock = vehicle.record.lockout
         if lock is None:
             return Refusal("conflict", f"{vehicle.id} is not locked out", "nothing to lift")
-        releases = tuple(dict.fromkeys((*lock.releases, request.actor)))
-        if request.actor != lock.owner and len(releases) < 2:
-            self._books.save_vehicle(vehicle, lockout=replace(lock, releases=releases))
-            return Refusal(
-                "not-now",
-                f"the lockout is {lock.owner}'s; your wish to lift it is noted",
-                f"{lock.owner} alone can lift it, or one more person with you",
-            )
+        wished = lock.wished_away_by(request.actor)
+        if not wished.lifted_by(request.actor):
+            self._books.save_vehicle(vehicle, lockout=wished)
+            return not_lifted(lock)
         self._books.save_vehicle(vehicle, lockout=None)
         if vehicle.linked:
             self._recovery.begin(vehicle)

@@ -26,7 +26,7 @@ from app.domain.requests import (
 )
 from app.domain.view import Topic
 from app.fleet.books import Books
-from app.fleet.orders import no_station, no_vehicle
+from app.fleet.refusals import no_station, no_vehicle
 from app.fleet.teaching_desk import reference_refusal, stale
 from app.fleet.vehicle import VehicleNow
 

@@ -27,7 +27,7 @@ from app.domain.teaching_requests import (
 from app.domain.view import Topic
 from app.fleet.assessment import assessed, basis_of
 from app.fleet.books import Books
-from app.fleet.orders import no_station, no_vehicle
+from app.fleet.refusals import no_station, no_vehicle
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_sessions import TeachingSessions
 

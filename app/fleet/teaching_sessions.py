@@ -11,7 +11,8 @@ from app.domain.teaching_requests import EndTeaching, OpenTeaching, StartTeachin
 from app.domain.view import Topic
 from app.fleet.books import Books
 from app.fleet.missions import Missions
-from app.fleet.orders import VehicleOrders, no_station, no_vehicle
+from app.fleet.orders import VehicleOrders
+from app.fleet.refusals import no_station, no_vehicle
 from app.fleet.teaching import SIDES, Teaching
 from app.fleet.vehicle import HANDLINGS, VehicleNow
 

@@ -240,6 +240,11 @@ class VehicleNow:
         return self.drive is None and self.handling is None
 
     @property
+    def moves(self) -> bool:
+        """Whether it drives as we told it, or is seen to travel: by hand, or along its tape."""
+        return self.drive is not None or (self.status is not None and self.status.condition.travelling)
+
+    @property
     def available(self) -> bool:
         """Whether a job may be given to it: nothing to do, or only giving way or parking."""
         free = self.errand is None or self.errand.purpose in {Purpose.GIVE_WAY, Purpose.PARK}

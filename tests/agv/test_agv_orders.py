@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from app.domain.commands import Plain
-from app.domain.device_requests import CommandDevice
+from app.domain.device_requests import CommandDevice, RaiseEmergency
 from app.domain.devices import (
     AgvCharge,
     AgvLift,
@@ -30,6 +30,7 @@ from app.domain.devices import (
 from app.domain.errors import Refusal
 from app.domain.ids import DevId, JobId, StationId, VehicleId
 from app.domain.layout import DoorSpec, Edge, Plant, Point, Station, StationKind, StopAction, VehicleSpec
+from app.domain.records import EmergencyKind
 from app.domain.requests import (
     Accepted,
     CommandAgv,
@@ -327,3 +328,29 @@ def test_a_stop_ends_a_move_before_the_lift_has_made_it_ready() -> None:
     assert world.view().activity == "held"
     world.reply(ReleaseVehicle(ANNA, A1, Verdict.GO_ON, "seen"))
     world.until(lambda: world.now_of().fit)
+
+
+def test_a_lockout_stops_an_agv_that_follows_the_tape() -> None:
+    world = ready(hall(one_way=["1-2-3-4-5-6-1"], stations=[2, 5], starts=[1], carts=1))
+    asked(world, FOLLOW)
+    world.until(lambda: world.agv().report.run == AgvRun.RUN)
+    world.pass_by(2.0)
+    world.reply(LockVehicle(ANNA, A1, "wheels"))
+    world.until(lambda: world.agv().report.run == AgvRun.STOP, at_most=5.0)
+
+
+def test_a_lockout_stops_an_agv_that_is_moved_by_hand() -> None:
+    world = by_hand(ready())
+    asked(world, FORWARD)
+    world.until(lambda: world.agv().report.run == AgvRun.RUN)
+    world.pass_by(1.5)
+    world.reply(LockVehicle(ANNA, A1, "wheels"))
+    world.until(lambda: world.agv().report.run == AgvRun.STOP, at_most=5.0)
+
+
+def test_in_an_emergency_an_agv_takes_only_what_ends_something() -> None:
+    world = ready()
+    world.reply(RaiseEmergency(ANNA, EmergencyKind.FIRE, "smoke"))
+    assert refused(world, AgvLift(LiftAction.UP)).reason == "nothing moves: fire"
+    assert isinstance(asked(world, AgvLift(LiftAction.STOP)), Accepted)
+    assert isinstance(world.reply(CommandVehicle(ANNA, A1, Plain.STOP)), Accepted)

@@ -3,11 +3,12 @@
 import pytest
 
 from app.domain.commands import Move, Plain, Send, Simple
+from app.domain.device_requests import RaiseEmergency
 from app.domain.errors import Refusal
 from app.domain.events import Unknown
 from app.domain.ids import Actor
-from app.domain.records import IntentState
-from app.domain.requests import CommandVehicle, HoldVehicle, MoveVehicle, RecoverAlarm
+from app.domain.records import EmergencyKind, IntentState
+from app.domain.requests import CommandVehicle, HoldVehicle, LockVehicle, MoveVehicle, RecoverAlarm, Request
 from app.domain.units import Barcode
 from app.domain.vehicle import Condition
 from app.fleet.vehicle import Stage
@@ -328,3 +329,40 @@ def test_a_vehicle_that_wants_for_nothing_is_not_recovered(ready: Script) -> Non
     assert refusal.remedy == "POST /api/v1/vehicles/V001/release"
     assert hold(ready) == "held by kim: a screw is loose"
     assert "AlarmCleared" not in ready.events()
+
+
+def test_a_lockout_ends_the_sequence_before_its_next_command(ready: Script) -> None:
+    alarmed(ready)
+    ready.accept(RECOVER)
+    ready.report(V1, "103", IN_ALARM)
+    ready.accept(LockVehicle(Actor("lee"), V1, "belt"))
+    obeyed(ready, state(alarm=True))
+    ready.wait(5.0)
+    ready.report(V1, "103", state(servos=False))
+    assert sent(ready) == [Plain.STOP]
+    assert hold(ready) == "alarm recovery stopped: locked out by lee"
+
+
+def test_an_emergency_ends_the_sequence_and_none_begins(ready: Script) -> None:
+    alarmed(ready)
+    ready.accept(RECOVER)
+    ready.report(V1, "103", IN_ALARM)
+    ready.accept(RaiseEmergency(KIM, EmergencyKind.FIRE, "smoke"))
+    obeyed(ready, state(alarm=True))
+    assert sent(ready) == [Plain.STOP]
+    refusal = ready.refuse(RECOVER)
+    assert (refusal.reason, refusal.remedy) == ("nothing moves: fire", "release the emergency first")
+    for what in (Plain.SERVO_ON, Plain.SEARCH_HOME, Plain.AUTO):
+        assert ready.refuse(CommandVehicle(KIM, V1, what)).reason == "nothing moves: fire"
+
+
+@pytest.mark.parametrize("comes", [LockVehicle(KIM, V1, "belt"), RaiseEmergency(KIM, EmergencyKind.FIRE, "smoke")])
+def test_a_command_decided_just_before_people_came_does_not_leave(ready: Script, comes: Request) -> None:
+    ready.toys[V1].linked = False
+    ready.report(V1, "103", state(servos=False))
+    ready.accept(CommandVehicle(KIM, V1, Plain.SERVO_ON))
+    ready.accept(CommandVehicle(KIM, V1, Plain.STOP))
+    servo, stop = ready.sends[-2:]
+    ready.accept(comes)
+    assert ready.fleet.objection(servo) in {"locked out by kim: belt", "fire"}
+    assert ready.fleet.objection(stop) == ""

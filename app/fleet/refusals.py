@@ -1,0 +1,45 @@
+"""Refusals that several desks give, in the same words."""
+
+from app.domain.errors import Refusal
+from app.domain.lockout import Lockout
+from app.domain.records import ControllerState
+from app.fleet.books import Books
+from app.fleet.vehicle import VehicleNow
+
+
+def no_vehicle(name: str) -> Refusal:
+    """Refusal for a vehicle that the plant does not have."""
+    return Refusal("not-found", f"there is no vehicle {name}", "see GET /api/v1/vehicles")
+
+
+def no_station(name: str) -> Refusal:
+    """Refusal for a station that the plant does not have."""
+    return Refusal("not-found", f"there is no station {name}", "see GET /api/v1/stations")
+
+
+def no_link(vehicle: VehicleNow) -> Refusal:
+    """Refusal for a vehicle that is not connected."""
+    return Refusal("not-now", f"{vehicle.id} is not connected: {vehicle.link_reason}", "look at its line and power")
+
+
+def not_lifted(lock: Lockout) -> Refusal:
+    """Refusal for one who wishes somebody else's lockout away."""
+    return Refusal(
+        "not-now",
+        f"the lockout is {lock.owner}'s; your wish to lift it is noted",
+        f"{lock.owner} alone can lift it, or one more person with you",
+    )
+
+
+def in_emergency(books: Books) -> Refusal | None:
+    """Refusal of what may set something moving while a fire or an earthquake is told."""
+    told = books.controller.told
+    return Refusal("not-now", f"nothing moves: {told}", "release the emergency first") if told else None
+
+
+def standstill(books: Books) -> Refusal | None:
+    """Refusal of what moves something at once while the controller is paused, or pauses; None: it may move."""
+    state = books.controller.state
+    if state is ControllerState.AUTO:
+        return None
+    return Refusal("not-now", f"the controller is {state.value}", "resume it first")
