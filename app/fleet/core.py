@@ -102,7 +102,7 @@ class Fleet:
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
-        emergency = EmergencyDesk(self.books, self._plant_orders, self.alarms)
+        emergency = EmergencyDesk(self.books, self._plant_orders, self.alarms, self.drives)
         self._desk = Desk(
             self.books,
             self._jobs,

@@ -47,7 +47,7 @@ from app.fleet.books import SYSTEM, Books
 from app.fleet.drive import DriveNow, hexed, named
 from app.fleet.drive_operations import Operations
 from app.fleet.drive_tasks import Ask, HoldKey, Task, Work
-from app.fleet.refusals import not_lifted
+from app.fleet.refusals import in_emergency, not_lifted
 
 JOG_HOLD = Seconds(0.5)
 """A jog ends so long after the caller has last said that the key is held. Our choice: two lost messages of five a second."""
@@ -138,8 +138,8 @@ class DriveOrders:
                     "left_limit": inputs.left_limit,
                     "step": inputs.step,
                 }
-                error = _in_error(drive) if inputs.run or inputs.home else None
-                return error or self._begin(OperationKind.INPUTS, drive, request.actor, task, work, body)
+                refusal = self._stays(drive) if inputs.run or inputs.home else None
+                return refusal or self._begin(OperationKind.INPUTS, drive, request.actor, task, work, body)
             case WriteDrive():
                 return self._write(drive, request)
             case RestoreDrive():
@@ -166,7 +166,7 @@ class DriveOrders:
         stops = request.key is Key.STOP_RESET
         refusal = self._refusal(drive, harmless=stops, changes=not stops)
         if refusal is None and request.key in {Key.RUN, Key.UP, Key.DOWN}:
-            refusal = _in_error(drive)
+            refusal = self._stays(drive)
         if refusal is not None:
             return refusal
         if stops:
@@ -260,7 +260,7 @@ class DriveOrders:
                 f"{jogs[0].actor} jogs {jogs[0].drive}, and one axis of line {drive.spec.link} can be jogged at a time",
                 "wait until that is over",
             )
-        if refusal := _in_error(drive):
+        if refusal := self._stays(drive):
             return refusal
         if status is not None and status.mode is not DriveMode.JOG:
             mode = status.mode.name.lower()
@@ -300,10 +300,20 @@ class DriveOrders:
         reason = f"{drive.id} was locked out by {request.actor}"
         for operation in self._operations.of_drive(drive.id):
             self._operations.break_off(operation.number, tasks.failed(reason))
+        self._halt(drive, request.actor, "lockout")
+        return Accepted(Topic.DRIVES, drive.id)
+
+    def halt_all(self, actor: Actor, why: str) -> None:
+        """A fire or an earthquake is told: what changes or moves a drive ends, and every axis that may move is stopped."""
+        for drive in self._drives.values():
+            self._break_off(drive, why)
+            self._halt(drive, actor, why)
+
+    def _halt(self, drive: DriveNow, actor: Actor, why: str) -> None:
+        """Stop an axis that may move."""
         if drive.online and (drive.moving(self._books.now) is not False or drive.operation is not None):
             task, work = self._single(drive, PressKey(Key.STOP_RESET))
-            self._begin(OperationKind.KEY, drive, request.actor, task, work, {"key": "stop_reset", "for": "lockout"})
-        return Accepted(Topic.DRIVES, drive.id)
+            self._begin(OperationKind.KEY, drive, actor, task, work, {"key": "stop_reset", "for": why})
 
     def _unlock(self, drive: DriveNow, request: UnlockDrive) -> Reply:
         lock = drive.record.lockout
@@ -322,6 +332,10 @@ class DriveOrders:
         self._show(drive)
 
     # -- refusals -----------------------------------------------------------------------------------------------------
+
+    def _stays(self, drive: DriveNow) -> Refusal | None:
+        """Return why an axis is not set moving now."""
+        return in_emergency(self._books) or _in_error(drive)
 
     def _refusal(self, drive: DriveNow, *, harmless: bool = False, changes: bool = False) -> Refusal | None:
         """Return why nothing of the kind can be asked of a drive now. ``harmless``: it reads its status, or stops it."""

@@ -24,6 +24,7 @@ from app.domain.drive_errors import explained
 from app.domain.drive_records import DriveRecord, DriveValue
 from app.domain.drive_requests import DriveOrder, KeepDriveJog, ReleaseDriveJog, UnwatchDrive, WatchDrive, Word
 from app.domain.errors import Refusal
+from app.domain.ids import Actor
 from app.domain.job import JobEvent
 from app.domain.links import LinkSend
 from app.domain.records import Kept
@@ -77,6 +78,10 @@ class Drives:
                 if self._watches.end(word.watch):
                     return Accepted(Topic.PARAMETERS, word.watch), []
                 return Refusal("not-found", f"there is no watch {word.watch}", "it may be over"), []
+
+    def halt(self, actor: Actor, why: str) -> None:
+        """Stop every axis that may move."""
+        self._orders.halt_all(actor, why)
 
     def objection(self, send: LinkSend) -> str:
         """Return why an order must not leave any more now that it is durable; empty if it may."""

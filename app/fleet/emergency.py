@@ -1,8 +1,8 @@
 """Fire and earthquake: everything stops until a named person says that it is over (DOMAIN section 7).
 
-While one is told, no grant is given and nothing new is sent; what drives is stopped where it is (STOP BY HOST, AGV Stop), what
-handles ends; doors open or close as the plant file says, and never on a vehicle (``Doors``). It outlives restarts. After the
-last one is released the controller is paused: to resume is a decision of its own.
+While one is told, no grant is given and nothing new is sent; what drives is stopped where it is (STOP BY HOST, AGV Stop, a
+drive's Stop/Reset), what handles ends; doors open or close as the plant file says, and never on a vehicle (``Doors``). It
+outlives restarts. After the last one is released the controller is paused: to resume is a decision of its own.
 """
 
 from dataclasses import replace
@@ -15,6 +15,7 @@ from app.domain.requests import Accepted, Reply
 from app.domain.view import Topic
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
+from app.fleet.drives import Drives
 from app.fleet.halting import halt
 from app.fleet.plant_orders import PlantOrders
 
@@ -22,10 +23,11 @@ from app.fleet.plant_orders import PlantOrders
 class EmergencyDesk:
     """Answers who tells an emergency, and who releases it."""
 
-    def __init__(self, books: Books, plant_orders: PlantOrders, alarms: Alarms) -> None:
+    def __init__(self, books: Books, plant_orders: PlantOrders, alarms: Alarms, drives: Drives) -> None:
         self._books = books
         self._plant_orders = plant_orders
         self._alarms = alarms
+        self._drives = drives
 
     def answer(self, request: RaiseEmergency | ReleaseEmergency) -> Reply:
         """Tell an emergency, or release it."""
@@ -47,6 +49,7 @@ class EmergencyDesk:
             if vehicle.moves:
                 halt(books, vehicle, request.actor, f"{request.kind.value}: {request.reason}")
             books.wake(vehicle.id)
+        self._drives.halt(request.actor, request.kind.value)
         self._plant_orders.note_rest()
         return Accepted(Topic.CONTROLLER, books.plant.name)
 

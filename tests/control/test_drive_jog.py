@@ -2,6 +2,7 @@
 
 import pytest
 
+from app.domain.device_requests import RaiseEmergency
 from app.domain.drive import Key, Parameter, RawValue, Turn
 from app.domain.drive_requests import (
     CancelDriveOperation,
@@ -17,6 +18,7 @@ from app.domain.drive_requests import (
     WriteDrive,
 )
 from app.domain.errors import Refusal
+from app.domain.records import EmergencyKind
 from app.domain.requests import Accepted
 from app.domain.units import Seconds
 from app.protocols.hi.messages import Cmd
@@ -160,7 +162,7 @@ def test_the_mode_is_asked_again_before_the_first_key(bench: DriveBench) -> None
     assert bench.commands(Cmd.UPP, D1) == []
 
 
-@pytest.mark.parametrize("ends", ["stop", "stop all", "lockout", "error", "unplugged"])
+@pytest.mark.parametrize("ends", ["stop", "stop all", "lockout", "fire", "error", "unplugged"])
 def test_a_jog_ends_with_whatever_stops_its_axis(bench: DriveBench, ends: str) -> None:
     jog = bench.begin(JogDrive(KIM, D1, Turn.CW))
     hold(bench, jog, 1.0)
@@ -171,6 +173,8 @@ def test_a_jog_ends_with_whatever_stops_its_axis(bench: DriveBench, ends: str) -
             bench.begin(StopDriveLine(LEE, LINE))
         case "lockout":
             bench.ask(LockDrive(LEE, D1, "belt"))
+        case "fire":
+            bench.ask(RaiseEmergency(LEE, EmergencyKind.FIRE, "smoke"))
         case "error":
             bench.drives[D1].fail(7, bench.now)
         case _:

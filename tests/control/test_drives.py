@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive import DriveId, Key, Parameter, RawValue, SetInputs
 from app.domain.drive_requests import (
     AskDriveStatus,
@@ -23,6 +24,7 @@ from app.domain.drive_requests import (
 )
 from app.domain.errors import Refusal
 from app.domain.ids import LinkId
+from app.domain.records import EmergencyKind
 from app.domain.requests import Accepted
 from app.domain.units import Seconds
 from app.protocols.hi.messages import Cmd, Mode
@@ -614,6 +616,18 @@ def test_a_lockout_ends_a_restore_before_its_next_write(bench: DriveBench) -> No
     assert bench.operation(number).reason == "D1 was locked out by lee"
     bench.run(5.0)
     assert sum(one != other for one, other in zip(wrote, bench.values(), strict=True)) <= 1
+
+
+def test_a_fire_stops_a_running_axis_and_none_is_set_moving_before_it_is_released(bench: DriveBench) -> None:
+    bench.do(PressDriveKey(KIM, D1, Key.RUN))
+    assert isinstance(bench.ask(RaiseEmergency(LEE, EmergencyKind.FIRE, "smoke")), Accepted)
+    bench.until(lambda: not bench.drives[D1].state(bench.now).running, within=1.0)
+    bench.run(0.5)
+    for request in (PressDriveKey(KIM, D1, Key.RUN), SetDriveInputs(KIM, D1, SetInputs(run=True))):
+        assert bench.refuse(request).reason == "nothing moves: fire"
+    assert bench.do(ReadDrive(KIM, D1, (P(0),))).state == "done"
+    bench.ask(ReleaseEmergency(LEE, EmergencyKind.FIRE, "over"))
+    assert bench.do(PressDriveKey(KIM, D1, Key.RUN)).state == "done"
 
 
 def test_every_change_asked_for_has_one_audit_row_and_refusals_too(bench: DriveBench) -> None:
