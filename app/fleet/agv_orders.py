@@ -24,6 +24,7 @@ from app.domain.units import Barcode
 from app.domain.vehicle import Mode
 from app.domain.view import Topic
 from app.fleet.books import Books
+from app.fleet.devices import Devices
 from app.fleet.motion import Motion
 from app.fleet.orders import VehicleOrders
 from app.fleet.recovery import Recovery
@@ -40,11 +41,14 @@ AT_THE_AGV = "the mode is changed at the AGV alone (ENIG has no command for it)"
 class AgvOrders:
     """Answers what only AGVs are asked, and what they are asked in another way than hoists."""
 
-    def __init__(self, books: Books, motion: Motion, recovery: Recovery, orders: VehicleOrders) -> None:
+    def __init__(
+        self, books: Books, motion: Motion, recovery: Recovery, orders: VehicleOrders, devices: Devices
+    ) -> None:
         self._books = books
         self._motion = motion
         self._recovery = recovery
         self._orders = orders
+        self._devices = devices
         self._ways = Ways(books.track)
 
     def _accepted(self, vehicle: VehicleNow, cmd_id: int | None = None) -> Accepted:
@@ -160,7 +164,10 @@ class AgvOrders:
     def _no_charger(self, vehicle: VehicleNow) -> Refusal | None:
         at = {charger.barcode: charger.id for charger in self._books.plant.chargers}
         if vehicle.barcode in at and vehicle.in_position:
-            return None
+            charger = self._devices.all[at[vehicle.barcode]]
+            return (
+                Refusal("not-now", f"{charger.id} is {charger.barred}", "lift that first") if charger.barred else None
+            )
         reason = f"{vehicle.id} stands at no charger: told to charge, it would drive to one on a way of its own"
         return Refusal("not-now", reason, f"send move to one of {', '.join(sorted(at)) or 'none'} first")
 

@@ -118,18 +118,23 @@ class Charging:
         """Send an AGV that is due to a charger; at one, have it charge."""
         if battery.begun is not None or not self._due(vehicle, battery):
             return
-        if vehicle.barcode in self._at and vehicle.in_position:
+        if self._open_at(vehicle.barcode) and vehicle.in_position:
             self._motion.drop(vehicle)
             self._charge(vehicle, battery)
             return
         charger = self._charger_for(vehicle)
         goal = vehicle.errand.goal if vehicle.errand else None
-        if charger is None or goal in self._at:
+        if charger is None or self._open_at(goal):
             return
         try:
             self._motion.send(vehicle, Errand(charger.barcode, StopAction.STOP, Purpose.CHARGE))
         except NoRoute:
             return
+
+    def _open_at(self, barcode: Barcode | None) -> bool:
+        """Whether there is a charger that people have not closed."""
+        charger = None if barcode is None else self._at.get(barcode)
+        return charger is not None and not self._devices.all[charger.id].barred
 
     def _charge(self, vehicle: VehicleNow, battery: Battery) -> None:
         """Charge on, at the charger where it stands: the nearest is this one, so that it drives nowhere."""

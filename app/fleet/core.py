@@ -97,7 +97,7 @@ class Fleet:
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
-        self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders)
+        self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders, self.devices)
         self.teaching = Teaching(self.books)
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)

@@ -158,7 +158,7 @@ class DeviceOrders:
         return self._changed(door, request.actor, "is given back to the vehicles")
 
     def _lock_out(self, device: DeviceNow, request: LockOutDevice) -> Reply:
-        """Nothing is asked of the device, and nobody is granted the way or the place there, until it is lifted."""
+        """Nothing is asked of the device; nobody is granted the way through, served or charged there, until it is lifted."""
         if lockout := device.record.lockout:
             return Refusal("conflict", f"{device.id} is locked out by {lockout.owner} already", f"ask {lockout.owner}")
         self._devices.save(device, lockout=Lockout(request.actor, request.reason, self._books.utc))

@@ -1,9 +1,11 @@
 """AGVs charge by rules, at chargers reached by granted moves (DOMAIN section 7, COMMANDS section 1)."""
 
-from app.domain.device_requests import SetDeviceService
-from app.domain.devices import DeviceId
+from app.domain.device_requests import LiftDeviceLockout, LockOutDevice, SetDeviceService
+from app.domain.devices import AgvCharge, DeviceId
+from app.domain.errors import Refusal
 from app.domain.job import JobState
 from app.domain.layout import ChargingRules, Plant
+from app.domain.requests import CommandAgv
 from app.domain.units import Seconds
 from app.domain.view import DeviceView, VehicleView
 from tests.agv.hall import A1, A2, ANNA, HallWorld, hall, tag
@@ -133,3 +135,19 @@ def test_without_a_charger_nobody_is_kept_waiting() -> None:
     assert world.ends() is JobState.COMPLETED
     world.order("B5", "B1", "J2")
     assert world.ends("J2") is JobState.COMPLETED
+
+
+def test_at_a_charger_that_is_locked_out_nobody_charges() -> None:
+    world = HallWorld(charging_hall(ChargingRules(windows=((0, 1440),))))
+    world.ready()
+    world.until(lambda: world.view().barcode == tag(2))
+    world.reply(LockOutDevice(ANNA, DeviceId("CH1"), "contacts"))
+    world.until(lambda: world.view().barcode == tag(8) and world.now_of().in_position)
+    world.pass_by(1.0)
+    answer = world.reply(CommandAgv(ANNA, A1, AgvCharge(on=True)))
+    assert isinstance(answer, Refusal)
+    assert answer.reason == "CH1 is locked out by anna: contacts"
+    world.pass_by(40.0)
+    assert not charges(world, world.view())
+    world.reply(LiftDeviceLockout(ANNA, DeviceId("CH1")))
+    world.until(lambda: charges(world, world.view()))
