@@ -10,28 +10,23 @@ from app.api.calls import (
     Ctl,
     Person,
     Who,
-    answer_of,
     answer_view,
     ask,
     items,
     listing,
     live_object,
-    location,
     missing,
     read,
 )
 from app.api.declared import gives
 from app.api.device_inputs import DeviceCommandIn, PinIn
 from app.api.inputs import Limit, PathId, ReasonIn, ServiceIn
+from app.api.intents import command_of, commands_of, taken
 from app.api.link_frames import frames_of_link
 from app.api.port import Controller
-from app.api.problems import Problem
 from app.domain import device_requests as requests
 from app.domain.devices import DeviceId
-from app.domain.ids import CmdId, VehicleId
-from app.domain.view import CommandView, DeviceView, Topic
-from app.fleet.views import view_of_intent
-from app.runtime.showing import shown
+from app.domain.view import DeviceView, Topic
 
 router = APIRouter(prefix="/devices", tags=["devices"])
 
@@ -69,32 +64,20 @@ async def get_device_frames(
 @router.get("/{device}/commands", **gives("Command[]", description="Its commands, newest first."))
 async def list_device_commands(device: PathId, controller: Ctl, limit: Limit = 100) -> Response:
     """List what a device was asked and what became of it."""
-    name = device_named(controller, device).id
-    intents = await read(controller.reader.intents, VehicleId(name), limit)
-    return items(shown(view_of_intent(intent)) for intent in intents)
+    return await commands_of(controller, device_named(controller, device).id, limit)
 
 
 @router.get("/{device}/commands/{command}", **gives("Command"))
 async def get_device_command(device: PathId, command: PathId, controller: Ctl) -> Response:
     """Show one command by its 16 hex digits."""
-    live = controller.model.get(Topic.COMMANDS, command.lower())
-    if isinstance(live, CommandView) and live.vehicle == device:
-        return answer_view(live)
-    number = int(command, 16) if len(command) == 16 and set(command.lower()) <= set("0123456789abcdef") else 0
-    intent = await read(controller.reader.intent, CmdId(number)) if number else None
-    if intent is None or intent.vehicle != device:
-        detail = f"Device {device} has no command {command}."
-        raise Problem("not-found", detail, f"GET /api/v1/devices/{device}/commands lists them.")
-    return answer_view(view_of_intent(intent))
+    return await command_of(controller, "device", device, command)
 
 
 @router.post("/{device}/commands", **gives("DeviceTaken", 202, "Under way; Location says where to look."))
 async def command_device(device: PathId, body: DeviceCommandIn, controller: Ctl, actor: Who) -> Response:
     """Open or close a door, lock or unlock a buffer."""
-    accepted = await ask(controller, requests.CommandDevice(actor, DeviceId(device), body.act()))
-    cmd_id = f"{accepted.cmd_id:016x}" if accepted.cmd_id is not None else None
-    where = location("devices", device, "commands", *([cmd_id] if cmd_id else []))
-    return answer_of({"device": device, "cmd_id": cmd_id}, 202, where)
+    asked = ask(controller, requests.CommandDevice(actor, DeviceId(device), body.act()))
+    return await taken("device", device, asked)
 
 
 async def _decided(controller: Controller, device: str, request: requests.DeviceOrder) -> Response:
@@ -129,8 +112,4 @@ async def lift_device_lockout(device: PathId, controller: Ctl, actor: Person) ->
 @router.put("/{device}/service", **gives("Device"))
 async def set_device_service(device: PathId, body: ServiceIn, controller: Ctl, actor: Who) -> Response:
     """Take a device out of service, or put it back: a charger, a buffer or a door that vehicles are not to use."""
-    reason = body.reason.strip()
-    if bool(reason) == body.in_service:
-        detail = "Out of service needs a reason, in service has none."
-        raise Problem("invalid", detail, "Send reason with in_service false only.", "reason")
-    return await _decided(controller, device, requests.SetDeviceService(actor, DeviceId(device), reason))
+    return await _decided(controller, device, requests.SetDeviceService(actor, DeviceId(device), body.why_not()))

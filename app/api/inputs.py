@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from fastapi import Path, Query
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
+from app.api.problems import Problem
 from app.domain.commands import Plain
 from app.domain.ids import StationId
 from app.domain.layout import PulseSet, StopAction
@@ -143,10 +144,18 @@ class ReleaseIn(Strict):
 
 
 class ServiceIn(Strict):
-    """Whether the vehicle takes jobs; out of service needs a ``reason``."""
+    """Whether a vehicle or a device is used; out of service needs a ``reason``."""
 
     in_service: bool
     reason: Text = ""
+
+    def why_not(self) -> str:
+        """Return why it is not used, empty if it is. Raises Problem: the two do not fit."""
+        reason = self.reason.strip()
+        if bool(reason) == self.in_service:
+            detail = "Out of service needs a reason, in service has none."
+            raise Problem("invalid", detail, "Send reason with in_service false only.", "reason")
+        return reason
 
 
 class StationPut(Strict):

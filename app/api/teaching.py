@@ -10,6 +10,7 @@ from app.api.calls import Ctl, Person, answer_of, ask, items, location, missing,
 from app.api.declared import gives
 from app.api.inputs import After as Above
 from app.api.inputs import Limit, QueryId
+from app.api.intents import taken
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.teaching_answers import detail_of, event_row
@@ -76,12 +77,9 @@ async def get_teaching_session(session: Number, controller: Ctl) -> Response:
 @router.post("/sessions/{session}/start", **gives("Taken", 202, "Under way; Location says where to look."))
 async def start_teaching(session: Number, body: StartIn, controller: Ctl, actor: Person) -> Response:
     """Ask the vehicle, which stands at the port in MANT, for SHFT, ROTA and LIFT."""
-    accepted = await ask(controller, requests.StartTeaching(actor, session, body.side()))
     found = await read(controller.reader.session, session)
-    cmd_id = f"{accepted.cmd_id:016x}" if accepted.cmd_id is not None else None
-    vehicle = found.vehicle if found else ""
-    where = location("vehicles", vehicle, "commands", *([cmd_id] if cmd_id else []))
-    return answer_of({"vehicle": vehicle, "cmd_id": cmd_id}, 202, where)
+    asked = ask(controller, requests.StartTeaching(actor, session, body.side()))
+    return await taken("vehicle", found.vehicle if found else "", asked)
 
 
 @router.post("/sessions/{session}/close", **gives("TeachingSessionDetail"))

@@ -10,13 +10,11 @@ from app.api.calls import (
     Ctl,
     Person,
     Who,
-    answer_of,
     answer_view,
     ask,
     items,
     listing,
     live_object,
-    location,
     missing,
     read,
     version_expected,
@@ -36,17 +34,16 @@ from app.api.inputs import (
     Target,
     TransferCommand,
 )
+from app.api.intents import command_of, commands_of, taken
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.stations import versions
 from app.api.vehicle_commands import CommandIn, VehicleCommand
 from app.domain import requests
-from app.domain.ids import Actor, CmdId, StationId, VehicleId
+from app.domain.ids import Actor, StationId, VehicleId
 from app.domain.layout import VehicleSpec
 from app.domain.units import Barcode
-from app.domain.view import CommandView, Topic
-from app.fleet.views import view_of_intent
-from app.runtime.showing import shown
+from app.domain.view import Topic
 
 router = APIRouter(prefix="/vehicles", tags=["vehicles"])
 
@@ -81,23 +78,13 @@ async def get_frames(
 @router.get("/{vehicle}/commands", **gives("Command[]", description="Its commands, newest first."))
 async def list_commands(vehicle: PathId, controller: Ctl, limit: Limit = 100) -> Response:
     """List what was sent to a vehicle and what became of it."""
-    spec = spec_of(controller, vehicle)
-    intents = await read(controller.reader.intents, spec.id, limit)
-    return items(shown(view_of_intent(intent)) for intent in intents)
+    return await commands_of(controller, spec_of(controller, vehicle).id, limit)
 
 
 @router.get("/{vehicle}/commands/{command}", **gives("Command"))
 async def get_command(vehicle: PathId, command: PathId, controller: Ctl) -> Response:
     """Show one command by its 16 hex digits."""
-    live = controller.model.get(Topic.COMMANDS, command.lower())
-    if isinstance(live, CommandView) and live.vehicle == vehicle:
-        return answer_view(live)
-    number = int(command, 16) if len(command) == 16 and set(command.lower()) <= set("0123456789abcdef") else 0
-    intent = await read(controller.reader.intent, CmdId(number)) if number else None
-    if intent is None or intent.vehicle != vehicle:
-        detail = f"Vehicle {vehicle} has no command {command}."
-        raise Problem("not-found", detail, f"GET /api/v1/vehicles/{vehicle}/commands lists them.")
-    return answer_view(view_of_intent(intent))
+    return await command_of(controller, "vehicle", vehicle, command)
 
 
 @router.post("/{vehicle}/commands", **gives("Taken", 202, "Under way; Location says where to look."))
@@ -123,10 +110,7 @@ def _worded(vehicle: VehicleId, body: VehicleCommand, actor: Actor) -> requests.
 
 
 async def _taken(controller: Controller, vehicle: str, request: requests.Request) -> Response:
-    accepted = await ask(controller, request)
-    cmd_id = f"{accepted.cmd_id:016x}" if accepted.cmd_id is not None else None
-    where = location("vehicles", vehicle, "commands", *([cmd_id] if cmd_id else []))
-    return answer_of({"vehicle": vehicle, "cmd_id": cmd_id}, 202, where)
+    return await taken("vehicle", vehicle, ask(controller, request))
 
 
 @router.post("/{vehicle}/recover", **gives("Taken", 202, "Under way; Location says where to look."))
@@ -173,11 +157,7 @@ async def unlock_vehicle(vehicle: PathId, controller: Ctl, actor: Person) -> Res
 @router.put("/{vehicle}/service", **gives("Vehicle"))
 async def set_service(vehicle: PathId, body: ServiceIn, controller: Ctl, actor: Who) -> Response:
     """Take a vehicle out of service, or put it back."""
-    reason = body.reason.strip()
-    if bool(reason) == body.in_service:
-        detail = "Out of service needs a reason, in service has none."
-        raise Problem("invalid", detail, "Send reason with in_service false only.", "reason")
-    return await _decided(controller, vehicle, requests.SetService(actor, VehicleId(vehicle), reason))
+    return await _decided(controller, vehicle, requests.SetService(actor, VehicleId(vehicle), body.why_not()))
 
 
 @router.get(

@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 
 from app.domain.drive import Parameter, RawValue
 
-LAST_PARAMETER = Parameter(0xFF)
 HIGHEST_RAW = RawValue(9999)
 """Most that a parameter can hold in any dialect (PROTOCOLS H4)."""
 

@@ -15,6 +15,10 @@ class Lockout:
     since: Timestamp
     releases: tuple[Actor, ...] = ()
 
+    def __str__(self) -> str:
+        """Return it as the end of a sentence about the machine."""
+        return f"locked out by {self.owner}: {self.reason}"
+
     def wished_away_by(self, actor: Actor) -> "Lockout":
         """Return it with one more who wishes to lift it."""
         return replace(self, releases=tuple(dict.fromkeys((*self.releases, actor))))

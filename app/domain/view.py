@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.lockout import Lockout
+
 
 class Topic(StrEnum):
     """Kinds of objects in the read model; each object has a key of its own."""
@@ -67,6 +69,13 @@ class LockoutView:
     reason: str
     since: float
     releases: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, lockout: Lockout | None) -> "LockoutView | None":
+        """Return a lockout as people see it, None where there is none."""
+        if lockout is None:
+            return None
+        return cls(lockout.owner, lockout.reason, lockout.since, lockout.releases)
 
 
 @dataclass(frozen=True, slots=True)

@@ -93,9 +93,8 @@ class DeviceOrders:
         return self._lock_buffer(device, act, actor)
 
     def _locked_out(self, device: DeviceNow) -> Refusal | None:
-        if device.record.lockout is None:
-            return None
-        return Refusal("not-now", f"{device.id} is {device.barred}", "lift the lockout first")
+        lock = device.record.lockout
+        return Refusal("not-now", f"{device.id} is {lock}", "lift the lockout first") if lock else None
 
     def _move_door(self, door: DeviceNow, act: DeviceAct, actor: Actor) -> Reply:
         position = DoorPosition.OPEN if act is DeviceAct.OPEN else DoorPosition.CLOSED

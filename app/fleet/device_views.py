@@ -15,7 +15,7 @@ def view_of_device(device: "DeviceNow", books: Books) -> DeviceView:
     spec, record = device.spec, device.record
     charger = spec if isinstance(spec, ChargerSpec) else None
     station = next((s for s in books.plant.stations if s.buffer == device.id), None)
-    pin, lock, lockout = record.pin, record.lock, record.lockout
+    pin, lock = record.pin, record.lock
     return DeviceView(
         id=device.id,
         kind=device.kind.value,
@@ -36,7 +36,7 @@ def view_of_device(device: "DeviceNow", books: Books) -> DeviceView:
         waiting=device.waiting,
         pin=PinView(pin.position.value, pin.owner, pin.reason, pin.since) if pin else None,
         lock=LockView(lock.owner, lock.person, lock.since, record.locked) if lock else None,
-        lockout=LockoutView(lockout.owner, lockout.reason, lockout.since, lockout.releases) if lockout else None,
+        lockout=LockoutView.of(record.lockout),
         alarm=device.alarm,
         remedy=device.remedy,
         contradiction=device.contradiction,

@@ -115,7 +115,7 @@ class DeviceNow:
     def barred(self) -> str:
         """Why people have closed it to vehicles, as a clause; empty if they have not."""
         if self.record.lockout:
-            return f"locked out by {self.record.lockout.owner}: {self.record.lockout.reason}"
+            return str(self.record.lockout)
         if self.record.out_of_service:
             return f"out of service: {self.record.out_of_service}"
         return ""

@@ -107,7 +107,7 @@ def said(drive: DriveNow, number: int, raw: int) -> str:
 
 def view_of_drive(drive: DriveNow, now: Seconds, utc_at: Callable[[Seconds], Timestamp]) -> DriveView:
     """Return a drive as people see it."""
-    status, lock = drive.status, drive.record.lockout
+    status = drive.status
     broken = status is not None and status.mode is DriveMode.ERROR
     error, remedy = explained(status.code) if status is not None and broken else ("", "")
     return DriveView(
@@ -129,7 +129,7 @@ def view_of_drive(drive: DriveNow, now: Seconds, utc_at: Callable[[Seconds], Tim
         remedy=remedy,
         moving=drive.moving(now),
         operation=None if drive.operation is None else str(drive.operation),
-        lockout=LockoutView(lock.owner, lock.reason, lock.since, lock.releases) if lock else None,
+        lockout=LockoutView.of(drive.record.lockout),
     )
 
 

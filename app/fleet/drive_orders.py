@@ -341,7 +341,7 @@ class DriveOrders:
         """Return why nothing of the kind can be asked of a drive now. ``harmless``: it reads its status, or stops it."""
         lock = drive.record.lockout
         if lock and not harmless:
-            return Refusal("not-now", f"{drive.id} is locked out by {lock.owner}: {lock.reason}", "lift it first")
+            return Refusal("not-now", f"{drive.id} is {lock}", "lift it first")
         if drive.online is None and drive.reason:
             remedy = f"see GET /api/v1/links/{drive.spec.link}"
             return Refusal("not-now", f"line {drive.spec.link} of {drive.id} is not connected: {drive.reason}", remedy)

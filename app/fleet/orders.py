@@ -108,10 +108,7 @@ class VehicleOrders:
 
     def _locked_out(self, vehicle: VehicleNow) -> Refusal | None:
         lock = vehicle.record.lockout
-        if lock is None:
-            return None
-        reason = f"{vehicle.id} is locked out by {lock.owner}: {lock.reason}"
-        return Refusal("not-now", reason, "lift the lockout first")
+        return Refusal("not-now", f"{vehicle.id} is {lock}", "lift the lockout first") if lock else None
 
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """Show a text on the vehicle."""

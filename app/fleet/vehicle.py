@@ -216,7 +216,7 @@ class VehicleNow:
         if self.record.off_rail:
             return f"off the rail: {self.record.off_rail}"
         if self.record.lockout:
-            return f"locked out by {self.record.lockout.owner}: {self.record.lockout.reason}"
+            return str(self.record.lockout)
         if self.record.hold:
             return f"on hold: {self.record.hold.reason}"
         if self.record.out_of_service:

@@ -223,7 +223,6 @@ def view_of_vehicle(
     condition = status.condition if status else None
     words = condition if condition and condition.agv is None else None
     hold = HoldView(record.hold.reason, record.hold.remedy, record.hold.since) if record.hold else None
-    lock = record.lockout
     return VehicleView(
         id=spec.id,
         dev_id=spec.dev_id,
@@ -251,7 +250,7 @@ def view_of_vehicle(
         granted=tuple(vehicle.ahead),
         covered=tuple(vehicle.trail),
         hold=hold,
-        lockout=LockoutView(lock.owner, lock.reason, lock.since, lock.releases) if lock else None,
+        lockout=LockoutView.of(record.lockout),
         seen=utc_at(vehicle.seen) if vehicle.seen is not None else None,
         kind=spec.kind.value,
         agv=_view_of_agv(vehicle),

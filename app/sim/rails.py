@@ -65,10 +65,6 @@ class Rails:
             yield from self._shared_edges()
             yield from self._shared_crossings()
 
-    def covers(self, vehicle: VehicleId) -> Cover:
-        """Return what a vehicle covers at its last known place."""
-        return self._covers[vehicle]
-
     def vehicles_on(self, edges: AbstractSet[Pair]) -> Iterator[VehicleId]:
         """Give who covers part of one of these edges at its last known place."""
         for vehicle, cover in self._covers.items():

@@ -54,11 +54,6 @@ class TeachingReader(ABC):
         """Return the newest OFFSET of every vehicle, by name; with ``history`` every version, oldest first."""
         return self._list(_versions(vehicle_offsets, history=history), teaching.offset)
 
-    def teaching(self, vehicle: VehicleId, limit: int = 100) -> list[TeachingEvent]:
-        """Return a vehicle's raw teaching events, newest first."""
-        query = sa.select(teaching_events).where(teaching_events.c.vehicle == vehicle)
-        return self._list(query.order_by(teaching_events.c.seq.desc()).limit(limit), teaching.event)
-
     def taught(
         self, after: int = 0, limit: int = 100, *, vehicle: str | None = None, barcode: str | None = None
     ) -> list[TeachingEvent]:

@@ -12,7 +12,7 @@ from app.domain.errors import Refusal
 from app.domain.ids import Actor, LinkId
 from app.domain.layout import DriveUnit, LinkSpec, Plant, Wire
 from app.domain.records import AuditRow, HistoryEvent, Record
-from app.domain.requests import Accepted, Reply
+from app.domain.requests import Accepted, Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import DriveView, OperationView, ParameterView, Topic, Update, View
 from app.protocols.hi.codec import encode
@@ -217,7 +217,7 @@ class DriveBench:
 
     # -- people -------------------------------------------------------------------------------------------------------
 
-    def ask(self, request: DriveOrder) -> Reply:
+    def ask(self, request: Request) -> Reply:
         ticket = self.control.ask(request, self.now)
         self._pump()
         return self.replies[ticket]

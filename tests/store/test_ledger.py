@@ -9,7 +9,7 @@ import pytest
 import sqlalchemy as sa
 
 from app.domain.errors import PlantHeld, StoreError, StoreRefused
-from app.domain.ids import CarrierId, JobId, StationId, VehicleId
+from app.domain.ids import CarrierId, JobId, StationId
 from app.domain.job import TERMINAL, JobState
 from app.domain.records import (
     CarrierGone,
@@ -111,7 +111,7 @@ def test_a_teaching_event_sent_again_is_one_row(url: str, open_ledger: Open) -> 
     ledger.commit([taught(1 << 63), taught(1 << 63, at=2.0)])
     ledger.commit([taught(1 << 63, at=3.0), taught((1 << 63) + 1)])
     reader = Reader(url)
-    assert reader.teaching(VehicleId("V1")) == [taught((1 << 63) + 1), taught(1 << 63)]
+    assert reader.taught(vehicle="V1") == [taught(1 << 63), taught((1 << 63) + 1)]
     reader.close()
 
 

@@ -291,7 +291,7 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     CarrierGone: lambda one, kept, reader: [one, *kept.carriers],
     StationDest: lambda one, kept, reader: [kept.dests[0], *reader.dests(one.station), *reader.all_dests()],
     VehicleOffset: lambda one, kept, reader: [kept.offsets[0], *reader.offsets(one.vehicle), *reader.all_offsets()],
-    TeachingEvent: lambda one, kept, reader: [*reader.teaching(one.vehicle), *reader.taught()],
+    TeachingEvent: lambda one, kept, reader: list(reader.taught(vehicle=one.vehicle)),
     Proposal: lambda one, kept, reader: [reader.proposal(one.number), *([] if one.state.over else [kept.proposals[0]])],
     TeachingSession: lambda one, kept, reader: [
         reader.session(one.number),
