@@ -2,31 +2,20 @@
 
 from collections.abc import Callable
 
-from app.domain.commands import Direct, Display, Move, Send, Simple
+from app.domain.commands import Send
 from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
 from app.domain.drive import DriveEvent
 from app.domain.drive_requests import Word
 from app.domain.events import (
-    Acknowledged,
-    Answered,
     Event,
-    Garbled,
-    LinkDown,
-    LinkUp,
-    NotSent,
-    Reported,
-    Taught,
-    Unanswered,
-    Unknown,
 )
 from app.domain.ids import CmdIds, VehicleId
-from app.domain.job import JobEvent, JobState
+from app.domain.job import JobState
 from app.domain.layout import Plant
 from app.domain.links import LinkSend
-from app.domain.records import Intent, IntentState, Kept
+from app.domain.records import Intent, Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
-from app.domain.vehicle import Mode, Oper, VehicleStatus
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
@@ -41,10 +30,11 @@ from app.fleet.dispatch import Dispatch
 from app.fleet.doors import Doors
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
-from app.fleet.harmless import harmless
+from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
-from app.fleet.missions import MAX_MISSES, Missions
-from app.fleet.motion import Motion, OffPath
+from app.fleet.missions import Missions
+from app.fleet.motion import Motion
+from app.fleet.objections import objection
 from app.fleet.orders import VehicleOrders
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
@@ -53,7 +43,7 @@ from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.vehicle import Stage, VehicleNow
+from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
 
 SHOW_EVERY = Seconds(0.1)
@@ -99,6 +89,9 @@ class Fleet:
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
         self._agv_orders = AgvOrders(self.books, self.motion, self.recovery, orders, self.devices)
         self.teaching = Teaching(self.books)
+        self._hearing = Hearing(
+            self.books, self.motion, self.missions, self.recovery, self.alarms, self._agv_orders, self.teaching
+        )
         sessions = TeachingSessions(self.books, self.missions, orders, self.teaching)
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
@@ -191,27 +184,7 @@ class Fleet:
         """Take one event of a session."""
         self.books.now = now
         vehicle = self.books.vehicles[event.vehicle]
-        match event:
-            case LinkUp():
-                self._link_up(vehicle)
-            case LinkDown(reason=reason):
-                self.alarms.link_lost(vehicle)
-                self.teaching.lost(vehicle, reason)
-                self.recovery.link_lost(vehicle, reason)
-            case Reported():
-                self._reported(vehicle, event)
-            case Acknowledged():
-                self._acknowledged(vehicle, event)
-            case Answered():
-                self._answered(vehicle, event)
-            case Unanswered():
-                self._unanswered(vehicle, event)
-            case NotSent():
-                self._not_sent(vehicle, event)
-            case Taught():
-                self.teaching.take(vehicle, event)
-            case Garbled():
-                self.books.touch(vehicle)
+        self._hearing.take(vehicle, event)
         if any(self._wants_dispatch(name) for name in self.books.woken):
             self._think_soon()
         self._go_on()
@@ -256,202 +229,11 @@ class Fleet:
             self._next_thought, Seconds(max(self.books.now, self._last_thought + THINK_AT_MOST_EVERY))
         )
 
-    # -- what sessions tell -------------------------------------------------------------------------------------------
-
-    def _link_up(self, vehicle: VehicleNow) -> None:
-        vehicle.linked, vehicle.link_reason, vehicle.link_since = True, "", self.books.now
-        self.recovery.begin(vehicle)
-
-    def _reported(self, vehicle: VehicleNow, event: Reported) -> None:
-        before, vehicle.status, vehicle.seen = vehicle.status, event.status, self.books.now
-        self.books.touch(vehicle)
-        self._note_changes(vehicle, before, event.status)
-        self._follow(vehicle, event.status)
-        if not event.polled:
-            return
-        if vehicle.recovery:
-            self.alarms.step(vehicle, event.status, event.asked_at)
-        elif vehicle.stage is Stage.SETTLING:
-            if self.recovery.observe(vehicle, event.status, event.asked_at):
-                self.missions.settle_handling(vehicle)
-                self.books.wake(vehicle.id)
-        else:
-            self._confirm(vehicle, event)
-
-    def _confirm(self, vehicle: VehicleNow, event: Reported) -> None:
-        """A polled STATUS of a ready vehicle: does it show what we wait for, does it agree with what we believe?"""
-        drive = vehicle.drive
-        if drive and self.motion.completes(vehicle, drive, event.status, event.asked_at):
-            self.motion.finish(vehicle, IntentState.DONE, f"STATUS: standing at {event.status.barcode}")
-        elif drive and self.motion.broken_off(drive, event.status, event.asked_at):
-            self.recovery.begin(vehicle)
-        self.missions.confirm(vehicle, event.status, event.asked_at)
-        if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (
-            vehicle.handling is None
-            and (event.status.condition.doubt or vehicle.loaded is not self.recovery.believed_loaded(vehicle))
-        ):
-            self.recovery.begin(vehicle)
-
-    def _note_changes(self, vehicle: VehicleNow, before: VehicleStatus | None, now: VehicleStatus) -> None:
-        """Alarms become events; leaving AUTO means that the vehicle may be moved without us."""
-        if before is None:
-            return
-        was, is_ = before.condition, now.condition
-        if is_.oper is Oper.ALARM and (was.oper is not Oper.ALARM or was.code != is_.code):
-            self.books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=self.books.named_alarm(is_.code))
-        elif was.oper is Oper.ALARM and is_.oper is not Oper.ALARM:
-            self.books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
-        if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
-            self.recovery.widen(vehicle)
-        if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:
-            self.recovery.begin(vehicle)
-
-    def _follow(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
-        """Follow the barcodes it reports along what it holds."""
-        if vehicle.barcode is None or not status.condition.recognised or status.barcode == vehicle.barcode:
-            return
-        if vehicle.trusted:
-            return
-        if vehicle.doubt:
-            self.recovery.claim_too(vehicle, status.barcode)
-            return
-        if status.condition.mode is not Mode.AUTO:
-            if vehicle.accounted and vehicle.drive is None and status.barcode in self.books.track:
-                self.recovery.moved_by_hand(vehicle, status.barcode)
-            return
-        try:
-            self.motion.report(vehicle, status.barcode, status.seq)
-        except OffPath as why:
-            self.recovery.doubt(vehicle, status.barcode, str(why))
-            return
-        self.books.wake(vehicle.id)
-
-    def _acknowledged(self, vehicle: VehicleNow, event: Acknowledged) -> None:
-        drive = vehicle.drive
-        if drive and drive.cmd_id == event.cmd_id:
-            drive.acknowledged = self.books.now
-            self.books.wake(vehicle.id)
-
-    def _answered(self, vehicle: VehicleNow, event: Answered) -> None:
-        drive, handling = vehicle.drive, vehicle.handling
-        if drive and event.cmd_id == drive.cmd_id:
-            drive.acknowledged = drive.acknowledged or self.books.now
-            self._follow_answer(vehicle, event)
-            if self.motion.answer(vehicle, drive, event):
-                self._moved(vehicle, event, recalled=drive.recalled)
-        elif drive and drive.amendment and event.cmd_id == drive.amendment.cmd_id:
-            if event.ok:
-                self.motion.amended(vehicle, drive, drive.amendment)
-            else:
-                self.motion.not_amended(vehicle, drive, IntentState.FAILED, event.reason or "it is stopping, or stands")
-        elif handling and event.cmd_id == handling.cmd_id:
-            self._handled(vehicle, event)
-        else:
-            state = IntentState.DONE if event.ok else IntentState.FAILED
-            self.books.close_intent(
-                vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
-            )
-            self.alarms.answered(vehicle, event)
-            self.teaching.answered(vehicle, event.cmd_id, "" if event.ok else event.reason or "RESULT 1")
-
-    def _follow_answer(self, vehicle: VehicleNow, event: Answered) -> None:
-        """RESP1 brings the place too; a barcode that was not reported before is followed now."""
-        if event.condition.recognised and event.barcode in vehicle.ahead:
-            self._follow(vehicle, VehicleStatus(event.condition, event.barcode, event.seq))
-
-    def _moved(self, vehicle: VehicleNow, event: Answered, *, recalled: bool) -> None:
-        """The MOVE is over. After an abnormal end the vehicle is asked before anything else is sent."""
-        if event.ok:
-            vehicle.missed = 0
-            return
-        if not recalled:
-            self._missed(vehicle, f"ended abnormally {MAX_MISSES} times ({event.reason or 'no reason given'})")
-        if vehicle.stage is Stage.READY:
-            self.recovery.begin(vehicle)
-
-    def _missed(self, vehicle: VehicleNow, what: str) -> None:
-        """Another MOVE came to nothing: after some in a row a person has to look."""
-        vehicle.missed += 1
-        if vehicle.missed >= MAX_MISSES and not vehicle.record.hold:
-            vehicle.missed = 0
-            self.recovery.hold(vehicle, f"MOVE {what}", "look at the vehicle and its way, then release it")
-
-    def _handled(self, vehicle: VehicleNow, event: Answered) -> None:
-        handling = vehicle.handling
-        if handling is None:
-            return
-        if event.ok:
-            handling.answered = self.books.now
-            self.books.effects.polls.append(vehicle.id)
-            return
-        # Broken off after the gripper moved, it is done all the same: F decides once the vehicle is at rest.
-        self.alarms.note_failure(vehicle, event)
-        self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.reason or "RESULT 1")
-        self.recovery.begin(vehicle)
-
-    def _unanswered(self, vehicle: VehicleNow, event: Unanswered) -> None:
-        """Unknown is not failed: the vehicle is asked, and nothing else is sent (PROTOCOLS 6.2)."""
-        drive = vehicle.drive
-        if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
-            self.motion.not_amended(vehicle, drive, IntentState.UNKNOWN, event.why.value)
-            return
-        self.books.close_intent(vehicle, event.cmd_id, IntentState.UNKNOWN, event.why.value)
-        self.alarms.unanswered(vehicle, event.cmd_id, event.why)
-        self._agv_orders.unanswered(vehicle, event)
-        self.teaching.answered(vehicle, event.cmd_id, event.why.value)
-        if vehicle.linked and vehicle.stage is Stage.READY and event.why is not Unknown.LINK_LOST:
-            self.recovery.begin(vehicle)
-
-    def _not_sent(self, vehicle: VehicleNow, event: NotSent) -> None:
-        """Nothing left: the intent is closed, and what hung on it is thought over."""
-        barred = self._barrier(Send(event.vehicle, event.cmd_id, event.command))
-        drive, handling = vehicle.drive, vehicle.handling
-        if drive and drive.amendment and drive.amendment.cmd_id == event.cmd_id:
-            self.motion.not_amended(vehicle, drive, IntentState.NOT_SENT, event.reason)
-            return
-        if drive and drive.cmd_id == event.cmd_id:
-            self.motion.finish(vehicle, IntentState.NOT_SENT, event.reason)
-        elif handling and handling.cmd_id == event.cmd_id:
-            self.missions.close_handling(vehicle, IntentState.NOT_SENT, event.reason)
-        else:
-            self.books.close_intent(vehicle, event.cmd_id, IntentState.NOT_SENT, event.reason)
-            self.alarms.unanswered(vehicle, event.cmd_id, event.reason)
-            return
-        if vehicle.linked and vehicle.stage is Stage.READY:
-            if vehicle.fit and isinstance(event.command, Move) and not barred:
-                self._missed(vehicle, f"could not be sent {MAX_MISSES} times ({event.reason})")
-            self.recovery.begin(vehicle)
+    # -- between a decision and its sending --------------------------------------------------------------------------
 
     def objection(self, send: Send) -> str:
-        """Return why a command must not leave any more now that it is durable, empty if it may.
-
-        While it was being written down the vehicle may have been settled without it, or barred.
-        """
-        vehicle = self.books.vehicles[send.vehicle]
-        if send.cmd_id not in vehicle.opened:
-            return "it was settled before it could be sent"
-        if harmless(send.command):
-            return ""
-        if vehicle.record.lockout:
-            return vehicle.barred
-        if barrier := self._barrier(send):
-            return barrier
-        if isinstance(send.command, Simple | Display | Direct):
-            return ""
-        if vehicle.fit:
-            return ""
-        return vehicle.barred or vehicle.waiting or f"{vehicle.id} is being asked where it is"
-
-    def _barrier(self, send: Send) -> str:
-        """Return what came between the decision and the sending that is not the vehicle's doing; empty if nothing did."""
-        if isinstance(send.command, Display):
-            return ""
-        if told := self.books.controller.told:
-            return told
-        passages = self.motion.passages
-        intent = self.books.vehicles[send.vehicle].opened.get(send.cmd_id)
-        doors = passages.shut_on(intent.path if intent else ())
-        return next((f"{door.id} on its way is {passages.against(door)}" for door in doors), "")
+        """Return why a command must not leave any more now that it is durable, empty if it may."""
+        return objection(self.books, self.motion.passages, send)
 
     def device_objection(self, request: DeviceRequest) -> str:
         """Return why a command to a door or buffer must not leave any more now that it is durable, empty if it may."""
