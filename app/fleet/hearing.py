@@ -96,9 +96,9 @@ class Hearing:
     def _confirm(self, vehicle: VehicleNow, event: Reported) -> None:
         """A polled STATUS of a ready vehicle: does it show what we wait for, does it agree with what we believe?"""
         drive = vehicle.drive
-        if drive and self._motion.completes(vehicle, drive, event.status, event.asked_at):
+        if drive and drive.completed_by(event.status, event.asked_at):
             self._motion.finish(vehicle, IntentState.DONE, f"STATUS: standing at {event.status.barcode}")
-        elif drive and self._motion.broken_off(drive, event.status, event.asked_at):
+        elif drive and drive.broken_off_by(event.status, event.asked_at):
             self._recovery.begin(vehicle)
         self._missions.confirm(vehicle, event.status, event.asked_at)
         if (event.status.condition.oper is Oper.ALARM and not vehicle.record.hold) or (

@@ -16,8 +16,9 @@ from app.domain.job import Job
 from app.domain.layout import StopAction
 from app.domain.records import ControllerState, IntentState
 from app.domain.units import Barcode, Millimetres, Seconds
-from app.domain.vehicle import Mode, Oper, VehicleStatus
+from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
+from app.fleet.cover import covered, next_tag
 from app.fleet.halting import halt
 from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
@@ -51,8 +52,8 @@ class Motion:
         """
         books = self._books
         before = books.traffic.held(vehicle.id)
-        vehicle.toward = self._next_tag(vehicle, barcode)
-        vehicle.trail = self._covered(vehicle, barcode)
+        vehicle.toward = next_tag(self._books.track, vehicle, barcode)
+        vehicle.trail = covered(self._books, vehicle, barcode)
         beyond = tuple(b for b in books.track.successors(barcode) if b in before and b not in vehicle.trail)
         vehicle.beyond = beyond or (vehicle.beyond if vehicle.barcode == barcode else ())
         if not vehicle.way or vehicle.way[-1] != barcode:
@@ -68,23 +69,6 @@ class Motion:
         books.save_vehicle(vehicle, barcode=barcode, held=held)
         return tuple(dict.fromkeys(at for at, _ in clashes))
 
-    def _next_tag(self, vehicle: VehicleNow, barcode: Barcode) -> Barcode | None:
-        """Return the tag on the way to which an AGV was stopped, None if it stands in position (PROTOCOLS 3.3).
-
-        It may be anywhere between the two. What was granted to it last tells, in this process life or by its open intents.
-        """
-        if vehicle.in_position:
-            return None
-        if vehicle.barcode == barcode and vehicle.drive is None and vehicle.toward:
-            return vehicle.toward
-        here = () if vehicle.barcode is None else (vehicle.barcode, *vehicle.ahead)
-        for way in (here, *(intent.path for intent in vehicle.opened.values()), vehicle.record.held):
-            if barcode in way[:-1]:
-                after = way[way.index(barcode) + 1]
-                if after in self._books.track.successors(barcode):
-                    return after
-        return None
-
     def _set_out_anew(self, vehicle: VehicleNow) -> None:
         """The way to the errand's goal begins somewhere else now; an errand of a job is found again from the job."""
         errand, vehicle.errand = vehicle.errand, None
@@ -93,23 +77,6 @@ class Motion:
                 self.send(vehicle, errand)
             except NoRoute:
                 self._books.touch(vehicle)
-
-    def _covered(self, vehicle: VehicleNow, barcode: Barcode) -> dict[Barcode, Millimetres]:
-        """Return what it covers there: by the way it came if that is known, else by every branch."""
-        length = vehicle.spec.length
-        if vehicle.barcode == barcode and vehicle.trail.get(barcode) == 0:
-            return vehicle.trail
-        if not vehicle.is_agv:
-            return self._books.track.distances_behind(barcode, length)
-        around = dict.fromkeys(self._around(vehicle, barcode), length)
-        return {barcode: Millimetres(0)} | around | self._books.track.distances_behind(barcode, length)
-
-    def _around(self, vehicle: VehicleNow, barcode: Barcode) -> list[Barcode]:
-        """Return what an AGV may cover on any side of it: it may have come backwards, or have turned; but not over another."""
-        if not vehicle.is_agv:
-            return []
-        near = self._books.track.reach(barcode, vehicle.spec.length) - {barcode}
-        return sorted(b for b in near if self._books.traffic.holders(b) <= {vehicle.id})
 
     def report(self, vehicle: VehicleNow, barcode: Barcode, seq: int) -> None:
         """The vehicle has read a barcode: it goes on along what it holds, and what it has left is free.
@@ -441,31 +408,6 @@ class Motion:
         if state is not IntentState.UNKNOWN:
             drive.amendment = None
         self._books.close_intent(vehicle, amendment.cmd_id, state, outcome)
-
-    def completes(self, vehicle: VehicleNow, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
-        """Whether this polled STATUS shows the MOVE done: standing at the last element, asked after the vehicle had it."""
-        condition = status.condition
-        ends = {drive.end.barcode}
-        if drive.amendment:
-            if not drive.stopping:
-                return False
-            ends.add(drive.amendment.path[-1].barcode)
-        return (
-            drive.acknowledged is not None
-            and asked_at > drive.acknowledged
-            and status.barcode in ends
-            and (status.seq == drive.end.seq or drive.amendment is not None)
-            and not condition.travelling
-            and condition.recognised
-            and condition.mode is Mode.AUTO
-            and condition.oper is Oper.IDLE
-        )
-
-    def broken_off(self, drive: Drive, status: VehicleStatus, asked_at: Seconds) -> bool:
-        """Whether a MOVE that was answered on acceptance (I19) has ended without a word: idle, and not at its end."""
-        condition = status.condition
-        started = drive.answered and drive.acknowledged is not None and asked_at > drive.acknowledged
-        return started and condition.oper is Oper.IDLE and not condition.travelling
 
     def finish(self, vehicle: VehicleNow, state: IntentState, outcome: str) -> None:
         """The MOVE is over, and the vehicle stands where it last said."""

@@ -80,6 +80,31 @@ class Drive:
         """The present STOP element."""
         return self.path[-1]
 
+    def completed_by(self, status: VehicleStatus, asked_at: Seconds) -> bool:
+        """Whether this polled STATUS shows the MOVE done: standing at the last element, asked after the vehicle had it."""
+        condition = status.condition
+        ends = {self.end.barcode}
+        if self.amendment:
+            if not self.stopping:
+                return False
+            ends.add(self.amendment.path[-1].barcode)
+        return (
+            self.acknowledged is not None
+            and asked_at > self.acknowledged
+            and status.barcode in ends
+            and (status.seq == self.end.seq or self.amendment is not None)
+            and not condition.travelling
+            and condition.recognised
+            and condition.mode is Mode.AUTO
+            and condition.oper is Oper.IDLE
+        )
+
+    def broken_off_by(self, status: VehicleStatus, asked_at: Seconds) -> bool:
+        """Whether a MOVE that was answered on acceptance (I19) has ended without a word: idle, and not at its end."""
+        condition = status.condition
+        started = self.answered and self.acknowledged is not None and asked_at > self.acknowledged
+        return started and condition.oper is Oper.IDLE and not condition.travelling
+
 
 @dataclass(slots=True)
 class Handling:
