@@ -386,7 +386,7 @@ class Missions:
 
     def _handle_for_person(self, vehicle: VehicleNow) -> None:
         order = vehicle.order
-        if order is None:
+        if order is None or self._books.controller.state is not ControllerState.AUTO:
             return
         station = self._books.specs[order.station]
         target = target_for(self._books, vehicle, station, order.target)

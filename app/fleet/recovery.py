@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 
-from app.domain.commands import Plain, Simple
 from app.domain.devices import AgvStatus
 from app.domain.ids import Actor
 from app.domain.job import JobEvent
@@ -10,6 +9,7 @@ from app.domain.records import Hold, Intent, IntentState, Provenance
 from app.domain.units import Barcode, Seconds
 from app.domain.vehicle import Condition, Mode, Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
+from app.fleet.halting import halt
 from app.fleet.motion import Motion
 from app.fleet.vehicle import HANDLINGS, Stage, VehicleNow
 
@@ -193,8 +193,8 @@ class Recovery:
         for at in clashes:
             for other in (books.vehicles[name] for name in sorted(books.traffic.holders(at) - {vehicle.id})):
                 if other.drive and other.linked and not other.record.hold:
-                    books.open_intent(other, Plain.STOP_BY_HOST.value, Simple(Plain.STOP_BY_HOST), SYSTEM)
                     why = f"{vehicle.id} reports from {barcode}, on track that {other.id} has been granted ({at})"
+                    halt(books, other, SYSTEM, why)
                     self.hold(other, why, "see that its way is free, then release it")
 
     def widen(self, vehicle: VehicleNow) -> None:

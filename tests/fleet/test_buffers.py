@@ -4,7 +4,7 @@ from app.domain.device_requests import CommandDevice, LiftDeviceLockout, LockOut
 from app.domain.devices import BufferState, DeviceAct
 from app.domain.ids import Actor, CarrierId, StationId
 from app.domain.records import IntentState, Provenance
-from app.domain.requests import HandleOnce, ReleaseVehicle, Verdict, WriteStation
+from app.domain.requests import HandleOnce, PauseController, ReleaseVehicle, ResumeController, Verdict, WriteStation
 from tests.fleet.drives import KIM, go
 from tests.fleet.hall import ToyHall
 from tests.fleet.hall_plants import BUFFER1, ring
@@ -115,6 +115,19 @@ def test_a_one_shot_of_a_person_locks_the_buffer_too() -> None:
     script.run(8)
     assert script.toys[V1].aboard == FOUP1
     assert asked(script) == [("lock", "done"), ("unlock", "done")]
+
+
+def test_a_one_shot_that_waits_for_the_buffer_does_not_begin_while_the_controller_is_paused() -> None:
+    script, _ = begun(full=P2)
+    go(script, "109", action=ring().stations[1].kind.stop_action)
+    script.run(30)
+    script.accept(HandleOnce(KIM, V1, P2, pickup=True))
+    script.accept(PauseController(KIM, "shift change"))
+    script.run(10)
+    assert script.toys[V1].aboard is None
+    script.accept(ResumeController(KIM))
+    script.run(10)
+    assert script.toys[V1].aboard == FOUP1
 
 
 # -- restarts and ends ---------------------------------------------------------------------------------------------------
