@@ -192,10 +192,11 @@ class Recovery:
         books = self._books
         for at in clashes:
             for other in (books.vehicles[name] for name in sorted(books.traffic.holders(at) - {vehicle.id})):
-                if other.drive and other.linked and not other.record.hold:
+                if other.drive and other.linked and not other.drive.recalled:
                     why = f"{vehicle.id} reports from {barcode}, on track that {other.id} has been granted ({at})"
                     halt(books, other, SYSTEM, why)
-                    self.hold(other, why, "see that its way is free, then release it")
+                    if not other.record.hold:
+                        self.hold(other, why, "see that its way is free, then release it")
 
     def widen(self, vehicle: VehicleNow) -> None:
         """Out of AUTO it can be moved without us: hold what it can reach, both ways, as far as nobody else has it."""

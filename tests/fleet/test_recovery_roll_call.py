@@ -8,7 +8,7 @@ from app.domain.commands import Move, Plain, Simple, Xmove
 from app.domain.events import Unknown
 from app.domain.ids import DevId, JobId, VehicleId
 from app.domain.layout import Edge, Plant, Point, StopAction, VehicleSpec
-from app.domain.requests import Accepted, CancelJob, Verdict
+from app.domain.requests import Accepted, CancelJob, HoldVehicle, Verdict
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Condition
 from tests.fleet.decisions import KIM, go, held, moved, release, track_of
@@ -267,6 +267,19 @@ def test_a_vehicle_pushed_onto_track_that_another_drives_to_stops_the_other(read
     sent = len(ready.sends)
     ready.report(V2, to, words(mode=0))
     assert len(ready.sends) == sent
+
+
+def test_one_that_is_on_hold_and_still_drives_is_stopped_for_a_vehicle_on_its_track_too(ready: Script) -> None:
+    ready.toys[V2].cut()
+    ready.accept(release(Verdict.STANDS_AT, "111", V2))
+    ready.stand(V2, "111", words(mode=0))
+    ready.toys[V1].linked = False
+    ready.accept(go("107"))
+    ready.acknowledge(ready.last(Move, V1))
+    ready.accept(HoldVehicle(KIM, V1, "wheel"))
+    ready.report(V2, "107", words(mode=0))
+    assert ready.last(Simple, V1).command == Simple(Plain.STOP_BY_HOST)
+    assert held(ready) == "held by kim: wheel"
 
 
 def test_a_job_taken_from_a_silent_or_doubted_vehicle_frees_nothing_of_its_claim(ready: Script) -> None:
