@@ -44,7 +44,7 @@ async def _jog(said: Said) -> Response:
 
 
 async def _keep(said: Said) -> Response:
-    told(said.controller, r.KeepDriveJog(said.body.jog))
+    drive_jog.keep(said.controller, said.target, said.body.jog)
     return answer_of({"drive": said.target, "jog": str(said.body.jog)})
 
 

@@ -2,20 +2,22 @@
 
 import asyncio
 from collections.abc import Callable
+from typing import NoReturn
 
 from fastapi import APIRouter
 from starlette.responses import Response
 
-from app.api.calls import Ctl, Who, answer_of, ask, location, missing, told
+from app.api.calls import Ctl, Who, answer_of, ask, location, told
 from app.api.declared import gives
 from app.api.drive_inputs import JogIn, PathCount, Wait
 from app.api.inputs import PathId
 from app.api.operations import TAKEN, answer_operation, ended, operation_of
 from app.api.port import Controller
+from app.api.problems import Problem
 from app.domain import drive_requests as r
 from app.domain.drive import DriveId
 from app.domain.requests import Accepted
-from app.domain.view import OperationView
+from app.domain.view import OperationView, Topic
 from app.fleet.drive_orders import JOG_HOLD
 
 router = APIRouter(prefix="/drives/{drive}/jog", tags=["drives"])
@@ -51,13 +53,25 @@ def _held(drive: str, jog: str) -> dict[str, object]:
 
 async def _jog(controller: Controller, drive: str, jog: int) -> OperationView:
     view = await operation_of(controller, jog)
-    return view if view.drive == drive and view.kind == "jog" else missing("jog", str(jog))
+    return view if view.drive == drive and view.kind == "jog" else _no_jog(drive, jog)
+
+
+def _no_jog(drive: str, jog: int) -> NoReturn:
+    raise Problem("not-found", f"{drive} has no jog {jog}.", f"GET /api/v1/drives/{drive}/operations lists them.")
+
+
+def keep(controller: Controller, drive: str, jog: int) -> None:
+    """Say that the key is still held. Raises Problem: the jog is over, or another drive's."""
+    view = controller.model.get(Topic.OPERATIONS, str(jog))
+    if isinstance(view, OperationView) and view.drive != drive:
+        _no_jog(drive, jog)
+    told(controller, r.KeepDriveJog(jog))
 
 
 @router.post("/{jog}", **gives("Jog", description="It goes on for `hold` seconds more."))
 async def keep_jog(drive: PathId, jog: PathCount, controller: Ctl) -> Response:
     """Say that the key is still held: five times a second or so. Waits for no disk."""
-    told(controller, r.KeepDriveJog(jog))
+    keep(controller, drive, jog)
     return answer_of(_held(drive, str(jog)))
 
 

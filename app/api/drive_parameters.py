@@ -4,7 +4,7 @@ from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 
-from app.api.calls import Ctl, Who, answer_of, answer_view, items, missing, told, version_expected
+from app.api.calls import Ctl, Who, answer_of, answer_view, items, told, version_expected
 from app.api.declared import gives
 from app.api.drive_inputs import PathNumber, ReadIn, Wait, WatchIn, WriteIn, parameter
 from app.api.drives import unit_of
@@ -104,5 +104,5 @@ async def unwatch_parameters(drive: PathId, watch: PathId, controller: Ctl) -> R
     try:
         told(controller, r.UnwatchDrive(watch_name(drive, watch)))
     except Problem:
-        missing("watch", watch)
+        raise Problem("not-found", f"{drive} has no watch {watch}.", "It may be over.") from None
     return Response(status_code=204)

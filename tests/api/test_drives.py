@@ -207,6 +207,8 @@ async def test_a_jog_is_begun_kept_and_let_go(client: httpx.AsyncClient, control
     where = f"http://localhost{begun.headers['location']}"
     assert (await client.post(where)).json()["hold"] == 0.5
     assert (await client.get(where)).json()["kind"] == "jog"
+    other = (await client.post("/drives/D2/jog/1")).json()
+    assert (other["code"], other["detail"]) == ("not-found", "D2 has no jog 1.")
     released = await client.delete(where)
     assert released.status_code == 202
     assert controller.drives.words == [d.KeepDriveJog(1), d.ReleaseDriveJog(1)]
