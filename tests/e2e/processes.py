@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count, islice
 from pathlib import Path
 from typing import Any
 
@@ -21,12 +22,25 @@ COMMAND = (sys.executable, "-m", "app.cli")
 
 
 def free_ports(number: int) -> list[int]:
-    """Return ports that nobody uses."""
-    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(number)]
-    ports = [one.getsockname()[1] for one in sockets]
-    for one in sockets:
-        one.close()
-    return ports
+    """Return ports that nobody uses, none of them twice.
+
+    They lie below those that Linux gives to outgoing connections, which could take one before it is listened at; each
+    process looks from another place on, so that two do not find the same.
+    """
+    return list(islice(filter(_is_free, _PORTS), number))
+
+
+_FIRST, _LAST = 18_000, 32_000
+_START = os.getpid() * 97 % (_LAST - _FIRST)
+_PORTS = (_FIRST + (_START + step) % (_LAST - _FIRST) for step in count())
+
+
+def _is_free(port: int) -> bool:
+    try:
+        with socket.create_server(("127.0.0.1", port)):
+            return True
+    except OSError:
+        return False
 
 
 def quick_plant(name: str, directory: Path) -> Path:

@@ -123,7 +123,7 @@ def a_drive_is_read_written_and_restored_through_noise(shift: Shift) -> None:
     (real,) = shift.last("drive-restore.sh", "AX1", backup, "really")["result"]["rows"]
     assert (real["parameter"], real["fate"]) == ("00", "written")
     assert shift.last("drive-compare.sh", "AX1", backup)["result"]["differences"] == []
-    figures = shift.get("/links")["items"][0]["figures"]
+    (figures,) = (link["figures"] for link in shift.get("/links")["items"] if link["id"] == "axes")
     assert figures["garbled"] + figures["timeouts"] + figures["naks"] > 0
 
 

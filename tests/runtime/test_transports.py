@@ -1,5 +1,4 @@
 import asyncio
-import socket
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -7,6 +6,7 @@ from contextlib import asynccontextmanager
 from app.domain.units import Seconds
 from app.runtime.lines import Line
 from app.runtime.transports import DeviceServer, Dialler, Tcp
+from tests.e2e.processes import free_ports
 from tests.runtime.peers import Echo, run, until
 
 
@@ -41,9 +41,7 @@ def test_a_dialler_connects_and_connects_again_after_a_loss() -> None:
 
 def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
     async def scenario() -> None:
-        with socket.socket() as sock:
-            sock.bind(("127.0.0.1", 0))
-            port = sock.getsockname()[1]
+        (port,) = free_ports(1)
         ours, theirs = Echo(), Echo()
         dialler = Dialler(Line(ours, now), Tcp("127.0.0.1", port), "V1")
         dialler.start()
@@ -57,9 +55,7 @@ def test_a_dialler_waits_for_a_peer_that_is_not_there_yet() -> None:
 
 def test_a_dialler_stops_at_any_moment_of_an_attempt() -> None:
     async def scenario() -> None:
-        with socket.socket() as sock:
-            sock.bind(("127.0.0.1", 0))
-            port = sock.getsockname()[1]
+        (port,) = free_ports(1)
         for rounds in range(40):
             dialler = Dialler(Line(Echo(), now), Tcp("127.0.0.1", port), "V1")
             dialler.start()
