@@ -211,6 +211,8 @@ def _message(error: Mapping[str, object]) -> str:
     return {
         "extra_forbidden": "there is no such field",
         "missing": "is required" if _place(error) else "a body in JSON is required",
+        "model_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
+        "model_attributes_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
         "union_tag_not_found": "is required",
         "union_tag_invalid": f"is none of {_context(error).get('expected_tags')}",
         "string_pattern_mismatch": "holds a character that is not allowed here (control characters never are)",
