@@ -236,7 +236,7 @@ class Missions:
         self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(condition.loaded)}")
         self._recovery.hold(
             vehicle,
-            f"{what} at {handling.station} was answered RESULT 0, but the FOUP bit is {int(condition.loaded)}",
+            f"{what} at {handling.station} was answered RESULT 0, but the {vehicle.burden} bit is {int(condition.loaded)}",
             "look whether the carrier is aboard or at the station, correct it, then release the vehicle",
         )
 

@@ -143,12 +143,12 @@ class Recovery:
         believed = self.believed_loaded(vehicle)
         if condition.loaded and not believed:
             return (
-                "it carries a FOUP that no job or record accounts for",
+                f"it carries a {vehicle.burden} that no job or record accounts for",
                 "see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on",
             )
         if believed and not condition.loaded:
             return (
-                f"it should carry {vehicle.record.carrier or 'a FOUP'}, and its FOUP bit is 0",
+                f"it should carry {vehicle.record.carrier or f'a {vehicle.burden}'}, and its {vehicle.burden} bit is 0",
                 "find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)",
             )
         return None
@@ -158,7 +158,7 @@ class Recovery:
         if condition.loaded or not vehicle.failed_handling:
             return None
         return (
-            f"its PLACE ended in {vehicle.failed_handling}, and its FOUP bit is 0",
+            f"its PLACE ended in {vehicle.failed_handling}, and its {vehicle.burden} bit is 0",
             "see that the carrier stands where it should, then release the vehicle with verdict go_on",
         )
 

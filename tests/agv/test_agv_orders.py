@@ -221,6 +221,13 @@ def test_a_lockout_lets_only_through_what_ends_something() -> None:
     assert isinstance(world.reply(CommandVehicle(ANNA, A1, Plain.STOP)), Accepted)
 
 
+def test_a_cart_that_somebody_put_on_is_called_a_cart_when_it_holds_the_agv() -> None:
+    world = ready()
+    world.agv().set_cart(CartState.PRESENT, world.now)
+    world.run(world.now + 10.0)
+    assert "it carries a cart that no job or record accounts for" in world.view().waiting
+
+
 def test_a_cart_that_it_does_not_know_of_is_settled_before_anything_else() -> None:
     world = ready()
     world.agv().set_cart(CartState.UNKNOWN, world.now)
