@@ -52,7 +52,7 @@ def sim(
     operator: Annotated[
         int | None,
         typer.Option(
-            min=0, max=65535, help="port of this machine for the hands at the simulated hoists: key, jog, teach"
+            min=0, max=65535, help="port of this machine for the hands at the simulated vehicles: key, jog, teach"
         ),
     ] = None,
     panel: Annotated[
@@ -142,7 +142,7 @@ class _Floor:
         from app.cli.operator import Bench, Hands
         from app.runtime.clock import Clock
 
-        bench = Bench(Hands(floor.devices, self._hoists, Clock().now))
+        bench = Bench(Hands(floor.devices, self._hoists, Clock().now, floor.halls.agvs))
         listening = bound("127.0.0.1", self._operator, "--operator")
         self._serving = asyncio.create_task(bench.serve([listening]))
         return bench
