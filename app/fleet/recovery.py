@@ -213,10 +213,18 @@ class Recovery:
         if barcode not in self._books.traffic.held(vehicle.id):
             came = f"{vehicle.id} reports barcode {barcode}, which it could not be moved to from {vehicle.barcode}"
             self.doubt(vehicle, barcode, came)
+            self._stop_by_hand(vehicle)
             self._stop_who_drives_there(vehicle, barcode, self._books.track.covered(barcode, vehicle.spec.length))
             return
         self._stop_who_drives_there(vehicle, barcode, self._motion.place(vehicle, barcode))
         self.widen(vehicle)
+
+    def _stop_by_hand(self, vehicle: VehicleNow) -> None:
+        """An AGV that still drives on our MoveManual, off what it holds, might meet another: it is stopped (our choice)."""
+        running = vehicle.status is not None and vehicle.status.condition.oper is Oper.RUN
+        if vehicle.is_agv and vehicle.linked and running:
+            stop = Plain.STOP_BY_HOST
+            self._books.open_intent(vehicle, stop.value, Simple(stop), SYSTEM)
 
     def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:
         """Its place is not believed: it holds what it held and where it says to be, until a person vouches for the place."""

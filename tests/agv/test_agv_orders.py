@@ -136,6 +136,15 @@ def test_a_manual_move_is_for_manual_and_is_followed_by_its_tags() -> None:
     assert world.result().violations == ()
 
 
+def test_a_manual_move_that_leaves_what_the_agv_may_reach_is_stopped() -> None:
+    world = ready(hall(one_way=["1-2-3-4-5-6-1"], stations=[2, 5], starts=[1, 3], carts=1))
+    by_hand(world)
+    assert isinstance(asked(world, FORWARD), Accepted)
+    world.until(lambda: world.view().hold is not None)
+    assert "could not be moved to" in world.view().hold.reason  # type: ignore[union-attr]
+    world.until(lambda: world.agv().report.run == AgvRun.STOP)
+
+
 def test_what_became_of_a_manual_move_on_a_lost_link_a_person_decides() -> None:
     world = by_hand(ready())
     world.agv()._obey = lambda body: None  # type: ignore[method-assign]
