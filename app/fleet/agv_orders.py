@@ -70,7 +70,7 @@ class AgvOrders:
         if what is Plain.STATUS:  # it reports each second
             return self._accepted(vehicle)
         if what is Plain.ALARM_CLEAR and _run(vehicle) is not AgvRun.ERROR:
-            return Refusal("not-now", f"{vehicle.id} reports no error to reset", "")
+            return Refusal("not-now", f"{vehicle.id} reports no error to reset", "leave it as it is")
         intent = self._books.open_intent(vehicle, what.value, Simple(what), request.actor)
         if stops:
             self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
@@ -78,7 +78,11 @@ class AgvOrders:
 
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """ENIG has no display."""
-        return Refusal("invalid", f"{vehicle.id} is an AGV, and has no display: {request.text!r} is not shown", "")
+        return Refusal(
+            "invalid",
+            f"{vehicle.id} is an AGV, and has no display: {request.text!r} is not shown",
+            "send display to a hoist",
+        )
 
     def move(self, vehicle: VehicleNow, request: MoveVehicle) -> Reply:
         """Send an AGV to a tag, under grants; it knows one kind of stop."""
@@ -104,7 +108,9 @@ class AgvOrders:
         """Send one of ENIG's commands, or say why not. Its outcome is the intent's: Status decides, or a person."""
         command = request.command
         if not vehicle.is_agv:
-            return Refusal("invalid", f"{vehicle.id} is a hoist: agv_ commands are for AGVs", "", "command")
+            return Refusal(
+                "invalid", f"{vehicle.id} is a hoist: agv_ commands are for AGVs", "send it a hoist's", "command"
+            )
         if refusal := self._out_of_reach(vehicle, harmless=command in HARMLESS):
             return refusal
         if refusal := self._against(vehicle, command):
@@ -124,7 +130,7 @@ class AgvOrders:
         running = _run(vehicle) is AgvRun.RUN
         match command:
             case DeviceAct.MARK_STOP:
-                return None if running else Refusal("not-now", f"{vehicle.id} does not run", "")
+                return None if running else Refusal("not-now", f"{vehicle.id} stands", "send it to an AGV that drives")
             case AgvLift(action=LiftAction.STOP) | AgvCharge(on=False):
                 return None
             case AgvMoveManual():

@@ -140,7 +140,7 @@ class DeviceOrders:
     def _pin(self, door: DeviceNow, request: PinDoor) -> Reply:
         """Keep a door open or closed."""
         if door.kind is not DeviceKind.DOOR:
-            return Refusal("invalid", f"{door.id} is a {door.kind.value}, not a door", "", "device")
+            return Refusal("invalid", f"{door.id} is a {door.kind.value}, not a door", "name a door", "device")
         pin = door.record.pin
         if pin and pin.owner != request.actor:
             return Refusal("conflict", f"{door.id} is kept {pin.position.value} by {pin.owner}", f"ask {pin.owner}")
@@ -154,7 +154,7 @@ class DeviceOrders:
     def _unpin(self, door: DeviceNow, request: UnpinDoor) -> Reply:
         """Anybody may give the door back to the vehicles: what protects people is the lockout."""
         if door.record.pin is None:
-            return Refusal("conflict", f"{door.id} is not kept open or closed", "")
+            return Refusal("conflict", f"{door.id} is not kept open or closed", "see GET /api/v1/devices: pin")
         self._devices.save(door, pin=None)
         return self._changed(door, request.actor, "is given back to the vehicles")
 
@@ -169,7 +169,7 @@ class DeviceOrders:
         """Lifted by its owner, or by two others together."""
         lockout = device.record.lockout
         if lockout is None:
-            return Refusal("conflict", f"{device.id} is not locked out", "")
+            return Refusal("conflict", f"{device.id} is not locked out", "see GET /api/v1/devices: lockout")
         releases = tuple(dict.fromkeys((*lockout.releases, request.actor)))
         if request.actor != lockout.owner and len(releases) < 2:
             self._devices.save(device, lockout=replace(lockout, releases=releases))
