@@ -42,9 +42,8 @@ def test_a_number_that_makes_no_sense_is_refused(words: list[str]) -> None:
 
 
 def test_a_port_that_is_taken_is_said_with_the_option_that_chose_it() -> None:
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        with pytest.raises(CannotStart) as caught:
-            bound("127.0.0.1", taken.getsockname()[1], "--operator")
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(CannotStart) as caught:
+        bound("127.0.0.1", taken.getsockname()[1], "--operator")
     assert caught.value.remedy == "Choose another one with --operator."
 
 

@@ -234,7 +234,7 @@ class Onboard:
         teach_each(codes, self.teach, lambda: self.job is job, self._finish)
 
     def align(self) -> None:
-        """Who teaches has brought the hoist over the port by hand before; for each axis that nobody has jogged, it is done now."""
+        """Who teaches has brought the hoist over the port by hand before: each axis that nobody has jogged is there now."""
         where = self.aligned(self._traveler.place(self._agenda.now)[0])
         if where is not None:
             for axis in Axis:
