@@ -134,7 +134,7 @@ def _heard(said: str | bytes, subscription: Subscription, spoken: Spoken) -> tup
             subscription.resync()
         else:
             return Problem("invalid", "The message asks for nothing.", remedy), words.id
-    except (msgspec.DecodeError, UnicodeDecodeError) as wrong:
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as wrong:
         return Problem("invalid", f"The message is not understood: {wrong}", remedy), None
     except Problem as problem:
         return problem, None

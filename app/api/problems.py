@@ -186,7 +186,7 @@ def problem_of(errors: Sequence[Mapping[str, object]], content_type: str) -> Pro
         return Problem("media-type", f"The body came as {content_type[:80]!r}.", remedy)
     if any(e["type"] == "json_invalid" for e in errors):
         return Problem("malformed", f"The body is not JSON: {_why_not_json(errors)}.")
-    found = [{"field": _place(e), "message": _message(e)} for e in errors]
+    found = [{"field": _place(e), "message": message_of(e)} for e in errors]
     first = found[0]
     detail = f"{first['field']}: {first['message']}" if first["field"] else first["message"]
     return Problem("invalid", detail, field=first["field"], errors=found)
@@ -206,11 +206,14 @@ def _place(error: Mapping[str, object]) -> str:
     return ".".join(str(part) for part in parts)
 
 
-def _message(error: Mapping[str, object]) -> str:
+def message_of(error: Mapping[str, object]) -> str:
+    """Return what is wrong with a field, in words for people."""
     message = str(error["msg"]).removeprefix("Value error, ")
     return {
         "extra_forbidden": "there is no such field",
         "missing": "is required" if _place(error) else "a body in JSON is required",
+        "model_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
+        "model_attributes_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
         "union_tag_not_found": "is required",
         "union_tag_invalid": f"is none of {_context(error).get('expected_tags')}",
         "string_pattern_mismatch": "holds a character that is not allowed here (control characters never are)",

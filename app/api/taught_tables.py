@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from app.api.inputs import Id, Pulse
-from app.api.problems import Problem
+from app.api.problems import Problem, message_of
 from app.api.teaching_answers import Version, version_row
 from app.domain.layout import Axis
 from app.domain.pulses import pulses_of
@@ -26,7 +26,7 @@ TOLD = ("actor", "source", "at", "reason")
 NOT_READ = frozenset({*TOLD, "proposal", "restores", "basis"})
 """Columns of an export that an import passes over."""
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
-_WHOLE = re.compile(r"[+-]?\d{1,12}")
+_WHOLE = re.compile(r"[+-]?[0-9]{1,12}")
 
 
 def exported(side: Side, rows: Sequence[tuple[str, Version]]) -> str:
@@ -155,6 +155,5 @@ def _read(side: Side, given: Iterable[tuple[int, Mapping[str, Any]]]) -> Read:
         except ValidationError as error:
             first = error.errors(include_url=False)[0]
             where = "".join(str(part) for part in first["loc"][:1]).replace("name", OWNER[side])
-            said = str(first["msg"]).removeprefix("Value error, ")
-            wrong.append(RowFate(line, name, Fate.ERROR, f"{where}: {said}", "correct the cell"))
+            wrong.append(RowFate(line, name, Fate.ERROR, f"{where}: {message_of(first)}", "correct the cell"))
     return Read(tuple(rows), tuple(wrong))

@@ -39,7 +39,11 @@ def check(
         findings = unusable.findings
     usable, others = found is not None, list[tuple[Path, Finding]]()
     if found is not None:
-        found, others, usable = with_catalogues(found, plant)
+        try:
+            found, others, usable = with_catalogues(found, plant)
+        except CannotStart as wrong:
+            print(wrong.message)
+            raise typer.Exit(2) from None
     if json:
         listed = [{**asdict(finding), "severity": finding.severity.value} for finding in findings]
         listed += [{**asdict(one), "severity": one.severity.value, "file": str(file)} for file, one in others]

@@ -34,7 +34,7 @@ def demo(
         str | None, typer.Option(help="SQLAlchemy URL; without it a new one, thrown away at the end")
     ] = None,
     operator: Annotated[
-        int | None, typer.Option(help="port for the hands at the simulated hoists: key, jog, teach")
+        int | None, typer.Option(min=0, max=65535, help="port for the hands at the simulated vehicles: key, jog, teach")
     ] = None,
 ) -> None:
     """Show a plant: simulate its vehicles, control them, print where to look. Ctrl-C ends everything."""

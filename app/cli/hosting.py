@@ -25,14 +25,14 @@ WORD = 1 << 16
 """Longest message that a watcher may send before its connection is cut, bytes. Our choice."""
 
 
-def bound(host: str, port: int) -> socket.socket:
-    """Return a socket that listens there. Raises CannotStart."""
+def bound(host: str, port: int, option: str = "--port") -> socket.socket:
+    """Return a socket that listens there; ``option`` is what chose the port. Raises CannotStart."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     try:
         return socket.create_server((host, port), family=family, backlog=2048)
     except OSError as wrong:
         raise CannotStart(
-            f"cannot listen at {host}:{port}: {said(wrong)}", remedy="Choose another one with --port."
+            f"cannot listen at {host}:{port}: {said(wrong)}", remedy=f"Choose another one with {option}."
         ) from None
 
 

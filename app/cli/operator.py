@@ -1,9 +1,11 @@
-"""The hands at the simulated hoists: what people do at a real one with its key and its hand controller, over HTTP.
+"""The hands at the simulated vehicles: what people do at a real one with its key and its hand controller, over HTTP.
 
 GET  /hoists/V003                                     mode, barcode, pulses
 POST /hoists/V003/key    {"mode": "mant"}             turn the key
 POST /hoists/V003/jog    {"lift": 41000}              bring axes to positions, pulses; 0 is home
 POST /hoists/V003/teach  {"what": "lift_dest"}        send one axis's position to the controller
+GET  /agvs/AGV1                                       mode, tag
+POST /agvs/AGV1/key      {"mode": "manual"}           turn the key
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from starlette.applications import Starlette
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
+from app.domain.devices import AgvMode
 from app.domain.ids import VehicleId
 from app.domain.layout import Axis
 from app.domain.units import Pulses, Seconds
@@ -26,6 +29,7 @@ from app.protocols.itsc.messages import Code, Mode
 if TYPE_CHECKING:
     from starlette.requests import Request
 
+    from app.protocols.enig.simulator import SimulatedAgv
     from app.protocols.itsc.simulator import SimulatedVehicle
     from app.runtime.lines import Line
 
@@ -39,6 +43,12 @@ class Key(msgspec.Struct, forbid_unknown_fields=True):
     """Where the key is turned to."""
 
     mode: Literal["mant", "semi", "auto"]
+
+
+class AgvKey(msgspec.Struct, forbid_unknown_fields=True):
+    """Where an AGV's key is turned to: no command of ENIG does it (E21)."""
+
+    mode: Literal["manual", "auto"]
 
 
 class Jog(msgspec.Struct, forbid_unknown_fields=True):
@@ -56,14 +66,22 @@ class TeachOne(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Hands:
-    """Does at each hoist what it is told. ``lines`` are woken after each act, so that what it has to say leaves at once."""
+    """Does at each hoist what it is told, and turns the keys of ``agvs``, which report by themselves.
+
+    ``lines`` are woken after each act, so that what a hoist has to say leaves at once.
+    """
 
     def __init__(
-        self, devices: Mapping[VehicleId, SimulatedVehicle], lines: Mapping[VehicleId, Line], now: Callable[[], Seconds]
+        self,
+        devices: Mapping[VehicleId, SimulatedVehicle],
+        lines: Mapping[VehicleId, Line],
+        now: Callable[[], Seconds],
+        agvs: Mapping[VehicleId, SimulatedAgv],
     ) -> None:
         self._devices = devices
         self._lines = lines
         self._now = now
+        self._agvs = agvs
 
     def application(self) -> Starlette:
         """Return the ASGI application."""
@@ -76,6 +94,10 @@ class Hands:
         routes += [
             Route(f"/hoists/{{name}}/{act}", self._doing(kind, do), methods=["POST"])
             for act, (kind, do) in acts.items()
+        ]
+        routes += [
+            Route("/agvs/{name}", self._agv),
+            Route("/agvs/{name}/key", self._agv, methods=["POST"]),
         ]
         return Starlette(routes=routes)
 
@@ -94,6 +116,20 @@ class Hands:
     async def _show(self, request: Request) -> Response:
         device = self._devices.get(VehicleId(request.path_params["name"]))
         return _none(request) if device is None else JSONResponse(_shown(device))
+
+    async def _agv(self, request: Request) -> Response:
+        """Show an AGV; turn its key before, if that is what is wanted."""
+        name = request.path_params["name"]
+        agv = self._agvs.get(VehicleId(name))
+        if agv is None:
+            return JSONResponse({"detail": f"there is no simulated AGV {name}"}, 404)
+        if request.method == "POST":
+            try:
+                word = msgspec.json.decode((await request.body())[:MOST], type=AgvKey)
+            except (msgspec.DecodeError, ValueError) as wrong:
+                return JSONResponse({"detail": str(wrong)}, 422)
+            agv.set_mode(AgvMode[word.mode.upper()], self._now())
+        return JSONResponse({"mode": AgvMode(agv.report.mode).name.lower(), "tag": agv.place(self._now())[0]})
 
     def _doing(
         self, kind: type[Word], do: Callable[[SimulatedVehicle, Word], None]

@@ -26,7 +26,9 @@ def set_panels(wishes: Iterable[str], drives: Mapping[DriveId, SimulatedDrive], 
         name, _, what = wish.partition("=")
         drive = drives.get(DriveId(name))
         if drive is None:
-            raise CannotStart(f"there is no drive {name!r} in the plant", remedy=f"there are: {', '.join(drives)}")
+            raise CannotStart(
+                f"there is no drive {name!r} in the plant", remedy=f"there are: {', '.join(drives) or 'none'}"
+            )
         number = what.removeprefix(_ERROR)
         if what in modes:
             drive.panel_mode(modes[what], now)

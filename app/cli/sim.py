@@ -50,7 +50,10 @@ def sim(
         typer.Option(callback=positive, help="steps of a pick-up or place, and of homing, are so many times as quick"),
     ] = 1.0,
     operator: Annotated[
-        int | None, typer.Option(help="port of this machine for the hands at the simulated hoists: key, jog, teach")
+        int | None,
+        typer.Option(
+            min=0, max=65535, help="port of this machine for the hands at the simulated vehicles: key, jog, teach"
+        ),
     ] = None,
     panel: Annotated[
         list[str] | None, typer.Option(help="set a drive's panel: DRIVE=jog, =monitoring, =parameter_select, =error7")
@@ -139,8 +142,8 @@ class _Floor:
         from app.cli.operator import Bench, Hands
         from app.runtime.clock import Clock
 
-        bench = Bench(Hands(floor.devices, self._hoists, Clock().now))
-        listening = bound("127.0.0.1", self._operator)
+        bench = Bench(Hands(floor.devices, self._hoists, Clock().now, floor.halls.agvs))
+        listening = bound("127.0.0.1", self._operator, "--operator")
         self._serving = asyncio.create_task(bench.serve([listening]))
         return bench
 

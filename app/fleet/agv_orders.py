@@ -72,7 +72,7 @@ class AgvOrders:
         if what is Plain.STATUS:  # it reports each second
             return self._accepted(vehicle)
         if what is Plain.ALARM_CLEAR and _run(vehicle) is not AgvRun.ERROR:
-            return Refusal("not-now", f"{vehicle.id} reports no error to reset", "")
+            return Refusal("not-now", f"{vehicle.id} reports no error to reset", "leave it as it is")
         intent = self._books.open_intent(vehicle, what.value, Simple(what), request.actor)
         if what in {Plain.STOP, Plain.STOP_BY_HOST}:
             self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
@@ -80,7 +80,11 @@ class AgvOrders:
 
     def display(self, vehicle: VehicleNow, request: DisplayOnVehicle) -> Reply:
         """ENIG has no display."""
-        return Refusal("invalid", f"{vehicle.id} is an AGV, and has no display: {request.text!r} is not shown", "")
+        return Refusal(
+            "invalid",
+            f"{vehicle.id} is an AGV, and has no display: {request.text!r} is not shown",
+            "send display to a hoist",
+        )
 
     def move(self, vehicle: VehicleNow, request: MoveVehicle) -> Reply:
         """Send an AGV to a tag, under grants; it knows one kind of stop."""
@@ -95,7 +99,9 @@ class AgvOrders:
         """Send one of ENIG's commands, or say why not. Its outcome is the intent's: Status decides, or a person."""
         command = request.command
         if not vehicle.is_agv:
-            return Refusal("invalid", f"{vehicle.id} is a hoist: agv_ commands are for AGVs", "", "command")
+            return Refusal(
+                "invalid", f"{vehicle.id} is a hoist: agv_ commands are for AGVs", "send it a hoist's", "command"
+            )
         if refusal := self._orders.out_of_reach(vehicle, Direct(command)):
             return refusal
         if refusal := self._against(vehicle, command):
@@ -115,7 +121,7 @@ class AgvOrders:
         running = _run(vehicle) is AgvRun.RUN
         match command:
             case DeviceAct.MARK_STOP:
-                return None if running else Refusal("not-now", f"{vehicle.id} does not run", "")
+                return None if running else Refusal("not-now", f"{vehicle.id} stands", "send it to an AGV that drives")
             case AgvLift(action=LiftAction.STOP) | AgvCharge(on=False):
                 return None
             case AgvMoveManual():

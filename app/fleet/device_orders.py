@@ -138,7 +138,7 @@ class DeviceOrders:
     def _pin(self, door: DeviceNow, request: PinDoor) -> Reply:
         """Keep a door open or closed."""
         if door.kind is not DeviceKind.DOOR:
-            return Refusal("invalid", f"{door.id} is a {door.kind.value}, not a door", "", "device")
+            return Refusal("invalid", f"{door.id} is a {door.kind.value}, not a door", "name a door", "device")
         pin = door.record.pin
         if pin and pin.owner != request.actor:
             return Refusal("conflict", f"{door.id} is kept {pin.position.value} by {pin.owner}", f"ask {pin.owner}")
@@ -152,7 +152,7 @@ class DeviceOrders:
     def _unpin(self, door: DeviceNow, request: UnpinDoor) -> Reply:
         """Anybody may give the door back to the vehicles: what protects people is the lockout."""
         if door.record.pin is None:
-            return Refusal("conflict", f"{door.id} is not kept open or closed", "")
+            return Refusal("conflict", f"{door.id} is not kept open or closed", "see GET /api/v1/devices: pin")
         self._devices.save(door, pin=None)
         return self._changed(door, request.actor, "is given back to the vehicles")
 
@@ -167,7 +167,7 @@ class DeviceOrders:
         """Lifted by its owner, or by two others together."""
         lockout = device.record.lockout
         if lockout is None:
-            return Refusal("conflict", f"{device.id} is not locked out", "")
+            return Refusal("conflict", f"{device.id} is not locked out", "see GET /api/v1/devices: lockout")
         wished = lockout.wished_away_by(request.actor)
         if not wished.lifted_by(request.actor):
             self._devices.save(device, lockout=wished)

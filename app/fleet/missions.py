@@ -236,7 +236,7 @@ class Missions:
         self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(condition.loaded)}")
         self._recovery.hold(
             vehicle,
-            f"{what} at {handling.station} was answered RESULT 0, but the FOUP bit is {int(condition.loaded)}",
+            f"{what} at {handling.station} was answered RESULT 0, but the {vehicle.burden} bit is {int(condition.loaded)}",
             "look whether the carrier is aboard or at the station, correct it, then release the vehicle",
         )
 
@@ -361,9 +361,13 @@ class Missions:
             return
         if job.leg is Leg.TO_SOURCE:
             self.give_back(vehicle, f"given back by {vehicle.id}: {why}")
-        elif job.allows(JobStep.PAUSE):
-            job = self._books.save_job(replace(job.after(JobStep.PAUSE), reason=f"{vehicle.id} cannot go on: {why}"))
-            self._books.event(JobEvent.TRANSFER_PAUSED, job=job, detail=job.reason)
+            return
+        reason = f"{vehicle.id} cannot go on: {why}"
+        if job.allows(JobStep.PAUSE):
+            job = self._books.save_job(replace(job.after(JobStep.PAUSE), reason=reason))
+            self._books.event(JobEvent.TRANSFER_PAUSED, job=job, detail=reason)
+        elif job.state is JobState.PAUSED and job.reason != reason:
+            self._books.save_job(replace(job, reason=reason))
 
     def _resume(self, vehicle: VehicleNow) -> None:
         """The vehicle can go on again, and its job with it."""

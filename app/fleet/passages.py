@@ -62,9 +62,11 @@ class Passages:
         return "moving" if door.busy else door.state.name.lower()
 
     def wait_for(self, door: DeviceNow) -> str:
-        """Return a door and why it is waited for, with the seconds that this has lasted."""
-        since = int(self._books.now - door.since)
-        return f"{door.id} ({self.against(door)}, {since} s)"
+        """Return a door and why it is waited for, with the seconds that this has lasted where the door itself is why."""
+        why = self.against(door)
+        if door.barred or door.record.pin:
+            return f"{door.id} ({why})"
+        return f"{door.id} ({why}, {int(self._books.now - door.since)} s)"
 
     # -- who is in them -----------------------------------------------------------------------------------------------
 

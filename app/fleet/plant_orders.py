@@ -128,7 +128,7 @@ class PlantOrders:
         if vehicle.linked and vehicle.loaded is False:
             return Refusal(
                 "conflict",
-                f"{vehicle.id} says that nothing is aboard (FOUP bit 0)",
+                f"{vehicle.id} says that nothing is aboard ({vehicle.burden} bit 0)",
                 "look where the carrier is, and name that place",
                 "place",
             )

@@ -143,12 +143,12 @@ class Recovery:
         believed = self.believed_loaded(vehicle)
         if condition.loaded and not believed:
             return (
-                "it carries a FOUP that no job or record accounts for",
+                f"it carries a {vehicle.burden} that no job or record accounts for",
                 "see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on",
             )
         if believed and not condition.loaded:
             return (
-                f"it should carry {vehicle.record.carrier or 'a FOUP'}, and its FOUP bit is 0",
+                f"it should carry {vehicle.record.carrier or f'a {vehicle.burden}'}, and its {vehicle.burden} bit is 0",
                 "find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)",
             )
         return None
@@ -158,7 +158,7 @@ class Recovery:
         if condition.loaded or not vehicle.failed_handling:
             return None
         return (
-            f"its PLACE ended in {vehicle.failed_handling}, and its FOUP bit is 0",
+            f"its PLACE ended in {vehicle.failed_handling}, and its {vehicle.burden} bit is 0",
             "see that the carrier stands where it should, then release the vehicle with verdict go_on",
         )
 
@@ -214,10 +214,18 @@ class Recovery:
         if barcode not in self._books.traffic.held(vehicle.id):
             came = f"{vehicle.id} reports barcode {barcode}, which it could not be moved to from {vehicle.barcode}"
             self.doubt(vehicle, barcode, came)
+            self._stop_by_hand(vehicle)
             self._stop_who_drives_there(vehicle, barcode, self._books.track.covered(barcode, vehicle.spec.length))
             return
         self._stop_who_drives_there(vehicle, barcode, self._motion.place(vehicle, barcode))
         self.widen(vehicle)
+
+    def _stop_by_hand(self, vehicle: VehicleNow) -> None:
+        """An AGV that still drives on our MoveManual, off what it holds, might meet another: it is stopped (our choice)."""
+        running = vehicle.status is not None and vehicle.status.condition.oper is Oper.RUN
+        if vehicle.is_agv and vehicle.linked and running:
+            stop = Plain.STOP_BY_HOST
+            self._books.open_intent(vehicle, stop.value, Simple(stop), SYSTEM)
 
     def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:
         """Its place is not believed: it holds what it held and where it says to be, until a person vouches for the place."""

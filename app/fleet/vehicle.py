@@ -206,6 +206,11 @@ class VehicleNow:
         return self.spec.kind is VehicleKind.AGV
 
     @property
+    def burden(self) -> str:
+        """What it carries is called: a FOUP, or an AGV's cart."""
+        return "cart" if self.is_agv else "FOUP"
+
+    @property
     def in_position(self) -> bool:
         """Whether it stands at its barcode, not somewhere after it: an AGV says so, a hoist stops nowhere else."""
         return not self.is_agv or (self.status is not None and self.status.condition.at_tag)

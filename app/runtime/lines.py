@@ -191,5 +191,5 @@ class Line(asyncio.Protocol):
 
 def _why(error: Exception | None) -> str:
     if error is None:
-        return "closed"
+        return "the connection was closed"
     return (error.strerror if isinstance(error, OSError) else None) or str(error)

@@ -141,6 +141,15 @@ def test_a_manual_move_is_for_manual_and_is_followed_by_its_tags() -> None:
     assert world.result().violations == ()
 
 
+def test_a_manual_move_that_leaves_what_the_agv_may_reach_is_stopped() -> None:
+    world = ready(hall(one_way=["1-2-3-4-5-6-1"], stations=[2, 5], starts=[1, 3], carts=1))
+    by_hand(world)
+    assert isinstance(asked(world, FORWARD), Accepted)
+    world.until(lambda: world.view().hold is not None)
+    assert "could not be moved to" in world.view().hold.reason  # type: ignore[union-attr]
+    world.until(lambda: world.agv().report.run == AgvRun.STOP)
+
+
 def test_what_became_of_a_manual_move_on_a_lost_link_a_person_decides() -> None:
     world = by_hand(ready())
     world.agv()._obey = lambda body: None  # type: ignore[method-assign]
@@ -224,6 +233,13 @@ def test_a_lockout_lets_only_through_what_ends_something() -> None:
     assert "locked out by anna" in refused(world, AgvLift(LiftAction.UP)).reason
     assert isinstance(asked(world, AgvLift(LiftAction.STOP)), Accepted)
     assert isinstance(world.reply(CommandVehicle(ANNA, A1, Plain.STOP)), Accepted)
+
+
+def test_a_cart_that_somebody_put_on_is_called_a_cart_when_it_holds_the_agv() -> None:
+    world = ready()
+    world.agv().set_cart(CartState.PRESENT, world.now)
+    world.run(world.now + 10.0)
+    assert "it carries a cart that no job or record accounts for" in world.view().waiting
 
 
 def test_a_cart_that_it_does_not_know_of_is_settled_before_anything_else() -> None:

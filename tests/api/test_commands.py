@@ -126,6 +126,16 @@ async def test_what_is_wrong_with_a_command_is_said_and_the_stream_goes_on(
         assert (await socket.frame())["type"] == "reply"
 
 
+@pytest.mark.parametrize("body", ["[" * 1900 + "]" * 1900, "[" * 3900, '{"a":' * 600 + "1" + "}" * 600])
+async def test_a_command_nested_without_end_is_refused_and_the_stream_goes_on(app: FastAPI, body: str) -> None:
+    async with Socket(app, query="topics=events") as socket:
+        await opened(socket)
+        socket.say(f'{{"id": 1, "command": {{"name": "device.command", "target": "DOOR1", "body": {body}}}}}')
+        assert (await socket.frame())["type"] == "error"
+        say(socket, "controller.resume")
+        assert (await socket.frame())["type"] == "reply"
+
+
 async def test_every_command_refuses_an_unknown_target_or_an_empty_body(app: FastAPI, controller: Scripted) -> None:
     async with Socket(app, query="topics=events") as socket:
         await opened(socket)

@@ -66,7 +66,8 @@ def test_a_name_that_was_made_safe_comes_back_as_it_was() -> None:
         ("P1,1.5,2,3", "shft: '1.5' is no whole number"),
         ("P1,1,2,3000000000", "lift: Input should be less than or equal to 2147483647"),
         (",1,2,3", "station: String should have at least 1 character"),
-        ("P 1,1,2,3", "station: String should match pattern"),
+        ("P1,\u0663,2,3", "shft: '\u0663' is no whole number"),
+        ("P 1,1,2,3", "station: holds a character that is not allowed here"),
         ("P1,1,2,3,4", "there is no column 'too many' here"),
     ],
 )

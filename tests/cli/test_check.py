@@ -79,6 +79,17 @@ def test_a_file_that_cannot_be_read_exits_2(tmp_path: Path, content: bytes | Non
     assert f"{file} cannot be read: " in result.stdout
 
 
+def test_a_catalogue_that_cannot_be_read_exits_2(tmp_path: Path) -> None:
+    file = tmp_path / "hall.yaml"
+    text = (PLANTS / "hall.yaml").read_text(encoding="utf-8")
+    file.write_text(text.replace("model: demo", "model: odd"), encoding="utf-8")
+    (tmp_path / "catalogues").mkdir()
+    (tmp_path / "catalogues" / "odd.yaml").write_bytes(b"\xff\xfe")
+    result = run("check", str(file))
+    assert result.exit_code == 2
+    assert "odd.yaml cannot be read: it is not UTF-8" in result.output
+
+
 def test_the_schema_of_a_plant_file_is_printed() -> None:
     result = run("schema", "plant")
     assert result.stdout == (PLANTS / "plant.schema.json").read_text(encoding="utf-8")

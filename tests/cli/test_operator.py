@@ -10,6 +10,7 @@ from app.domain.ids import VehicleId
 from app.domain.layout import Axis
 from app.domain.units import Seconds
 from app.sim.plantworld import SimulatedPlant
+from tests.agv.hall import hall
 from tests.fleet.script import small
 
 pytestmark = pytest.mark.anyio
@@ -28,7 +29,7 @@ def floor() -> SimulatedPlant:
 
 @pytest.fixture
 async def client(floor: SimulatedPlant) -> AsyncIterator[httpx.AsyncClient]:
-    hands = Hands(floor.devices, {}, lambda: Seconds(0.0))
+    hands = Hands(floor.devices, {}, lambda: Seconds(0.0), floor.halls.agvs)
     async with httpx.AsyncClient(transport=httpx.ASGITransport(hands.application()), base_url="http://sim") as client:
         yield client
 
@@ -71,3 +72,14 @@ async def test_what_is_not_understood_is_refused(client: httpx.AsyncClient, path
     assert (answer.status_code, bool(answer.json()["detail"])) == (422, True)
     assert (await client.post(f"/hoists/V9/{path}", json=body)).status_code == 404
     assert (await client.get("/hoists/V9")).status_code == 404
+
+
+async def test_an_agvs_key_is_turned_at_the_agv_alone() -> None:
+    floor = SimulatedPlant(hall(two_way=["1-2-3-4-5"], stations=[1, 5], starts=[3], carts=1))
+    hands = Hands({}, {}, lambda: Seconds(0.0), floor.halls.agvs)
+    async with httpx.AsyncClient(transport=httpx.ASGITransport(hands.application()), base_url="http://sim") as client:
+        assert (await client.get("/agvs/A1")).json() == {"mode": "auto", "tag": "0003"}
+        assert (await client.post("/agvs/A1/key", json={"mode": "manual"})).json()["mode"] == "manual"
+        assert (await client.get("/agvs/A1")).json()["mode"] == "manual"
+        assert (await client.post("/agvs/A1/key", json={"mode": "mant"})).status_code == 422
+        assert (await client.post("/agvs/A9/key", json={"mode": "auto"})).status_code == 404

@@ -9,7 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 from app.cli import app
-from app.cli.plainly import said
+from app.cli.hosting import bound
+from app.cli.plainly import CannotStart, said
 
 PLANT = str(Path(__file__).parents[2] / "plants" / "small.yaml")
 
@@ -29,6 +30,8 @@ PLANT = str(Path(__file__).parents[2] / "plants" / "small.yaml")
         ["workload", "--rate", "nan"],
         ["workload", "--keep", "-1"],
         ["demo", "--keep", "0"],
+        ["demo", "--operator", "-1"],
+        ["sim", "--plant", PLANT, "--operator", "65536"],
     ],
     ids=" ".join,
 )
@@ -36,6 +39,12 @@ def test_a_number_that_makes_no_sense_is_refused(words: list[str]) -> None:
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 2
     assert words[-2] in result.output
+
+
+def test_a_port_that_is_taken_is_said_with_the_option_that_chose_it() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(CannotStart) as caught:
+        bound("127.0.0.1", taken.getsockname()[1], "--operator")
+    assert caught.value.remedy == "Choose another one with --operator."
 
 
 def test_a_url_without_a_scheme_is_refused() -> None:

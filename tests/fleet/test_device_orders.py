@@ -115,7 +115,7 @@ def test_a_door_that_is_kept_closed_lets_nobody_through_and_says_who_wants_that(
     script.accept(PinDoor(KIM, DOOR1, DoorPosition.CLOSED, "cleaning"))
     go(script, "110")
     script.run(15)
-    assert script.vehicle(V1).waiting.startswith("V001 waits at 106 for door DOOR1 (kept closed by kim: cleaning")
+    assert script.vehicle(V1).waiting == "V001 waits at 106 for door DOOR1 (kept closed by kim: cleaning)"
     assert script.refuse(OPEN).reason == "DOOR1 is kept closed by kim: cleaning"
     script.accept(UnpinDoor(LEE, DOOR1))
     at(script, "110")

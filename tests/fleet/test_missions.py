@@ -340,6 +340,20 @@ def test_a_job_whose_carrier_is_aboard_is_paused_while_its_vehicle_cannot_go_on_
     assert ready.job("J1").state is JobState.COMPLETED
 
 
+def test_a_paused_job_says_what_keeps_its_vehicle_now_not_what_kept_it_first(ready: Script) -> None:
+    ready.order(vehicle=V1)
+    ready.run_to("to_destination")
+    ready.toys[V1].cut()
+    ready.run(15)
+    assert ready.job("J1").reason.startswith("V001 cannot go on: it is not connected")
+    ready.accept(HoldVehicle(KIM, V1, "a noise"))
+    ready.toys[V1].connect()
+    ready.run(15)
+    job = ready.job("J1")
+    assert (job.state, job.reason) == (JobState.PAUSED, "V001 cannot go on: on hold: held by kim: a noise")
+    assert ready.events("J1").count("TransferPaused") == 1
+
+
 def test_a_short_interruption_does_not_pause_a_job(ready: Script) -> None:
     ready.order(vehicle=V1)
     ready.run_to("to_destination")

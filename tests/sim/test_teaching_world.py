@@ -134,6 +134,18 @@ def test_a_person_presses_lift_teaching_at_the_vehicle_and_only_the_lifter_chang
     assert less(books.dests[P1].pulses, first.pulses) == pulses(0, 0, 200)
 
 
+def test_of_a_hoist_over_a_port_only_the_jogged_axis_differs_from_where_it_really_is() -> None:
+    world = World(plant_of_two(), seed=3)
+    world.run(6.0)
+    bring(world, V3, P1)
+    truth = world.floor.truth.aligned(V3, Barcode("104"))
+    assert truth is not None
+    device = world.floor.devices[V3]
+    device.jog(Axis.LIFT, Pulses(truth.lift + 200), world.now)
+    device.teach_single(Code.LIFT_DEST_TEACHING, world.now)
+    assert tuple(device.state.pulses[axis] for axis in Axis) == (truth.shft, truth.rota, truth.lift + 200)
+
+
 def _axes(pulse_set: PulseSet | None) -> tuple[int, ...]:
     assert pulse_set is not None
     return (pulse_set.shft, pulse_set.rota, pulse_set.lift)

@@ -234,11 +234,12 @@ class Onboard:
         teach_each(codes, self.teach, lambda: self.job is job, self._finish)
 
     def align(self) -> None:
-        """Who teaches has brought the hoist over the port by hand before; if nobody has jogged an axis, it is done now."""
+        """Who teaches has brought the hoist over the port by hand before: each axis that nobody has jogged is there now."""
         where = self.aligned(self._traveler.place(self._agenda.now)[0])
-        if where is not None and not any(self.state.pulses.values()):
+        if where is not None:
             for axis in Axis:
-                self.hoist.jog(axis, where.of(axis))
+                if self.state.pulses[axis] == 0:
+                    self.hoist.jog(axis, where.of(axis))
 
     def teach(self, kind: Code, acked: Told, lost: Told) -> None:
         """Send one axis' position and the barcode, under the code that the dialect gives this message (I12)."""
