@@ -223,9 +223,8 @@ class Recovery:
     def _stop_by_hand(self, vehicle: VehicleNow) -> None:
         """An AGV that still drives on our MoveManual, off what it holds, might meet another: it is stopped (our choice)."""
         running = vehicle.status is not None and vehicle.status.condition.oper is Oper.RUN
-        if vehicle.is_agv and vehicle.linked and running:
-            stop = Plain.STOP_BY_HOST
-            self._books.open_intent(vehicle, stop.value, Simple(stop), SYSTEM)
+        if vehicle.is_agv and running:
+            halt(self._books, vehicle, SYSTEM, "it drives where it may not")
 
     def doubt(self, vehicle: VehicleNow, barcode: Barcode, why: str) -> None:
         """Its place is not believed: it holds what it held and where it says to be, until a person vouches for the place."""
