@@ -164,7 +164,8 @@ async def test_a_request_without_its_body_or_command_says_what_is_missing(
 ) -> None:
     pause = await client.post(filled("/api/v1/controller/pause"))
     assert (pause.status_code, pause.json()["detail"]) == (422, "a body in JSON is required")
-    for body in (None, [], "tea"):
+    others: tuple[object, ...] = (None, [], "tea")
+    for body in others:
         other = await client.post(filled("/api/v1/controller/pause"), json=body)
         assert other.json()["detail"] in {"a body in JSON is required", "the body has to be a JSON object"}
     commands = filled("/api/v1/vehicles/{vehicle}/commands")
