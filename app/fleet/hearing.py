@@ -166,7 +166,7 @@ class Hearing:
         else:
             state = IntentState.DONE if event.ok else IntentState.FAILED
             self._books.close_intent(
-                vehicle, event.cmd_id, state, "RESULT 0" if event.ok else event.reason or "RESULT 1"
+                vehicle, event.cmd_id, state, vehicle.done_by if event.ok else event.reason or "RESULT 1"
             )
             self._alarms.answered(vehicle, event)
             self._teaching.answered(vehicle, event.cmd_id, "" if event.ok else event.reason or "RESULT 1")

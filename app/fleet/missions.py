@@ -230,7 +230,8 @@ class Missions:
                 self._recovery.begin(vehicle)
             return
         if condition.loaded is handling.pickup:
-            self.close_handling(vehicle, IntentState.DONE, "RESULT 0 and F agrees")
+            agrees = "" if vehicle.is_agv else " and F agrees"
+            self.close_handling(vehicle, IntentState.DONE, f"{vehicle.done_by}{agrees}")
             return
         what = "PICKUP" if handling.pickup else "PLACE"
         self.close_handling(vehicle, IntentState.FAILED, f"RESULT 0, but F = {int(condition.loaded)}")

@@ -441,5 +441,5 @@ class Motion:
         if not there or answer.condition.oper is not Oper.IDLE:
             drive.answered = True
             return False
-        self.finish(vehicle, IntentState.DONE, "RESULT 0")
+        self.finish(vehicle, IntentState.DONE, vehicle.done_by)
         return True

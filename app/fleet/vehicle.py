@@ -231,6 +231,11 @@ class VehicleNow:
         return self.status.condition.loaded if self.status else None
 
     @property
+    def done_by(self) -> str:
+        """What says that a command is done: RESP1 of a hoist; an AGV has no answers, and shows it (PROTOCOLS E9)."""
+        return "Status shows it" if self.is_agv else "RESULT 0"
+
+    @property
     def handlings(self) -> list[Intent]:
         """PICKUP and PLACE whose outcome is not known yet."""
         return [intent for intent in self.opened.values() if intent.kind in HANDLINGS]

@@ -2,6 +2,7 @@
 import { colourOfDevice, DEVICE_LOOKS } from "../shows";
 import { chooseDevice, deviceNow, layout, lookAt, type MachineKind, machines, passers, presence, selected } from "../store";
 import { t } from "../texts";
+import type { Device } from "../types";
 
 export function DeviceList() {
   return (
@@ -13,6 +14,13 @@ export function DeviceList() {
   );
 }
 
+/** What people have decided about a device: it does not do what its state alone would let one expect. */
+function barred({ lockout, out_of_service, pin }: Device): string {
+  if (lockout) return `${t("locked", lockout.owner)} ${lockout.reason}`;
+  if (out_of_service) return `${t("out_of_service")}: ${out_of_service}`;
+  return pin ? `${t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner)}: ${pin.reason}` : "";
+}
+
 function Row({ id, kind }: { id: string; kind: MachineKind }) {
   const device = deviceNow(id);
   void presence.value;
@@ -20,7 +28,7 @@ function Row({ id, kind }: { id: string; kind: MachineKind }) {
   const station = layout.value?.stations.find((one) => one.buffer === id)?.id;
   const barcode = layout.value?.chargers.find((one) => one.id === id)?.barcode;
   const who = kind === "buffer" ? (device?.lock?.owner ?? "") : passers(id).join(", ");
-  const why = device?.alarm || device?.contradiction || device?.out_of_service || device?.reason || "";
+  const why = device?.alarm || device?.contradiction || (device && barred(device)) || device?.reason || "";
   const chosen = selected.value?.id === id || (station !== undefined && selected.value?.id === station);
   return (
     <li>
