@@ -64,8 +64,8 @@ class Effects:
     @property
     def empty(self) -> bool:
         """Whether nothing was decided."""
-        parts = (self.records, self.sends, self.link_sends, self.polls, self.stored, self.updates, self.replies)
-        return not any(parts)
+        told = self.updates or self.replies
+        return not (self.records or self.sends or self.link_sends or self.polls or self.stored or told)
 
 
 class Books:
