@@ -1,0 +1,129 @@
+"""Next hops over buffers, at the weights of the moment: a row for each goal, made when it is first asked for."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from app.sim.kinematic.compiled import compiled
+from app.sim.kinematic.network import Network, Real, Whole
+
+
+class Ways(NamedTuple):
+    """Per buffer: ``weight``, seconds from its first barcode to a next one's; ``before_at`` (one longer) into ``before``, the buffers that
+    lead to it; ``made``, the version of its row. ``far`` has a row per goal: seconds from each buffer's first barcode to the goal's first.
+    ``version`` of the weights. ``reach`` are seconds from a barcode's buffer's first barcode to it at full speed.
+    """
+
+    weight: Real
+    before_at: Whole
+    before: Whole
+    made: Whole
+    far: Real
+    version: Whole
+    reach: Real
+    heap: Whole
+    place: Whole
+
+
+def survey(net: Network) -> Ways:
+    """Return the ways of a network at free flow."""
+    size = len(net.first)
+    found: list[list[int]] = [[] for _ in range(size)]
+    for here in range(size):
+        for c in range(net.next_at[here], net.next_at[here + 1]):
+            found[net.next_to[c]].append(here)
+    at = np.cumsum([0, *(len(f) for f in found)])
+    reach = np.zeros(len(net.buffer))
+    for b in range(1, len(reach)):
+        if net.buffer[b] == net.buffer[b - 1]:
+            reach[b] = reach[b - 1] + net.gap[b - 1] / net.speed[b - 1]
+    return Ways(
+        weight=free_flow(net),
+        before_at=at.astype(np.int64),
+        before=np.array([h for f in found for h in f], dtype=np.int64),
+        made=np.full(size, -1, dtype=np.int64),
+        far=np.full((size, size), np.inf),
+        version=np.zeros(1, dtype=np.int64),
+        reach=reach,
+        heap=np.zeros(size + 1, dtype=np.int64),
+        place=np.zeros(size, dtype=np.int64),
+    )
+
+
+def free_flow(net: Network) -> Real:
+    """Return the seconds from each buffer's first barcode to a next one's at full speed, over its quickest connection."""
+    out = net.inside.copy()
+    for here in range(len(out)):
+        ways = [net.next_gap[c] / net.next_speed[c] for c in range(net.next_at[here], net.next_at[here + 1])]
+        out[here] += min(ways, default=0.0)
+    return out
+
+
+@compiled
+def grow(net: Network, ways: Ways, goal: int, hop: Whole) -> None:
+    """Make the row of a goal: Dijkstra's algorithm backwards from it."""
+    far = ways.far[goal]
+    far[:] = np.inf
+    hop[:] = -1
+    ways.place[:] = -1
+    heap, place = ways.heap, ways.place
+    far[goal] = 0.0
+    heap[0], place[goal], size = goal, 0, 1
+    again = np.inf
+    while size > 0:
+        here = heap[0]
+        size -= 1
+        if size > 0:
+            last = heap[size]
+            at, due = 0, far[last]
+            while True:
+                below = 2 * at + 1
+                if below >= size:
+                    break
+                if below + 1 < size and far[heap[below + 1]] < far[heap[below]]:
+                    below += 1
+                if far[heap[below]] >= due:
+                    break
+                heap[at] = heap[below]
+                place[heap[at]] = at
+                at = below
+            heap[at] = last
+            place[last] = at
+        place[here] = -2
+        for i in range(ways.before_at[here], ways.before_at[here + 1]):
+            other = ways.before[i]
+            time = far[here] + ways.weight[other]
+            if other == goal:
+                if time < again:
+                    again = time
+                    hop[goal] = here
+                continue
+            if place[other] == -2 or time >= far[other]:
+                continue
+            far[other] = time
+            hop[other] = here
+            at = place[other]
+            if at < 0:
+                at = size
+                size += 1
+            while at > 0:
+                above = (at - 1) // 2
+                if far[heap[above]] <= time:
+                    break
+                heap[at] = heap[above]
+                place[heap[at]] = at
+                at = above
+            heap[at] = other
+            place[other] = at
+    ways.made[goal] = ways.version[0]
+
+
+@compiled
+def refresh(net: Network, ways: Ways, hops: Whole, goals: Whole) -> int:
+    """Make the rows of these goals where they are older than the weights; return how many were made."""
+    made = 0
+    for goal in goals:
+        if ways.made[goal] != ways.version[0]:
+            grow(net, ways, goal, hops[goal])
+            made += 1
+    return made
