@@ -1,5 +1,6 @@
 """Contracts a track to the places where there is a choice: forks, and arcs from fork to fork through whatever merges between."""
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -13,7 +14,7 @@ from app.planning.track import Track
 
 EdgeKey: TypeAlias = tuple[Barcode, Barcode]
 Spot: TypeAlias = tuple[int, int]
-"""An arc, and an index in its path."""
+"""An arc, and an index in its path (of the barcode, or of the one that an edge leads to)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +24,8 @@ class Arcs:
     ``forks`` numbers the barcodes with more than one way out, and one of each ring that has none, by ``plan``. An arc is the way
     from a fork by one of its edges to the next fork or dead end, both in its path (``rest``: without the first): arcs overlap
     behind a merge. The arcs from ``approaches`` on begin where no fork leads to. ``heads`` has each arc's last fork, -1 for a
-    dead end. ``spots`` has, for every barcode that is no fork, where arcs lead over it; from all of them the way on is the same.
+    dead end; ``first[f]`` is the first arc of a fork. ``spots`` has, for every barcode that is no fork, where arcs lead over
+    it; from all of them the way on is the same.
 
     ``edges`` numbers all edges. Arc ``a`` has the numbers ``over[begins[a] : begins[a + 1]]``, one per barcode of its path, of
     the edge that leads there (the first: ``len(edges)``).
@@ -34,6 +36,7 @@ class Arcs:
     rest: tuple[tuple[Barcode, ...], ...]
     heads: tuple[int, ...]
     tails: tuple[int, ...]
+    first: tuple[int, ...]
     approaches: int
     spots: dict[Barcode, tuple[Spot, ...]]
     edges: dict[EdgeKey, int]
@@ -49,7 +52,7 @@ class Arcs:
         if (fork := self.forks.get(start)) is None:
             yield from ((arc, index + 1) for arc, index in self.spots[start])
             return
-        for arc in range(self.plan.first[fork], self.plan.first[fork + 1]):
+        for arc in range(self.first[fork], self.first[fork + 1]):
             if self.paths[arc][1] == end:
                 yield arc, 1
 
@@ -73,7 +76,7 @@ def contract(track: Track) -> Arcs:
     order = sorted(range(len(ways)), key=lambda arc: number[ends[arc][0]])
     paths = [ways[arc][1] for arc in order]
     arcs = [(number[ends[arc][0]], number[ends[arc][1]]) for arc in order]
-    plan = planned(len(found), arcs, elimination)
+    plan = planned(arcs, elimination)
     for path in _approaches(track, known, paths):
         paths.append(path)
         arcs.append((-1, number[known.get(path[-1], -1)]))
@@ -91,6 +94,7 @@ def _assembled(
     spots: dict[Barcode, tuple[Spot, ...]] = {}
     over: list[int] = []
     begins = [0]
+    tails = [tail for tail, _ in arcs if tail >= 0]
     for arc, path in enumerate(paths):
         for index, barcode in enumerate(path):
             if barcode not in forks:
@@ -104,7 +108,8 @@ def _assembled(
         rest=tuple(path[1:] for path in paths),
         heads=tuple(head for _, head in arcs),
         tails=tuple(tail for tail, _ in arcs),
-        approaches=len(plan.tail),
+        first=(*(bisect_left(tails, fork) for fork in range(plan.size)), len(tails)),
+        approaches=len(tails),
         spots=spots,
         edges=edges,
         over=np.array(over, dtype=np.int32),

@@ -33,12 +33,12 @@ class View:
         self.shut = frozenset(shut)
         self._size = arcs.plan.size
         self._at = cast("memoryview[float]", at.data)
+        self._begins: list[int] = arcs.begins.tolist()
         self._times = cast("memoryview[float]", tables.seconds.reshape(-1).data)
         self._hop = tables.hop.reshape(-1).data
-        self._first = cast("list[int]", arcs.plan.first.tolist())
-        self._begins = cast("list[int]", arcs.begins.tolist())
-        self._rest = arcs.rest
-        self._arrive = arcs.approaches
+        self._first: list[int] = arcs.plan.first.tolist()
+        self._heads: list[int] = arcs.plan.heads.tolist()
+        self._legs: list[tuple[Barcode, ...]] = [()] * len(self._heads)
 
     @property
     def version(self) -> int:
@@ -56,7 +56,7 @@ class View:
 
     def arcs_from(self, fork: int) -> range:
         """Return the arcs that begin at a fork."""
-        return range(self._first[fork], self._first[fork + 1])
+        return range(self.arcs.first[fork], self.arcs.first[fork + 1])
 
     def between(self, fork: int, other: int) -> float:
         """Return the seconds of the quickest way from one fork to another."""
@@ -67,7 +67,9 @@ class View:
         if goal not in self.arcs.spots:
             return {}
         return {
-            arc: index for arc, index in self.arcs.spots[goal] if arc < self._arrive and is_open(cuts, arc, 0, index)
+            arc: index
+            for arc, index in self.arcs.spots[goal]
+            if arc < self.arcs.approaches and is_open(cuts, arc, 0, index)
         }
 
     def stretch(self, start: Barcode, goal: Barcode) -> tuple[int, int, int] | None:
@@ -80,50 +82,45 @@ class View:
 
     def path(self, start: Barcode, goal: Barcode, cuts: Cuts) -> list[Barcode] | None:
         """Return the barcodes of a quickest way, both ends included; None if this version knows none."""
-        arcs, size = self.arcs, self._size
-        spots = arcs.spots.get(start)
-        if spots is None:
-            fork, path = arcs.forks.get(start, -1), [start]
+        arcs, size, path = self.arcs, self._size, [start]
+        first_arc, index, last, place = -1, 0, 0, 0
+        fork, target = arcs.forks.get(start, -1), -1
+        if fork < 0 and start in arcs.spots:
+            first_arc, index = arcs.spots[start][0]
+            fork = arcs.heads[first_arc]
+        if (spots := arcs.spots.get(goal)) is None:
+            target = arcs.forks.get(goal, -1)
         else:
-            if (direct := self.stretch(start, goal)) is not None:
-                arc, index, place = direct
-                return list(arcs.paths[arc][index : place + 1]) if is_open(cuts, arc, index, place) else None
-            arc, index = spots[0]
-            way = arcs.paths[arc]
-            fork, path = arcs.heads[arc], list(way[index:])
-            if cuts and not is_open(cuts, arc, index, len(way) - 1):
+            row, least, times = fork * size, inf, self._times
+            for arc, there in spots:
+                if arc == first_arc and there >= index:
+                    return list(arcs.paths[arc][index : there + 1]) if is_open(cuts, arc, index, there) else None
+                if fork < 0 or (tail := arcs.tails[arc]) < 0 or (arc in cuts and not is_open(cuts, arc, 0, there)):
+                    continue
+                seconds = times[row + tail] + self._at[self._begins[arc] + there]
+                if seconds < least:
+                    target, last, place, least = tail, arc, there, seconds
+        if fork < 0 or target < 0 or self._times[fork * size + target] == inf:
+            return None
+        if first_arc >= 0:
+            if first_arc in cuts and not is_open(cuts, first_arc, index, len(arcs.paths[first_arc])):
                 return None
-        if fork < 0:
-            return None
-        target, last, place = self._enter(fork, goal, cuts)
-        if target < 0:
-            return None
-        hop, first, heads, rest = self._hop, self._first, arcs.heads, self._rest
+            path += arcs.rest[first_arc][index:]
+        hop, first, heads, legs = self._hop, self._first, self._heads, self._legs
         while fork != target:
-            arc = first[fork] + hop[fork * size + target]
-            path += rest[arc]
-            fork = heads[arc]
-        if last >= 0:
-            path += rest[last][:place]
+            pair = first[fork] + hop[fork * size + target]
+            path += legs[pair] or self._leg(pair)
+            fork = heads[pair]
+        if place:
+            path += arcs.rest[last][:place]
         return path
 
-    def _enter(self, fork: int, goal: Barcode, cuts: Cuts) -> tuple[int, int, int]:
-        """Return the fork from which to go to the goal, by which arc and to which index there (-1: it is the goal).
-
-        The first is -1 if there is no way.
-        """
-        arcs, row = self.arcs, fork * self._size
-        target, last, place, least = arcs.forks.get(goal, -1), -1, 0, inf
-        if target >= 0:
-            return (target, -1, 0) if self._times[row + target] < inf else (-1, -1, 0)
-        for arc, index in arcs.spots.get(goal, ()):
-            if arc >= self._arrive or (cuts and not is_open(cuts, arc, 0, index)):
-                continue
-            tail = arcs.tails[arc]
-            seconds = self._times[row + tail] + self._at[self._begins[arc] + index]
-            if seconds < least:
-                target, last, place, least = tail, arc, index, seconds
-        return target, last, place
+    def _leg(self, pair: int) -> tuple[Barcode, ...]:
+        """Return the barcodes of a pair's way, without the first; kept for the next time."""
+        one, other = self.tables.parts[pair].tolist()
+        leg = self.arcs.rest[one] if other < 0 else self._leg(one) + self._leg(other)
+        self._legs[pair] = leg
+        return leg
 
     def time(self, start: Barcode, goal: Barcode, cuts: Cuts) -> float:
         """Return the seconds of the quickest way; infinite if there is none."""

@@ -26,25 +26,26 @@ MOST_THROUGH = 400
 """Our choice: a node with more (ways in x ways out) than this is left to Dijkstra, whose row costs as much by then."""
 SLICE = 64
 """Our choice: rows computed in one step; at 3,000 forks a step takes about 2 ms."""
+ROUNDING = 1e-12
+"""Our choice: sums that differ by less than this share are the same sum in another order (some hundred roundings of 1e-16)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
     """How to compute the tables of one track, for whatever weights: 0 ... ``size`` - 1 are forks in order of elimination.
 
-    Forks from ``core`` on are not eliminated. ``tail`` and ``head`` are the arcs', rising by tail; ``first[f]`` is the first arc
-    out of a fork (``size`` + 1 of them). ``pair`` is each arc's number among the pairs of forks with a direct way, which
-    elimination adds to; -1: the arc leads nowhere new. ``through`` has rows (pair in, pair out, pair made), in order.
-    ``ahead`` and ``behind`` have rows (fork, neighbour of it that is eliminated later, their pair).
+    Forks from ``core`` on are not eliminated. A *pair* is two forks with a direct way from ``tails`` to ``heads``, by an arc or
+    by what elimination adds; pairs rise by tail, and ``first[f]`` is the first one of a fork (``size`` + 1 of them). ``pair`` is
+    each arc's, -1 if it leads nowhere new. ``through`` has rows (pair in, pair out, pair made), in order. ``ahead`` and
+    ``behind`` have rows (fork, neighbour of it that is eliminated later, their pair).
     """
 
     size: int
     core: int
-    tail: Ints
-    head: Ints
-    first: Ints
     pair: Ints
-    pairs: int
+    tails: Ints
+    heads: Ints
+    first: Ints
     through: Ints
     ahead: Ints
     behind: Ints
@@ -63,13 +64,16 @@ class Task:
 class Tables:
     """What a task gives, by fork left (row) and fork reached (column).
 
-    ``seconds`` is the time of the quickest way, 0 on the diagonal, infinite where there is none. ``hop`` tells which arc out of
-    the first fork to take, counted from the fork's first; it means nothing where the time is 0 or infinite.
+    ``seconds`` is the time of the quickest way, 0 on the diagonal, infinite where there is none. ``hop`` tells which pair out of
+    the first fork to follow, counted from the fork's first; it means nothing where the time is 0 or infinite. It is the longest
+    one on a quickest way, so that a route has few. ``parts`` has a row for each pair: the two that it is made of, or its arc
+    and -1; (-1, -1): it has no way.
     """
 
     version: int
     seconds: Floats
     hop: Hops
+    parts: Ints
 
 
 class Elimination:
@@ -119,37 +123,30 @@ class Elimination:
         return sorted(before | after)
 
 
-def planned(size: int, arcs: Sequence[tuple[int, int]], elimination: Elimination) -> Plan:
-    """Return the plan for arcs (tail, head) between forks that are numbered by this elimination, rising by tail.
-
-    A head of -1 is a dead end.
-    """
+def planned(arcs: Sequence[tuple[int, int]], elimination: Elimination) -> Plan:
+    """Return the plan for arcs (tail, head) between forks that are numbered by this elimination. A head of -1 is a dead end."""
     number = {fork: place for place, fork in enumerate(elimination.order)}
-    pairs: dict[tuple[int, int], int] = {}
-    pair = [pairs.setdefault(arc, len(pairs)) if arc[1] not in (-1, arc[0]) else -1 for arc in arcs]
+    links = [([number[f] for f in before], [number[f] for f in after]) for before, after in elimination.links]
+    known = dict.fromkeys(arc for arc in arcs if arc[1] not in (-1, arc[0]))
+    for before, after in links:
+        known.update(((tail, head), None) for tail in before for head in after if tail != head)
+    pairs = {pair: place for place, pair in enumerate(sorted(known))}
+    tails = np.array([tail for tail, _ in pairs], dtype=np.int32)
     through: list[tuple[int, int, int]] = []
     ahead: list[tuple[int, int, int]] = []
     behind: list[tuple[int, int, int]] = []
-    for fork, (before, after) in enumerate(elimination.links):
-        tails, heads = [number[f] for f in before], [number[f] for f in after]
-        into, out = [pairs[tail, fork] for tail in tails], [pairs[fork, head] for head in heads]
-        behind += [(fork, tail, way) for tail, way in zip(tails, into, strict=True) if tail < elimination.core]
-        ahead += [(fork, head, way) for head, way in zip(heads, out, strict=True)]
-        through += [
-            (one, other, pairs.setdefault((tail, head), len(pairs)))
-            for tail, one in zip(tails, into, strict=True)
-            for head, other in zip(heads, out, strict=True)
-            if tail != head
-        ]
-    tail = np.array([tail for tail, _ in arcs], dtype=np.int32)
+    for fork, (before, after) in enumerate(links):
+        behind += [(fork, tail, pairs[tail, fork]) for tail in before if tail < elimination.core]
+        ahead += [(fork, head, pairs[fork, head]) for head in after]
+        ways = ((tail, head) for tail in before for head in after if tail != head)
+        through += [(pairs[tail, fork], pairs[fork, head], pairs[tail, head]) for tail, head in ways]
     return Plan(
-        size=size,
+        size=len(elimination.order),
         core=elimination.core,
-        tail=tail,
-        head=np.array([head for _, head in arcs], dtype=np.int32),
-        first=np.searchsorted(tail, np.arange(size + 1)).astype(np.int32),
-        pair=np.array(pair, dtype=np.int32),
-        pairs=len(pairs),
+        pair=np.array([pairs.get(arc, -1) for arc in arcs], dtype=np.int32),
+        tails=tails,
+        heads=np.array([head for _, head in pairs], dtype=np.int32),
+        first=np.searchsorted(tails, np.arange(len(elimination.order) + 1)).astype(np.int32),
         through=_rows(through),
         ahead=_rows(ahead),
         behind=_rows(behind),
@@ -174,9 +171,7 @@ def compute(task: Task) -> Tables:
 def computing(task: Task) -> Generator[None, None, Tables]:
     """Compute the tables in small steps, for who has no other process to do it in; the generator returns them."""
     plan = task.plan
-    direct = np.full(plan.pairs, inf)
-    useful = plan.pair >= 0
-    np.minimum.at(direct, plan.pair[useful], task.seconds[useful])
+    direct, parts = _direct(plan, task.seconds)
     table = np.full((plan.size, plan.size), inf)
     yield
     for begin in range(plan.core, plan.size, SLICE):
@@ -188,22 +183,29 @@ def computing(task: Task) -> Generator[None, None, Tables]:
         for one, other, made in plan.through[begin : begin + SLICE * SLICE].tolist():
             if way[one] + way[other] < way[made]:
                 way[made] = way[one] + way[other]
+                parts[made] = one, other
         yield
     yield from _spread(plan, way, table)
     few = int(np.diff(plan.first).max(initial=0)) <= np.iinfo(np.int8).max
     hop: Hops = np.zeros((plan.size, plan.size), dtype=np.int8 if few else np.int16)
-    for begin in range(0, plan.size, SLICE):
-        _choose(plan, task.seconds, table, hop, slice(begin, min(begin + SLICE, plan.size)))
-        yield
-    return Tables(task.version, table, hop)
+    yield from _choose(plan, way, table, hop)
+    return Tables(task.version, table, hop, parts)
+
+
+def _direct(plan: Plan, seconds: Floats) -> tuple[Floats, Ints]:
+    """Return the seconds of each pair by its quickest arc, infinite without one, and which arc that is."""
+    direct = np.full(len(plan.tails), inf)
+    parts: Ints = np.full((len(plan.tails), 2), -1, dtype=np.int32)
+    arcs = np.flatnonzero((plan.pair >= 0) & (seconds < inf))
+    arcs = arcs[np.argsort(-seconds[arcs], kind="stable")]  # of equal indices the last one counts: the quickest
+    direct[plan.pair[arcs]] = seconds[arcs]
+    parts[plan.pair[arcs], 0] = arcs
+    return direct, parts
 
 
 def _graph(plan: Plan, direct: Floats) -> csr_array:
-    arcs = plan.pair >= 0
-    tails, heads, seconds = plan.tail[arcs], plan.head[arcs], direct[plan.pair[arcs]]
-    _, once = np.unique(plan.pair[arcs], return_index=True)
-    once = once[seconds[once] < inf]
-    return csr_array((seconds[once], (tails[once], heads[once])), shape=(plan.size, plan.size))
+    ways = direct < inf
+    return csr_array((direct[ways], (plan.tails[ways], plan.heads[ways])), shape=(plan.size, plan.size))
 
 
 def _spread(plan: Plan, way: list[float], table: Floats) -> Generator[None, None, None]:
@@ -224,23 +226,19 @@ def _spread(plan: Plan, way: list[float], table: Floats) -> Generator[None, None
             yield
 
 
-def _choose(plan: Plan, seconds: Floats, table: Floats, hop: Hops, rows: slice) -> None:
-    """Find for these forks which of their arcs begins the quickest way."""
-    first, degree = plan.first[:-1][rows], np.diff(plan.first)[rows]
-    forks = np.arange(rows.start, rows.stop)
-    best = _by(plan, seconds, table, first)
-    for rank in range(1, int(degree.max(initial=0))):
-        having = degree > rank
-        by_this = _by(plan, seconds, table, first[having] + rank)
-        quicker = by_this < best[having]
-        best[having] = np.minimum(best[having], by_this)
-        chosen = hop[forks[having]]
-        chosen[quicker] = rank
-        hop[forks[having]] = chosen
-
-
-def _by(plan: Plan, seconds: Floats, table: Floats, arcs: Ints) -> Floats:
-    """Return the times from the tails of these arcs, one each, by way of the arc (a dead end: for ever)."""
-    through = np.where(plan.pair[arcs] >= 0, seconds[arcs], inf)
-    times: Floats = table[plan.head[arcs]] + through[:, None]
-    return times
+def _choose(plan: Plan, way: list[float], table: Floats, hop: Hops) -> Generator[None, None, None]:
+    """Find for each fork the longest pair that begins a quickest way."""
+    spare, tight, count = np.empty(plan.size), np.empty(plan.size, dtype=bool), 0
+    heads, first = plan.heads.tolist(), plan.first.tolist()
+    for fork in range(plan.size):
+        quickest = table[fork] * (1 + ROUNDING)
+        pairs = range(first[fork], first[fork + 1])
+        for pair in sorted(pairs, key=way.__getitem__):
+            if way[pair] < inf:
+                np.add(table[heads[pair]], way[pair], out=spare)
+                np.less_equal(spare, quickest, out=tight)
+                np.copyto(hop[fork], pair - pairs.start, where=tight)
+        count += len(pairs)
+        if count > 2 * SLICE:
+            count = 0
+            yield
