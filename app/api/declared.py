@@ -178,6 +178,18 @@ OTHERS: Json = {
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),
+    "RouteView": {
+        "description": "Seconds of driving at the present delays, and on an empty track; length in mm; which version of the map.",
+        **_object(
+            {
+                "barcodes": _list(_TEXT),
+                "length": _WHOLE,
+                "seconds": {"type": "number"},
+                "free_flow_seconds": {"type": "number"},
+                "version": _WHOLE,
+            }
+        ),
+    },
     "Layout": _object(
         {
             "name": _TEXT,

@@ -12,8 +12,9 @@ from app.domain.job import Job
 from app.domain.layout import Plant
 from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
-from app.domain.units import Timestamp
+from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
+from app.planning.routing import Route
 from app.runtime.hub import Hub, ReadModel
 
 
@@ -127,6 +128,10 @@ class Controller(Protocol):
 
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first, as (when, ``in`` or ``out``, bytes)."""
+        ...
+
+    def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
+        """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
         ...
 
     def utc(self) -> Timestamp:

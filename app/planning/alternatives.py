@@ -83,24 +83,39 @@ def _traced(came: dict[int, tuple[int, int]], start: int) -> Way:
 
 
 def ways(goal: Aim, start: int) -> Iterator[tuple[float, Way]]:
-    """Give the ways from a fork that pass no place twice, quickest first (Yen's algorithm); there may be very many."""
-    view, first = goal.view, search(goal, start)
-    found: list[Way] = []
-    waiting: list[tuple[float, Way]] = [first] if first else []
-    seen: dict[Way, None] = dict.fromkeys(way for _, way in waiting)
-    while waiting:
-        seconds, way = heappop(waiting)
-        found.append(way)
+    """Give the ways from a fork that pass no place twice, quickest first; there may be very many.
+
+    Yen's algorithm as Lawler has it: each way given splits the rest by where they leave it. A part waits in the queue under the
+    least that it can take, which the table tells, and is searched only when it is at the front.
+    """
+    queue: list[tuple[float, bool, Way, int, Way]] = [(goal.ahead(start), False, (), 0, ())]
+    while queue:
+        seconds, known, way, index, taken = heappop(queue)
+        if not known:
+            passed = [goal.view.arcs.tails[arc] for arc in way]
+            fork = goal.view.arcs.heads[way[-1]] if way else start
+            if (spur := search(goal, fork, taken, passed)) is not None:
+                whole = sum(map(goal.view.whole, way)) + spur[0]
+                heappush(queue, (whole, True, way + spur[1], index, taken))
+            continue
         yield seconds, way
-        root, passed = 0.0, set[int]()
-        for index, arc in enumerate(way):
-            taken = [other[index] for other in found if other[:index] == way[:index]]
-            spur = search(goal, view.arcs.tails[arc], taken, passed)
-            if spur is not None and (whole := way[:index] + spur[1]) not in seen:
-                seen[whole] = None
-                heappush(waiting, (root + spur[0], whole))
-            root += view.whole(arc)
-            passed.add(view.arcs.tails[arc])
+        for part in _parts(goal, way, index, taken):
+            heappush(queue, part)
+
+
+def _parts(goal: Aim, way: Way, index: int, taken: Way) -> Iterator[tuple[float, bool, Way, int, Way]]:
+    """Give the ways that leave this one from an index on: the least they take, what they share, which arcs they do not take."""
+    root = sum(map(goal.view.whole, way[:index]))
+    passed = {goal.view.arcs.tails[arc] for arc in way[:index]}
+    for place in range(index, len(way)):
+        fork = goal.view.arcs.tails[way[place]]
+        passed.add(fork)
+        others = (*taken, way[place]) if place == index else (way[place],)
+        leaves = (leaf for leaf in goal.leaves(fork) if leaf[0] not in others and leaf[2] not in passed)
+        least = min((more + (goal.ahead(head) if head >= 0 else 0.0) for _, more, head in leaves), default=inf)
+        if least < inf:
+            yield root + least, False, way[:place], place, others
+        root += goal.view.whole(way[place])
 
 
 def drawn(goal: Aim, way: Way) -> list[Barcode]:

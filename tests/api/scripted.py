@@ -47,6 +47,8 @@ from app.domain.view import (
 )
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
+from app.planning.routing import Route, Router
+from app.planning.track import Track
 from app.runtime.hub import Hub, ReadModel
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
@@ -226,6 +228,9 @@ class Scripted:
 
     def utc(self) -> Timestamp:
         return NOW
+
+    def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
+        return Router(Track(self.plant)).alternatives(start, goal, most)
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic

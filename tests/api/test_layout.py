@@ -1,5 +1,6 @@
 """The layout of a plant with a hall and drives: all that the page draws and names is in it."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import httpx
@@ -9,6 +10,7 @@ from app.plant import read
 from tests.api.scripted import Scripted
 
 pytestmark = pytest.mark.anyio
+DEMO = Path(__file__).parents[2] / "plants" / "demo.yaml"
 HALL = Path(__file__).parents[2] / "plants" / "hall.yaml"
 
 
@@ -43,3 +45,31 @@ async def test_a_line_over_a_serial_port_is_named_by_its_device(
     controller.plant, _ = read(text, "hall")
     layout = (await client.get("/layout")).json()
     assert layout["links"][1] == {"id": "axes", "protocol": "hi", "address": "/dev/ttyUSB0"}
+
+
+async def test_routes_between_stations_and_barcodes_come_with_alternatives_and_times(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    found = (await client.get("/layout/routes", params={"from": "P1", "to": "1003", "k": 3})).json()
+    assert [route["barcodes"] for route in found["items"]] == [["1001", "1002", "1003"]]
+    controller.plant, _ = read(DEMO.read_text(encoding="utf-8"), "demo")
+    station, goal = controller.plant.stations[1], controller.plant.stations[0].barcode
+    found = (await client.get("/layout/routes", params={"from": station.id, "to": goal, "k": 3})).json()
+    routes = found["items"]
+    assert len(routes) == 3
+    assert found["next"] is None
+    lengths = {(edge.start, edge.end): edge.length for edge in controller.plant.edges}
+    for route in routes:
+        assert (route["barcodes"][0], route["barcodes"][-1]) == (station.barcode, goal)
+        assert route["length"] == sum(lengths[edge] for edge in pairwise(route["barcodes"]))
+        assert route["seconds"] == route["free_flow_seconds"] > 0
+        assert route["version"] == 1
+    assert [route["seconds"] for route in routes] == sorted(route["seconds"] for route in routes)
+    one = (await client.get("/layout/routes", params={"from": station.id, "to": goal})).json()
+    assert one["items"] == routes[:1]
+
+
+async def test_where_no_route_leads_the_problem_says_so(client: httpx.AsyncClient) -> None:
+    answer = await client.get("/layout/routes", params={"from": "nowhere", "to": "0101"})
+    assert answer.status_code == 422
+    assert answer.json()["detail"] == "no route from nowhere to 0101: nowhere is not on the track"
