@@ -6,8 +6,11 @@ from heapq import heappop, heappush
 from math import inf
 from typing import TypeAlias
 
+import numpy as np
+
 from app.domain.units import Barcode
 from app.planning.compiled import Cuts, View
+from app.planning.tables import seconds_to
 
 Way: TypeAlias = tuple[int, ...]
 """Arcs, one after the other; the last one may be left before its end."""
@@ -36,11 +39,8 @@ class Aim:
                 yield arc, view.whole(arc), -1 if head == self.fork else head
 
 
-def aim(view: View, goal: Barcode, cuts: Cuts, *, by_table: bool) -> Aim:
-    """Return the search for a goal; ``by_table``: led by the view's table, and only over what is open in its version too."""
-    entries, fork = view.entries(goal, cuts), view.arcs.forks.get(goal, -1)
-    if not by_table:
-        return Aim(view, fork, entries, cuts, lambda fork: 0.0)
+def by_table(view: View, goal: Barcode, cuts: Cuts) -> Aim:
+    """Return the search for a goal that the view's tables lead; over what is open in its version and now."""
     reach, known = view.reach(goal, cuts), dict[int, float]()
 
     def ahead(fork: int) -> float:
@@ -48,7 +48,20 @@ def aim(view: View, goal: Barcode, cuts: Cuts, *, by_table: bool) -> Aim:
             seconds = known[fork] = min((view.between(fork, tail) + more for tail, more in reach), default=inf)
         return seconds
 
-    return Aim(view, fork, entries, {**dict.fromkeys(view.shut, ()), **cuts}, ahead)
+    shut = {**dict.fromkeys(view.shut, ()), **cuts}
+    return Aim(view, view.arcs.forks.get(goal, -1), view.entries(goal, cuts), shut, ahead)
+
+
+def by_present(view: View, goal: Barcode, cuts: Cuts) -> Aim:
+    """Return the search for a goal with the view's times over all that is open now, whatever its version had closed."""
+    arcs, reach = view.arcs, view.reach(goal, cuts)
+    whole = view.at[arcs.begins[1 : arcs.approaches + 1] - 1]
+    whole[[arc for arc in cuts if arc < arcs.approaches]] = inf
+    times = [inf] * arcs.plan.size
+    if reach:
+        rows = seconds_to(arcs.plan, whole, [fork for fork, _ in reach])
+        times = (rows + np.array([[more] for _, more in reach])).min(axis=0).tolist()
+    return Aim(view, arcs.forks.get(goal, -1), view.entries(goal, cuts), cuts, times.__getitem__)
 
 
 def search(goal: Aim, start: int, arcs: Collection[int] = (), forks: Collection[int] = ()) -> tuple[float, Way] | None:

@@ -9,9 +9,9 @@ import numpy as np
 
 from app.domain.errors import NoRoute
 from app.domain.units import Barcode, Seconds
-from app.planning.alternatives import Aim, aim, drawn, search, ways
+from app.planning.alternatives import by_present, by_table, drawn, search, ways
 from app.planning.arcs import EdgeKey, contract
-from app.planning.compiled import NO_CUTS, Cuts, View
+from app.planning.compiled import NO_CUTS, Cuts, View, is_open
 from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
@@ -45,8 +45,7 @@ class Router:
     With more than ``inline`` forks a change of closures or weights makes a new ``version`` that is only *wanted*: ``replan``
     gives a task, to be computed elsewhere, and ``adopt`` takes what came of it. Until then routes follow the old times, but
     no route ever leads over what is closed: where the old table would, the way round is searched for, which takes about
-    1 ms at 3,000 forks, at worst (nothing leads there) about 10 ms. ``times`` stay those of the old version until then, except
-    at the ends.
+    1 ms at 3,000 forks. ``times`` stay those of the old version until then, except at the ends.
     """
 
     def __init__(self, track: Track, inline: int = INLINE_FORKS) -> None:
@@ -185,9 +184,9 @@ class Router:
         view = self.view
         path = view.path(start, goal, self._cuts)
         if path is None:
-            path = self._search(start, goal, by_table=False) if self._newly_open else None
+            path = self._search(start, goal, self._cuts) if self._newly_open else None
         elif self._newly_shut and any(map(self._is_closed, path, path[1:])):
-            path = self._search(start, goal, by_table=not self._newly_open)
+            path = self._search(start, goal, self._cuts)
         if path is None:
             raise self._no_route(start, goal)
         return tuple(path)
@@ -205,7 +204,8 @@ class Router:
         fork, _ = self.view.leave(start, self._cuts)
         if self.view.stretch(start, goal) or start == goal or self._arcs.forks.get(goal) == fork:
             return [self._timed(first)][:most]
-        search = self._aim(goal, by_table=not self._newly_open)
+        differs = self._newly_open or self._newly_shut
+        search = (by_present if differs else by_table)(self.view, goal, self._cuts)
         before = self._before(start)
         found = [self._timed((*before, *drawn(search, way))) for _, way in islice(ways(search, fork), most)]
         return sorted(found, key=lambda route: route.seconds)
@@ -231,24 +231,23 @@ class Router:
         seconds, free = view.seconds[passed].sum(), self._free[passed].sum()
         return Route(path, Seconds(float(seconds)), Seconds(float(free)), view.version)
 
-    def _aim(self, goal: Barcode, *, by_table: bool) -> Aim:
-        return aim(self.view, goal, self._cuts, by_table=by_table)
-
     def _before(self, start: Barcode) -> tuple[Barcode, ...]:
         """Return the barcodes from here to the first fork of any route, both included."""
         for arc, index in self._arcs.spots.get(start, ())[:1]:
             return self._arcs.paths[arc][index:]
         return (start,)
 
-    def _search(self, start: Barcode, goal: Barcode, *, by_table: bool) -> list[Barcode] | None:
-        """Return a quickest way by search: with the times that are shown and the closures of now."""
-        fork, rest = self.view.leave(start, self._cuts)
+    def _search(self, start: Barcode, goal: Barcode, cuts: Cuts) -> list[Barcode] | None:
+        """Return a quickest way by search: with the times that are shown, and these closures."""
+        view = self.view
+        if (direct := view.stretch(start, goal)) is not None:
+            arc, index, place = direct
+            return list(self._arcs.paths[arc][index : place + 1]) if is_open(cuts, *direct) else None
+        fork, rest = view.leave(start, cuts)
         if rest == inf:
             return None
-        sought = self._aim(goal, by_table=by_table)
-        if sought.fork == fork:
-            return list(self._before(start))
-        found = search(sought, fork)
+        sought = by_present(view, goal, cuts)
+        found = (0.0, ()) if sought.fork == fork else search(sought, fork)
         return None if found is None else [*self._before(start), *drawn(sought, found[1])]
 
     # -- why there is none ---------------------------------------------------------------------------------------------------
@@ -257,24 +256,11 @@ class Router:
         for barcode in (start, goal):
             if barcode not in self._track:
                 return NoRoute(f"no route from {start} to {goal}: {barcode} is not on the track")
-        path = self._regardless(start, goal)
+        path = self._search(start, goal, NO_CUTS)
         if path is None:
             return NoRoute(f"no route from {start} to {goal}: the track does not connect them")
         shut = next((b if b in self._closed else f"{a} to {b}" for a, b in pairwise(path) if self._is_closed(a, b)))
         return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}")
-
-    def _regardless(self, start: Barcode, goal: Barcode) -> Sequence[Barcode] | None:
-        """Return a quickest way that heeds no closure."""
-        view = self.view
-        if (direct := view.stretch(start, goal)) is not None:
-            arc, index, place = direct
-            return self._arcs.paths[arc][index : place + 1]
-        fork, rest = view.leave(start, NO_CUTS)
-        if rest == inf:
-            return None
-        sought = aim(view, goal, NO_CUTS, by_table=False)
-        found = (0.0, ()) if sought.fork == fork else search(sought, fork)
-        return None if found is None else [*self._before(start), *drawn(sought, found[1])]
 
     def _is_closed(self, start: Barcode, end: Barcode) -> bool:
         return end in self._closed or (start, end) in self._closed

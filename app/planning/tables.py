@@ -172,8 +172,11 @@ def computing(task: Task) -> Generator[None, None, Tables]:
     """Compute the tables in small steps, for who has no other process to do it in; the generator returns them."""
     plan = task.plan
     direct, parts = _direct(plan, task.seconds)
-    table = np.full((plan.size, plan.size), inf)
+    table = np.empty((plan.size, plan.size))
     yield
+    for begin in range(0, plan.size, SLICE):
+        table[begin : begin + SLICE] = inf
+        yield
     for begin in range(plan.core, plan.size, SLICE):
         forks = np.arange(begin, min(begin + SLICE, plan.size))
         table[forks] = dijkstra(_graph(plan, direct), indices=forks)
@@ -190,6 +193,16 @@ def computing(task: Task) -> Generator[None, None, Tables]:
     hop: Hops = np.zeros((plan.size, plan.size), dtype=np.int8 if few else np.int16)
     yield from _choose(plan, way, table, hop)
     return Tables(task.version, table, hop, parts)
+
+
+def seconds_to(plan: Plan, seconds: Floats, forks: Sequence[int]) -> Floats:
+    """Return, for each of these forks (row), the seconds from every fork (column) to it, given those of each arc.
+
+    Takes about 0.5 ms for one fork of 3,000: for a few questions that cannot wait for tables.
+    """
+    direct, _ = _direct(plan, seconds)
+    times: Floats = np.atleast_2d(dijkstra(csr_array(_graph(plan, direct).T), indices=list(forks)))
+    return times
 
 
 def _direct(plan: Plan, seconds: Floats) -> tuple[Floats, Ints]:
