@@ -14,6 +14,7 @@ from app.planning.arcs import contract
 from app.planning.routing import Router
 from app.planning.tables import Elimination, Task, compute, planned, seconds_to
 from app.planning.track import Track
+from app.planning.walking import walking
 from app.plant.fab import SIZES, generate
 
 
@@ -78,3 +79,20 @@ def test_the_same_task_gives_the_same_tables_to_the_byte(fab: Track) -> None:
     assert first.seconds.tobytes() == second.seconds.tobytes()
     assert first.hop.tobytes() == second.hop.tobytes()
     assert first.parts.tobytes() == second.parts.tobytes()
+
+
+def test_walking_by_numbers_costs_what_the_routes_do(fab: Track) -> None:
+    draw = random.Random(5)
+    router = Router(fab)
+    goals = draw.sample(fab.barcodes, 20)
+    walk = walking(fab, router.view, goals)
+    assert len(walk.turn) <= len(goals)
+    times = fab.graph.edges
+    for number, goal in enumerate(goals):
+        for start in draw.sample(range(len(fab.barcodes)), 2):
+            here, path = start, [fab.barcodes[start]]
+            while path[-1] != goal:
+                fork = walk.fork[here]
+                here = int(walk.ahead[here] if fork < 0 else walk.turn[walk.column[number], fork])
+                path.append(fab.barcodes[here])
+            assert sum(times[edge]["time"] for edge in pairwise(path)) == pytest.approx(router.time(path[0], goal))
