@@ -43,6 +43,10 @@ class Arcs:
     over: Ints
     begins: Ints
     plan: Plan
+    starts: tuple[int, ...]
+    """``begins`` for plain Python; so are the next two of the plan."""
+    pair_first: tuple[int, ...]
+    pair_heads: tuple[int, ...]
 
     def on(self, edge: EdgeKey) -> Iterator[Spot]:
         """Give every arc that leads over an edge, and the index of the edge's end in its path."""
@@ -115,6 +119,9 @@ def _assembled(
         over=np.array(over, dtype=np.int32),
         begins=np.array(begins, dtype=np.int32),
         plan=plan,
+        starts=tuple(begins),
+        pair_first=tuple(plan.first.tolist()),
+        pair_heads=tuple(plan.heads.tolist()),
     )
 
 

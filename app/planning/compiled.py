@@ -33,11 +33,11 @@ class View:
         self.shut = frozenset(shut)
         self._size = arcs.plan.size
         self._at = cast("memoryview[float]", at.data)
-        self._begins: list[int] = arcs.begins.tolist()
+        self._begins = arcs.starts
         self._times = cast("memoryview[float]", tables.seconds.reshape(-1).data)
         self._hop = tables.hop.reshape(-1).data
-        self._first: list[int] = arcs.plan.first.tolist()
-        self._heads: list[int] = arcs.plan.heads.tolist()
+        self._first = arcs.pair_first
+        self._heads = arcs.pair_heads
         self._legs: list[tuple[Barcode, ...]] = [()] * len(self._heads)
 
     @property
@@ -83,22 +83,20 @@ class View:
     def path(self, start: Barcode, goal: Barcode, cuts: Cuts) -> list[Barcode] | None:
         """Return the barcodes of a quickest way, both ends included; None if this version knows none."""
         arcs, size, path = self.arcs, self._size, [start]
-        first_arc, index, last, place = -1, 0, 0, 0
-        fork, target = arcs.forks.get(start, -1), -1
-        if fork < 0 and start in arcs.spots:
-            first_arc, index = arcs.spots[start][0]
+        first_arc, index, last, place, target = -1, 0, 0, 0, -1
+        if (fork := arcs.forks.get(start, -1)) < 0 and (here := arcs.spots.get(start)) is not None:
+            first_arc, index = here[0]
             fork = arcs.heads[first_arc]
         if (spots := arcs.spots.get(goal)) is None:
             target = arcs.forks.get(goal, -1)
         else:
-            row, least, times = fork * size, inf, self._times
+            row, least, times, tails, at, begins = fork * size, inf, self._times, arcs.tails, self._at, self._begins
             for arc, there in spots:
                 if arc == first_arc and there >= index:
                     return list(arcs.paths[arc][index : there + 1]) if is_open(cuts, arc, index, there) else None
-                if fork < 0 or (tail := arcs.tails[arc]) < 0 or (arc in cuts and not is_open(cuts, arc, 0, there)):
+                if fork < 0 or (tail := tails[arc]) < 0 or (arc in cuts and not is_open(cuts, arc, 0, there)):
                     continue
-                seconds = times[row + tail] + self._at[self._begins[arc] + there]
-                if seconds < least:
+                if (seconds := times[row + tail] + at[begins[arc] + there]) < least:
                     target, last, place, least = tail, arc, there, seconds
         if fork < 0 or target < 0 or self._times[fork * size + target] == inf:
             return None

@@ -181,8 +181,7 @@ class Router:
         """
         if start == goal and start in self._track:
             return (start,)
-        view = self.view
-        path = view.path(start, goal, self._cuts)
+        path = (self.view if self._stale else self._shown).path(start, goal, self._cuts)
         if path is None:
             path = self._search(start, goal, self._cuts) if self._newly_open else None
         elif self._newly_shut and any(map(self._is_closed, path, path[1:])):
