@@ -21,7 +21,7 @@ from app.planning.tables import Tables, Task, compute
 LENGTH = struct.Struct("<Q")
 """Before each message: its length in bytes."""
 SHARED_MEMORY = Path("/dev/shm")
-NICE = 5
+NICE = 15
 """Our choice: less urgent than the controller, by so many steps."""
 Array: TypeAlias = "tuple[tuple[int, ...], str, int]"
 """Shape, dtype and offset in the file of an array."""
