@@ -14,6 +14,7 @@ from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Timestamp
 from app.domain.view import LineView
+from app.domain.why import Why
 from app.runtime.hub import Hub, ReadModel
 
 
@@ -22,6 +23,10 @@ class Reader(TeachingReader, Protocol):
 
     def job(self, job: JobId) -> Job | None:
         """Return one job, ended or not."""
+        ...
+
+    def why(self, order: int) -> Why | None:
+        """Return what is kept of a job's why, by the job's order."""
         ...
 
     def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
