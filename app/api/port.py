@@ -15,6 +15,7 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
 from app.planning.routing import Route
+from app.domain.why import Why
 from app.runtime.hub import Hub, ReadModel
 
 
@@ -23,6 +24,10 @@ class Reader(TeachingReader, Protocol):
 
     def job(self, job: JobId) -> Job | None:
         """Return one job, ended or not."""
+        ...
+
+    def why(self, order: int) -> Why | None:
+        """Return what is kept of a job's why, by the job's order."""
         ...
 
     def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:

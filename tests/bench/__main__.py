@@ -7,7 +7,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, memory, posting, replanning, routing, session_path, showing
+from tests.bench import decoding, dispatching, memory, posting, replanning, routing, session_path, showing
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
@@ -17,6 +17,7 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "show": showing.rows,
     "route": routing.rows,
     "replan": replanning.rows,
+    "dispatch": dispatching.rows,
     "memory": memory.rows,
 }
 RESULTS = ROOT / "bench"
