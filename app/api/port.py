@@ -14,8 +14,8 @@ from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
-from app.planning.routing import Route
 from app.domain.why import Why
+from app.planning.routing import Route
 from app.runtime.hub import Hub, ReadModel
 
 
