@@ -300,14 +300,30 @@ def take_slot(net: Network, s: State, vehicle: int, buffer: int) -> None:
 
 
 @compiled
+def need(net: Network, s: State, rules: Rules, vehicle: int) -> float:
+    """Return how much must be granted so that the vehicle need not brake before its next barcode but one, mm (TRAFFIC section 2)."""
+    pace, fastest = s.pace[vehicle], net.speed[s.at[vehicle]]
+    if s.granted[vehicle] > 0:
+        fastest = s.limit[vehicle, 0]
+    elif fastest == 0.0:
+        fastest = 3000.0
+    pace = max(pace, min(fastest, sqrt(pace * pace + 2 * rules.acceleration * rules.edge)))
+    return pace * pace / (2 * rules.braking) + pace * rules.reaction + rules.edge
+
+
+@compiled
 def extend(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> None:
     """Grant the vehicle more track, up to ``rules.high``, or let it wait for what stands against it."""
     forget_waits(s, vehicle)
     s.counts[ASKED] += 1
-    while s.left[vehicle] < rules.high:
+    needed = need(net, s, rules, vehicle)
+    enough = needed + rules.more
+    while s.left[vehicle] < enough:
         granted = s.granted[vehicle]
         last = s.at[vehicle] if granted == 0 else s.ahead[vehicle, granted - 1]
         if s.goal[vehicle] < 0 or last == s.goal[vehicle]:
+            return
+        if s.left[vehicle] >= needed and last == net.last[net.buffer[last]]:
             return
         n = collect(net, s, vehicle, last)
         if n == 0 or granted + n > AHEAD:
@@ -424,13 +440,14 @@ def arrive(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
     s.at[vehicle] = here
     if net.buffer[here] != net.buffer[before] or here <= before:
         passed = net.buffer[before]
+        s.passes[passed] += 1
         took = now - s.entered[vehicle] - s.dwelled[vehicle]
         s.observed[passed] += rules.smoothing * (took - s.observed[passed])
         s.entered[vehicle], s.dwelled[vehicle] = now, 0.0
     release(s, before)
     if n == 0:
         s.left[vehicle] = 0.0
-    if s.left[vehicle] < rules.low and here != s.goal[vehicle]:
+    if s.left[vehicle] < need(net, s, rules, vehicle) and here != s.goal[vehicle]:
         extend(net, s, rules, vehicle, now)
     if s.granted[vehicle] > 0:
         set_off(s, rules, vehicle, now)
@@ -480,7 +497,7 @@ def go_on(net: Network, s: State, rules: Rules, now: float) -> None:
         if doing == STANDING and s.at[vehicle] == s.goal[vehicle] and s.granted[vehicle] == 0:
             reach(s, rules, vehicle, now)
             continue
-        if s.left[vehicle] < rules.low:
+        if s.left[vehicle] < need(net, s, rules, vehicle):
             extend(net, s, rules, vehicle, now)
         if doing == STANDING and s.granted[vehicle] > 0:
             set_off(s, rules, vehicle, now)

@@ -15,7 +15,6 @@ from app.sim.kinematic.network import Map, Whole
 from app.sim.kinematic.state import DELIVERED, FETCHING, IDLE, LOADED, Rules, still
 from app.sim.kinematic.load import Ports
 from app.sim.kinematic.ways import free_flow, refresh, survey
-from app.planning.kinematics import braking_distance
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +33,8 @@ class Plan:
     dwell: float = 10.0
     restart: float = 0.1
     patience: float = 0.0
-    reaction: float = 0.5
+    reaction: float = 0.2
+    more: float = 2000.0
     active: int = 0
     """At most so many vehicles are at work at a time; 0: all."""
 
@@ -53,9 +53,7 @@ class Fab:
         self.net = plan.network
         self.ways = survey(self.net)
         self.state = still(plan, len(starts))
-        edge = 1000.0
-        low = braking_distance(spec.max_speed, spec) + spec.max_speed * how.reaction + edge
-        self.rules = Rules(float(spec.acceleration), float(spec.braking), low, 2 * low, how.dwell, how.restart, how.admission, how.smoothing, how.patience)
+        self.rules = Rules(float(spec.acceleration), float(spec.braking), how.reaction, 1000.0, how.more, how.dwell, how.restart, how.admission, how.smoothing, how.patience)
         self.ports = Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
         self.at_port = np.array(self.ports.barcodes)
         self.jobs: list[Job] = []      # waiting or unpicked

@@ -24,10 +24,12 @@ class Rules(NamedTuple):
 
     acceleration: float
     braking: float
-    low: float
-    """The grant is extended when less is left."""
-    high: float
-    """It is extended up to about this."""
+    reaction: float
+    """From a barcode read to the longer grant in the vehicle."""
+    edge: float
+    """About the way from a barcode to the next, mm."""
+    more: float
+    """A grant that has become short is extended by about this much beyond what is needed, mm."""
     dwell: float
     """At a port, for picking up or putting down."""
     restart: float
@@ -49,6 +51,7 @@ class State(NamedTuple):
     closed: Whole
     waits_first: Whole
     observed: Real
+    passes: Whole
     watch_first: Whole
     meter: Whole
     meter_room: Whole
@@ -101,7 +104,7 @@ def still(plan: Map, vehicles: int) -> State:
     arrays = lines(plan.buffers, vehicles)
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
-        observed=np.zeros(buffers), watch_first=row(buffers, -1), meter=row(buffers, -1), meter_room=row(1),
+        observed=np.zeros(buffers), passes=row(buffers), watch_first=row(buffers, -1), meter=row(buffers, -1), meter_room=row(1),
         at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),
         ahead=np.zeros((vehicles, AHEAD), dtype=np.int64), way=np.zeros((vehicles, AHEAD)), limit=np.zeros((vehicles, AHEAD)),
         granted=row(vehicles), left=np.zeros(vehicles),
