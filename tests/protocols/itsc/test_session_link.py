@@ -276,7 +276,7 @@ def test_the_last_64_events_are_remembered_and_memory_stays_bounded(split: bool)
         bench.session.received(data, bench.now)
     assert bench.session.events() == []
     assert bench.session.link.duplicates == 64
-    assert len(bench.session._seen.latest) + len(bench.session._seen.before) <= 128
+    assert len(bench.session._seen) <= 64
 
 
 def test_a_duplicate_is_known_whether_it_came_whole_or_in_pieces() -> None:

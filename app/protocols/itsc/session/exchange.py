@@ -1,8 +1,5 @@
 """The sending half of a session: polls, commands with their ACK and resends, and the life of the link (PROTOCOLS 6.1)."""
 
-from collections import deque
-from typing import Literal
-
 from app.domain.commands import Move, Send, Xmove
 from app.domain.errors import EncodeError
 from app.domain.events import Acknowledged, Event, Garbled, LinkDown, NotSent, Unanswered, Unknown
@@ -13,7 +10,7 @@ from app.domain.vehicle import VehicleStatus
 from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.framing import Decoder
 from app.protocols.itsc.messages import Code, Toward
-from app.protocols.itsc.session.link import FRAMES_KEPT, Link, LinkQuality, Polls, Seen
+from app.protocols.itsc.session.link import FRAMES_KEPT, Kept, Link, LinkQuality, Polls, Seen, Tape, Way
 from app.protocols.itsc.session.orders import Order, Orders
 from app.protocols.itsc.session.quick import (
     ABOVE_ALL_IDS,
@@ -32,8 +29,6 @@ from app.protocols.itsc.session.quick import (
 from app.protocols.itsc.session.refusals import Refused, refusal
 from app.protocols.itsc.session.requests import code_of, frame_of
 from app.protocols.itsc.session.timing import Timing
-
-Way = Literal["in", "out"]
 
 
 class Exchange:
@@ -55,7 +50,7 @@ class Exchange:
         """When ``tick`` is due; may be too early by what has been received since, never too late."""
         self.wants_close = False
         """Whether the line is silent and should be closed."""
-        self._frames: deque[tuple[int, Seconds, Way, bytes]] = deque(maxlen=FRAMES_KEPT)
+        self._frames = Tape()
         self._ids = cmd_ids
         self._codec = codec_of(dialect)
         self._decoder = Decoder(self._codec, Toward.CONTROLLER)
@@ -108,7 +103,7 @@ class Exchange:
     @property
     def last_frames(self) -> list[tuple[Seconds, Way, bytes]]:
         """The last packets of the line, oldest first: when, ``in`` or ``out``, bytes."""
-        quick: list[tuple[int, Seconds, Way, bytes]] = []
+        quick: list[Kept] = []
         for number, when, content in entries(self._ring, self._quicks, FRAMES_KEPT):
             packet = packet_of(self._prefix, content, self._crc_init)
             quick += [(number + 1, when, "in", packet), (number + 1, when, "out", ack_of(packet, self._after_ack))]
