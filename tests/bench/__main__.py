@@ -7,7 +7,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, memory, posting, routing, session_path, showing
+from tests.bench import decoding, dispatching, memory, posting, replanning, routing, session_path, showing
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
@@ -16,6 +16,8 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "post": posting.rows,
     "show": showing.rows,
     "route": routing.rows,
+    "replan": replanning.rows,
+    "dispatch": dispatching.rows,
     "memory": memory.rows,
 }
 RESULTS = ROOT / "bench"
