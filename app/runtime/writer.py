@@ -79,6 +79,13 @@ class Writer:
             self._waiting.append((batch_id, records))
             self._changed.notify()
 
+    def submit_all(self, batches: Sequence[tuple[int, Sequence[Record]]]) -> None:
+        """Queue batches, all at once."""
+        if batches:
+            with self._changed:
+                self._waiting += batches
+                self._changed.notify()
+
     def close(self) -> None:
         """Commit and deliver what waits, then end the thread. In trouble there is one more attempt. The ledger stays open."""
         with self._changed:
