@@ -57,7 +57,7 @@ async def serve(
 
     ``ready`` is told the URL once requests are answered. Raises CannotStart, PlantHeld, StoreError.
     """
-    controller = Controller(plant, settings.database, restored=restored)
+    controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
     try:
         await controller.start()
     except OSError as wrong:

@@ -20,7 +20,7 @@ from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
-from app.domain.units import Timestamp
+from app.domain.units import Seconds, Timestamp
 from app.domain.view import EventView, LineView, Update
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.plant.dialects import dialect_of
@@ -33,7 +33,7 @@ from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
 from app.runtime.writer import Writer
-from app.store.ledger import SqlLedger
+from app.store.ledger import FOR_EVER, SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
@@ -82,13 +82,22 @@ class Controller:
     round: records go to the writer, and bytes, updates and replies go out once they may.
     """
 
-    def __init__(self, plant: Plant, database: str, clock: Clock | None = None, *, restored: bool = False) -> None:
+    def __init__(
+        self,
+        plant: Plant,
+        database: str,
+        clock: Clock | None = None,
+        *,
+        restored: bool = False,
+        keep_events: Seconds = FOR_EVER,
+    ) -> None:
         self.plant = plant
         self.trouble = ""
         """Why nothing can be made durable just now; empty if all is well."""
         self._clock = clock or Clock()
         self._database = database
         self._restored = restored
+        self._keep_events = keep_events
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self._in_flight: deque[Transaction] = deque()
         self._asked: dict[int, tuple[asyncio.Future[Reply], float]] = {}
@@ -209,7 +218,9 @@ class Controller:
 
     def _take_plant(self) -> Kept:
         holder = f"{socket.gethostname()}, process {os.getpid()}"
-        self._ledger = SqlLedger(self._database, self.plant.name, holder, self._clock.utc)
+        self._ledger = SqlLedger(
+            self._database, self.plant.name, holder, self._clock.utc, keep_events=self._keep_events
+        )
         try:
             kept = replace(self._ledger.load(), restored=self._restored)
             check_nobody_is_forgotten(self.plant, kept)

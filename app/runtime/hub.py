@@ -265,6 +265,10 @@ class Subscription(AsyncIterator[Frame]):
         assert self._replay is not None
         known = self._hub.model.last_event
         page = await self._replay(self._given, EVENTS_PAGE)
+        if page and page[0].seq > self._given + 1:  # those between have grown old and are gone: a gap is marked
+            self._given = page[0].seq - 1
+            self.resync()
+            return self._next()
         if page:
             self._given = self._taken = page[-1].seq
             return _event_frame(page)
