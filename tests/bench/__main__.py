@@ -7,13 +7,14 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, memory, posting, routing, session_path, showing
+from tests.bench import decoding, history, memory, posting, routing, session_path, showing
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "session": session_path.rows,
     "decode": decoding.rows,
     "post": posting.rows,
+    "history": history.rows,
     "show": showing.rows,
     "route": routing.rows,
     "memory": memory.rows,
