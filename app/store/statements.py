@@ -117,7 +117,7 @@ class Statements:
         if CarrierGone in found and CarrierRecord in found:
             _settle_carriers(found, batch)
         for kind, sql in self._sql.items():
-            if kind in found:
+            if found.get(kind):
                 rows = _rows(kind, found[kind])
                 if kind in REPLACED and len(rows) > 1:
                     keys = _KEYS[kind]

@@ -198,6 +198,43 @@ def test_events_already_read_from_the_store_do_not_come_a_second_time_from_memor
     run(scene)
 
 
+def test_a_change_is_written_at_once_while_nothing_waits_before_it() -> None:
+    async def scene() -> None:
+        hub = Hub(ReadModel(), Bell().later)
+        watcher = hub.subscribe([Topic.CARRIERS])
+        written: list[bytes] = []
+        ready = True
+
+        def direct(wire: bytes) -> bool:
+            if ready:
+                written.append(wire)
+            return ready
+
+        watcher.direct = direct
+        hub.publish([carrier("A", "S1")])
+        hub.flush()
+        assert not written  # the snapshot goes first
+        await take(watcher, 1)
+        waiting = asyncio.ensure_future(anext(watcher))
+        await asyncio.sleep(0)
+        hub.publish([carrier("A", "S2")])
+        hub.flush()
+        assert [wire[:2] for wire in written] == [b"\x81\x7e"]
+        assert json.loads(written[0][4:])["seq"] == 2
+        assert not waiting.done()
+        ready = False
+        hub.publish([carrier("A", "S3")])
+        hub.flush()
+        ready = True
+        hub.publish([carrier("A", "S4")])
+        hub.flush()
+        assert json.loads((await waiting).text)["seq"] == 3
+        assert [frame["seq"] for frame in await take(watcher, 1)] == [4]
+        assert len(written) == 1
+
+    run(scene)
+
+
 def test_a_watcher_is_told_of_the_gap_where_events_have_been_deleted() -> None:
     async def scene() -> None:
         hub = Hub(ReadModel(last_event=8), Bell().later)

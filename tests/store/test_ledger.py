@@ -126,6 +126,16 @@ def test_events_come_back_in_order_however_many_are_kept_at_once(url: str, open_
     reader.close()
 
 
+def test_a_carrier_that_only_left_in_the_end_leaves_nothing_to_write_of_it(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    carried = CarrierRecord(CarrierId("A"), StationId("S1"), Provenance.HOST, Timestamp(1.0))
+    ledger.commit([carried, CarrierGone(CarrierId("A"))])
+    assert ledger.load().carriers == ()
+    ledger.commit([CarrierGone(CarrierId("A")), carried])
+    assert ledger.load().carriers == (carried,)
+
+
 def test_many_events_one_of_which_holds_what_no_database_keeps_are_kept(url: str, open_ledger: Open) -> None:
     ledger = open_ledger(url)
     ledger.load()
