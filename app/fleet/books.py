@@ -28,6 +28,7 @@ from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
+from app.domain.why import Why
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
@@ -87,6 +88,8 @@ class Books:
         self.vehicles = self._vehicles(kept)
         self.jobs: dict[JobId, Job] = {job.id: job for job in kept.jobs}
         self.ended: dict[JobId, Job] = {}
+        self.whys: dict[JobId, Why] = {why.job: why for why in kept.whys}
+        """Of jobs not ended."""
         self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
         self.stations = {s.id: StationRecord(s.id) for s in plant.stations} | {
             record.station: record for record in kept.stations if record.station in self.specs
@@ -182,8 +185,24 @@ class Books:
         if job.idempotency_key:
             self.by_key[job.idempotency_key] = job.id
         self.effects.records.append(job)
+        self._follow(job)
         self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
         return job
+
+    def _follow(self, job: Job) -> None:
+        """Keep what the job waits for with its why-record."""
+        known = self.whys.get(job.id)
+        if known is not None or job.reason:
+            why = (known or Why(job.order, job.id)).waiting(job.reason, self.utc)
+            if why is not known:
+                self.keep_why(why)
+        if job.state.terminal:
+            self.whys.pop(job.id, None)
+
+    def keep_why(self, why: Why) -> None:
+        """Keep a job's why-record as it is now."""
+        self.whys[why.job] = why
+        self.effects.records.append(why)
 
     def new_order(self) -> int:
         """Return the next number of acceptance."""

@@ -7,7 +7,17 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, history, memory, posting, routing, session_path, showing
+from tests.bench import (
+    decoding,
+    dispatching,
+    history,
+    memory,
+    posting,
+    replanning,
+    routing,
+    session_path,
+    showing,
+)
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
@@ -17,6 +27,8 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "history": history.rows,
     "show": showing.rows,
     "route": routing.rows,
+    "replan": replanning.rows,
+    "dispatch": dispatching.rows,
     "memory": memory.rows,
 }
 RESULTS = ROOT / "bench"
