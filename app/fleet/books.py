@@ -1,11 +1,12 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
-from app.domain.job import Job, JobEvent
+from app.domain.job import Job, JobEvent, JobState
 from app.domain.layout import Plant, Station, StationKind
 from app.domain.links import LinkSend
 from app.domain.records import (
@@ -28,6 +29,7 @@ from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
+from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
@@ -83,14 +85,23 @@ class Books:
         self.effects = Effects()
         self.dirty: dict[VehicleId, None] = {}
         self.woken: dict[VehicleId, None] = {}
+        self.changed: dict[VehicleId, None] = {}
+        """Vehicles of which something is different since the fleet last minded their looks and doors."""
         self.specs: dict[StationId, Station] = {s.id: s for s in plant.stations}
         self.vehicles = self._vehicles(kept)
         self.jobs: dict[JobId, Job] = {job.id: job for job in kept.jobs}
         self.ended: dict[JobId, Job] = {}
+        self.queued: dict[JobId, Job] = {job.id: job for job in kept.jobs if job.state is JobState.QUEUED}
+        """The jobs that no vehicle has, as they are now."""
+        self.jobs_changed = bool(self.queued)
+        """Whether there is something that dispatch can use: a job without a vehicle, a station that such a job waits for."""
+        self._queued_at = Counter(place for job in self.queued.values() for place in _ends(job))
         self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
         self.stations = {s.id: StationRecord(s.id) for s in plant.stations} | {
             record.station: record for record in kept.stations if record.station in self.specs
         }
+        self.stations_changed: dict[StationId, None] = {}
+        """Stations of which something is different since the fleet last minded their buffers."""
         self.carriers: dict[CarrierId, CarrierRecord] = {record.carrier: record for record in kept.carriers}
         self.dests: dict[StationId, StationDest] = {d.station: d for d in kept.dests}
         self.offsets: dict[VehicleId, VehicleOffset] = {o.vehicle: o for o in kept.offsets}
@@ -99,7 +110,7 @@ class Books:
         self.teaching = TeachingBooks(plant, kept)
         self._note_teaching()
         self.controller = kept.controller
-        self.roll_call: dict[VehicleId, None] = {}
+        self.roll_call = RollCall(self.track)
         self.buffer_trouble: dict[StationId, str] = {}
         """Why the buffer of a station cannot be used now."""
         self.sensed: dict[StationId, bool] = {}
@@ -181,9 +192,22 @@ class Books:
             self.jobs[job.id] = job
         if job.idempotency_key:
             self.by_key[job.idempotency_key] = job.id
+        self._note_queue(job)
         self.effects.records.append(job)
         self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
         return job
+
+    def _note_queue(self, job: Job) -> None:
+        """Keep the queue, and say to dispatch what it can use."""
+        before = self.queued.get(job.id)
+        if before is not None:
+            self._queued_at.subtract(_ends(before))
+        if job.state is JobState.QUEUED:
+            self.queued[job.id] = job
+            self._queued_at.update(_ends(job))
+            self.jobs_changed |= before is None
+        elif before is not None:
+            del self.queued[job.id]
 
     def new_order(self) -> int:
         """Return the next number of acceptance."""
@@ -230,6 +254,8 @@ class Books:
         if record != vehicle.record:
             vehicle.record = record
             self.effects.records.append(record)
+            if vehicle.id in self.roll_call:
+                self.roll_call.miss(vehicle)
         self.touch(vehicle)
 
     def open_intent(
@@ -283,6 +309,8 @@ class Books:
     def save_station(self, record: StationRecord) -> None:
         """Keep and show what is believed of a station."""
         self.stations[record.station] = record
+        self.stations_changed[record.station] = None
+        self.jobs_changed |= self._queued_at[record.station] > 0
         self.effects.records.append(record)
         self.show_station(record.station)
 
@@ -376,8 +404,13 @@ class Books:
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""
-        self.dirty[vehicle.id] = None
+        self.dirty[vehicle.id] = self.changed[vehicle.id] = None
 
     def wake(self, vehicle: VehicleId) -> None:
         """Note that a vehicle should look again whether it can go on."""
-        self.woken[vehicle] = None
+        self.woken[vehicle] = self.changed[vehicle] = None
+
+
+def _ends(job: Job) -> Iterable[str]:
+    """Return the places that keep a job from beginning while they are not ready."""
+    return (job.source, job.destination, *job.fallbacks)
