@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from app.cli import bench, check, db, decode, demo, detect, openapi, schema, serve, sim, simulate, vectors, workload
+from app.cli import bench, check, db, decode, demo, detect, fab, openapi, schema, serve, sim, simulate, vectors, workload
 
 app = typer.Typer(
     name="hoistway",
@@ -20,6 +20,7 @@ for command in (
     workload.workload,
     simulate.simulate,
     check.check,
+    fab.fab,
     schema.schema,
     decode.decode,
     detect.detect,

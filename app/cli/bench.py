@@ -11,6 +11,12 @@ from app.cli.plainly import plainly, positive
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
+    from app.plant.fab import Shape
+
+FULL = 0.5
+"""Share of the ports that have a carrier at first. Our choice."""
+FLEET = 1000
+"""Hoists for which the fab of TRAFFIC section 1 is made. Our choice: where it delivers most."""
 
 commands = typer.Typer(help="Measure this program on this machine.", no_args_is_help=True)
 
@@ -56,4 +62,22 @@ def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
         from app.cli.running import plant_of
 
         return plant_of(file)
-    raise NotImplementedError
+    from app.plant.fab import generate, populate
+
+    return populate(generate(_shape(vehicles), seed).plant, vehicles, seed, FULL)
+
+
+def _shape(vehicles: int) -> Shape:
+    """Return a fab that grows with its fleet: 25 hoists a bay, as 1,000 have in the fab of TRAFFIC section 1."""
+    from app.plant.fab import Shape
+
+    usual = Shape()
+    bays = max(4, 2 * round(vehicles * usual.bays / FLEET / 2))
+    share = bays / usual.bays
+    return Shape(
+        f"fab-{vehicles}",
+        bays=bays,
+        shortcuts=round(usual.shortcuts * share),
+        pairs=round(usual.pairs * share),
+        turnarounds=min(round(usual.turnarounds * share), bays // 4),
+    )
