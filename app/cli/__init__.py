@@ -4,7 +4,22 @@ from __future__ import annotations
 
 import typer
 
-from app.cli import bench, check, db, decode, demo, detect, fab, openapi, schema, serve, sim, simulate, vectors, workload
+from app.cli import (
+    bench,
+    check,
+    db,
+    decode,
+    demo,
+    detect,
+    fab,
+    openapi,
+    schema,
+    serve,
+    sim,
+    simulate,
+    vectors,
+    workload,
+)
 
 app = typer.Typer(
     name="hoistway",
