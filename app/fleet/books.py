@@ -83,7 +83,10 @@ class Books:
         self.started = utc
         self._utc_offset = utc - now
         self.effects = Effects()
-        self.dirty: dict[VehicleId, None] = {}
+        self.dirty: dict[VehicleId, Seconds] = {}
+        """Vehicles that look different now, by when they first did since they were last shown: the longest wait first."""
+        self.touched: dict[VehicleId, None] = {}
+        """Vehicles that look different since the effects were last taken."""
         self.woken: dict[VehicleId, None] = {}
         self.changed: dict[VehicleId, None] = {}
         """Vehicles of which something is different since the fleet last minded their looks and doors."""
@@ -404,7 +407,8 @@ class Books:
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""
-        self.dirty[vehicle.id] = self.changed[vehicle.id] = None
+        self.dirty.setdefault(vehicle.id, self.now)
+        self.changed[vehicle.id] = self.touched[vehicle.id] = None
 
     def wake(self, vehicle: VehicleId) -> None:
         """Note that a vehicle should look again whether it can go on."""

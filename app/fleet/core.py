@@ -1,6 +1,8 @@
 """The fleet: takes what sessions tell and people ask, in order, and gives effects (ARCHITECTURE section 1)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from itertools import takewhile
+from math import inf
 
 from app.domain.commands import Send
 from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
@@ -47,7 +49,9 @@ from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
 
 SHOW_EVERY = Seconds(0.1)
-"""A vehicle is shown at most so often, unless something is decided (QUALITY 1: live frames at 10 Hz)."""
+"""A vehicle that looks different is shown so long after it first did, at once if anything is decided of it (QUALITY 1)."""
+SHOW_TOGETHER = Seconds(0.02)
+"""Those that are due so soon are shown together: fewer, and none of them long, as each is due at its own time (our choice)."""
 THINK_EVERY = Seconds(1.0)
 """Dispatch, and a look at everything that waits, at least so often; sooner when something changed (our choice)."""
 THINK_AT_MOST_EVERY = Seconds(0.1)
@@ -112,7 +116,6 @@ class Fleet:
         self._free: set[VehicleId] = set()
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
-        self._last_show = now
         self._next_thought = self._last_thought = now
         self._start(restored=kept.restored)
 
@@ -150,10 +153,7 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        next_one = min(self._next_thought, self._looks.deadline, self.drives.deadline)
-        if self.books.dirty:
-            return min(next_one, Seconds(self._last_show + SHOW_EVERY))
-        return next_one
+        return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at)
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
@@ -308,26 +308,33 @@ class Fleet:
     def take(self) -> Effects:
         """Return and forget what was decided, with what has changed for the eye."""
         books = self.books
-        effects = books.effects
-        decided = bool(effects.records or effects.replies)
-        if books.dirty and (decided or books.now >= self._last_show + SHOW_EVERY):
-            self._show_vehicles(effects)
+        effects, touched = books.effects, books.touched
+        if touched:
+            books.touched = {}
+            if effects.records or effects.replies:
+                self._show_vehicles(name for name in touched if name in books.dirty)
+        if self._show_at <= books.now:
+            due = books.now - SHOW_EVERY + SHOW_TOGETHER
+            self._show_vehicles(list(takewhile(lambda name: books.dirty[name] <= due, books.dirty)))
         if effects.empty:
             return effects
         books.effects = Effects()
         return effects
 
-    def _show_vehicles(self, effects: Effects) -> None:
+    @property
+    def _show_at(self) -> Seconds:
+        """When the next vehicle is to be shown; infinite if none looks different."""
+        return Seconds(next(iter(self.books.dirty.values())) + SHOW_EVERY) if self.books.dirty else Seconds(inf)
+
+    def _show_vehicles(self, names: Iterable[VehicleId]) -> None:
         books = self.books
-        self._last_show = books.now
-        for name in books.dirty:
+        for name in names:
             vehicle = books.vehicles[name]
-            job = books.job_of(vehicle)
-            view = view_of_vehicle(vehicle, job, books.plant, self._link(name), books.utc_at)
+            del books.dirty[name]
+            view = view_of_vehicle(vehicle, books.job_of(vehicle), books.plant, self._link(name), books.utc_at)
             if self._shown.get(name) != view:
                 self._shown[name] = view
-                effects.updates.append(Update(Topic.VEHICLES, name, view))
-        books.dirty.clear()
+                books.effects.updates.append(Update(Topic.VEHICLES, name, view))
 
     def open_intents(self, vehicle: VehicleId) -> tuple[Intent, ...]:
         """Return the commands of a vehicle whose outcome is not known yet."""
