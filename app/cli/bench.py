@@ -62,6 +62,11 @@ def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
         from app.cli.running import plant_of
 
         return plant_of(file)
+    return generated(vehicles, seed)
+
+
+def generated(vehicles: int, seed: int) -> Plant:
+    """Return a fab with so many hoists, and carriers at half of its ports."""
     from app.plant.fab import generate, populate
 
     return populate(generate(_shape(vehicles), seed).plant, vehicles, seed, FULL)

@@ -7,7 +7,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, memory, posting, routing, session_path, showing
+from tests.bench import decoding, hoists, memory, posting, routing, session_path, showing
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
@@ -17,6 +17,7 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "show": showing.rows,
     "route": routing.rows,
     "memory": memory.rows,
+    "hoists": hoists.rows,
 }
 RESULTS = ROOT / "bench"
 
