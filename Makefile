@@ -16,8 +16,8 @@ $(READY): requirements/dev.txt pyproject.toml
 run: $(READY)  ## simulate the demo plant, control it, print where to look
 	@$(BIN)/hoistway demo
 
-test: $(READY)  ## all tests, on all cores
-	$(BIN)/pytest -n auto
+test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.py)
+	$(BIN)/pytest -n auto --dist loadgroup
 
 coverage: $(READY)  ## branch coverage of the pure layers; fails below 95 %
 	$(BIN)/pytest -n auto --ignore=tests/e2e --ignore=tests/web --ignore=tests/api --ignore=tests/runtime --ignore=tests/acceptance/test_campaign.py --cov=app.domain --cov=app.wire --cov=app.protocols --cov=app.planning --cov=app.plant --cov=app.fleet --cov=app.control --cov=app.store --cov-branch --cov-report=term:skip-covered --cov-fail-under=95

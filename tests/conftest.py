@@ -1,11 +1,31 @@
 """Settings of all tests."""
 
+import os
+
+import pytest
 import structlog
 from hypothesis import settings
+
+from tests.ordering import spread, weight
 
 # A loaded machine makes an example slow, not wrong.
 settings.register_profile("hoistway", deadline=None)
 settings.load_profile("hoistway")
+
+
+def pytest_xdist_auto_num_workers() -> int | None:
+    """Two workers a core for ``-n auto``: the long tests wait for real processes most of their time."""
+    if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ:
+        return None
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return 2 * (cores or 1)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin the long tests first where several workers share the tests."""
+    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    if workers > 1:
+        items[:] = spread(items, workers, lambda item: weight(item.nodeid))
 
 
 def pytest_runtest_teardown() -> None:

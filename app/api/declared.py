@@ -73,6 +73,8 @@ def _nullable(schema: Json) -> Json:
     return {"anyOf": [schema, {"type": "null"}]}
 
 
+_SPAN = _nullable({"type": "number"})
+
 OTHERS: Json = {
     "Problem": {
         "type": "object",
@@ -91,6 +93,35 @@ OTHERS: Json = {
     },
     "ProblemKind": _object({"code": _TEXT, "status": _WHOLE, "title": _TEXT}),
     "JobWithHistory": {"allOf": [ref("Job"), _object({"history": _list(ref("Event"))})]},
+    "JobWhy": _object(
+        {
+            "job": _TEXT,
+            "state": _TEXT,
+            "reason": {"type": "string", "description": "What it waits for now; empty: for nothing."},
+            "created": _TIME,
+            "queued": _SPAN | {"description": "Seconds until it first got a vehicle."},
+            "fetching": _SPAN | {"description": "Seconds from then until the pick-up."},
+            "carrying": _SPAN | {"description": "Seconds from then until its end."},
+            "assignments": _list(
+                _object(
+                    {
+                        "at": _TIME,
+                        "vehicle": _TEXT,
+                        "seconds": {"type": "number", "description": "The vehicle's way to the source."},
+                        "priority": _WHOLE,
+                        "hot": _FLAG,
+                        "waited": {"type": "number", "description": "What its waiting was worth, seconds of driving."},
+                        "switch": {"type": "number", "description": "What a change had to save besides, seconds."},
+                        "before": _nullable(_TEXT) | {"description": "The vehicle that had the job until then."},
+                        "saved": _SPAN | {"description": "So many seconds is it nearer than that one."},
+                        "candidates": _list(_object({"vehicle": _TEXT, "seconds": _SPAN, "why_not": _TEXT})),
+                    }
+                )
+            ),
+            "waits": _list(_object({"since": _TIME, "until": _nullable(_TIME), "seconds": _SPAN, "reason": _TEXT})),
+            "left_out": {"type": "integer", "description": "Assignments and waits between the first and the latest."},
+        }
+    ),
     "Pulses": _object({"shft": _WHOLE, "rota": _WHOLE, "lift": _WHOLE}),
     "Frame": _object(
         {
@@ -178,6 +209,18 @@ OTHERS: Json = {
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),
+    "RouteView": {
+        "description": "Seconds of driving at the present delays, and on an empty track; length in mm; which version of the map.",
+        **_object(
+            {
+                "barcodes": _list(_TEXT),
+                "length": _WHOLE,
+                "seconds": {"type": "number"},
+                "free_flow_seconds": {"type": "number"},
+                "version": _WHOLE,
+            }
+        ),
+    },
     "Layout": _object(
         {
             "name": _TEXT,

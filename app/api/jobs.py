@@ -13,6 +13,7 @@ from app.api.declared import gives
 from app.api.inputs import JobChange, JobIn, Limit, PathId, QueryId, station_ids
 from app.api.port import Controller
 from app.api.problems import Problem
+from app.api.whys import told
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.job import Job, JobState
 from app.domain.requests import AbortJob, CancelJob, ChangeJob, CreateJob
@@ -140,6 +141,15 @@ async def get_job(job: PathId, controller: Ctl) -> Response:
     view = await _view(controller, job)
     events = await read(controller.reader.events, 0, HISTORY, job=job)
     return answer_of({**shown(view), "history": [shown(view_of_event(event)) for event in events]})
+
+
+@router.get("/{job}/why", **gives("JobWhy", description="What its assignments were chosen by, and what it waited for."))
+async def get_why(job: PathId, controller: Ctl) -> Response:
+    """Show why a job got its vehicles, and why it waited."""
+    kept = await read(controller.reader.job, JobId(job))
+    if kept is None:
+        missing("job", job)
+    return answer_of(told(kept, await read(controller.reader.why, kept.order)))
 
 
 @router.post("/{job}/cancel", **gives("Job", description="The job as it is now."))

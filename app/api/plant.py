@@ -1,20 +1,26 @@
 """The controller as a whole, the layout for drawing, the audit, and the kinds of problems."""
 
 import zlib
+from itertools import pairwise
+from typing import Annotated
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Query
 from starlette.requests import Request
 from starlette.responses import Response
 
 from app.api.calls import Ctl, Who, answer_of, answer_view, ask, items, missing, read, tagged
 from app.api.declared import gives
-from app.api.inputs import After, Limit, PathId, ReasonIn
+from app.api.inputs import ID_PATTERN, After, Limit, PathId, ReasonIn
 from app.api.port import Controller
 from app.api.problems import CODES
 from app.domain import requests
 from app.domain.layout import LinkSpec, Plant
+from app.domain.units import Barcode
 from app.domain.view import Topic
 from app.runtime.showing import encode, iso
+
+MOST_ROUTES = 8
+"""Our choice: so many alternatives take some milliseconds of the event loop in a whole fab."""
 
 controller_routes = APIRouter(prefix="/controller", tags=["controller"])
 layout = APIRouter(prefix="/layout", tags=["layout"])
@@ -56,6 +62,32 @@ async def get_layout(request: Request, controller: Ctl) -> Response:
         state.layout = (f'"{zlib.crc32(body):08x}"', body)
     etag, body = state.layout
     return tagged(request, etag, body)
+
+
+@layout.get("/routes", **gives("RouteView[]", description="Quickest first; `next` is null."))
+async def list_routes(
+    controller: Ctl,
+    start: Annotated[
+        str, Query(alias="from", pattern=ID_PATTERN, max_length=64, description="A station or a barcode.")
+    ],
+    goal: Annotated[str, Query(alias="to", pattern=ID_PATTERN, max_length=64, description="A station or a barcode.")],
+    most: Annotated[int, Query(alias="k", ge=1, le=MOST_ROUTES, description="At most this many.")] = 1,
+) -> Response:
+    """Show the quickest routes between two places as they would be planned now: around closures, with the present delays."""
+    plant = controller.plant
+    barcodes = {str(station.id): station.barcode for station in plant.stations}
+    lengths = {(edge.start, edge.end): edge.length for edge in plant.edges}
+    ends = (barcodes.get(start, Barcode(start)), barcodes.get(goal, Barcode(goal)))
+    return items(
+        {
+            "barcodes": route.barcodes,
+            "length": sum(lengths[edge] for edge in pairwise(route.barcodes)),
+            "seconds": round(route.seconds, 3),
+            "free_flow_seconds": round(route.free_flow, 3),
+            "version": route.version,
+        }
+        for route in controller.routes(*ends, most)
+    )
 
 
 def _drawn(plant: Plant) -> dict[str, object]:

@@ -12,8 +12,10 @@ from app.domain.job import Job
 from app.domain.layout import Plant
 from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
-from app.domain.units import Timestamp
+from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
+from app.domain.why import Why
+from app.planning.routing import Route
 from app.runtime.hub import Hub, ReadModel
 
 
@@ -22,6 +24,10 @@ class Reader(TeachingReader, Protocol):
 
     def job(self, job: JobId) -> Job | None:
         """Return one job, ended or not."""
+        ...
+
+    def why(self, order: int) -> Why | None:
+        """Return what is kept of a job's why, by the job's order."""
         ...
 
     def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
@@ -127,6 +133,10 @@ class Controller(Protocol):
 
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first, as (when, ``in`` or ``out``, bytes)."""
+        ...
+
+    def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
+        """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
         ...
 
     def utc(self) -> Timestamp:

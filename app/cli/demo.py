@@ -48,11 +48,12 @@ def demo(
 
 
 def _show(settings: Settings, file: Path, keep: int | None, operator: int | None) -> int:
-    from app.cli import hosting
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level=settings.log_level)
     plant = plant_of(file)
+    from app.cli import hosting  # heavy: a wrong plant file is told before
+
     listening = hosting.bound(settings.host, settings.port)
     url = hosting.url_of(settings.host, listening.getsockname()[1])
 

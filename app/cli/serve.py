@@ -35,11 +35,12 @@ def serve(
 
 
 def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
-    from app.cli import hosting
     from app.runtime.telemetry import set_up
 
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant = plant_of(file)
+    from app.cli import hosting  # heavy: a wrong plant file is told before
+
     listening = hosting.bound(settings.host, settings.port)
 
     async def run() -> int:

@@ -27,10 +27,10 @@ def simulate(
     kills: Annotated[int, typer.Option(min=0, help="kill the controller so many times at random moments")] = 0,
 ) -> None:
     """Run the whole controller with simulated vehicles in virtual time; exit 1 if anything happened that must not."""
-    from app.sim.run import run
-
     with plainly():
         found = plant_of(plant)
+    from app.sim.run import run  # heavy: a wrong plant file is told before
+
     begun = time.perf_counter()
     result = run(found, seed, hours * 3600, per_hour=rate, keep_open=None if rate else keep, kills=kills, drain=DRAIN)
     _print(result, time.perf_counter() - begun)

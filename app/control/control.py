@@ -25,6 +25,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import LineView, LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
+from app.planning.tables import Tables, Task
 from app.planning.ways import Ways
 from app.plant import dialect_of
 from app.protocols.itsc.session import LinkQuality, Timing
@@ -41,8 +42,8 @@ class Transaction:
 class Control:
     """The whole controller of one plant, in one thread.
 
-    After every input the owner takes ``transactions``, writes what ``dirty`` endpoints have to send, delivers ``updates``
-    and ``replies``, and arranges for ``tick`` at ``deadline`` and each endpoint's own. ``utc`` is UTC at ``now``.
+    After every input the owner takes ``transactions``, writes what ``dirty`` endpoints have to send, delivers ``updates``,
+    ``replies`` and ``replan``, and arranges for ``tick`` at ``deadline`` and each endpoint's own. ``utc`` is UTC at ``now``.
     """
 
     def __init__(
@@ -223,6 +224,20 @@ class Control:
     def tick(self, now: Seconds) -> None:
         """The fleet's deadline has passed."""
         self.fleet.tick(now)
+        self._decide()
+
+    # -- routes -------------------------------------------------------------------------------------------------------
+
+    def replan(self) -> Task | None:
+        """Return the routing tables that are wanted, once: to be computed beside the controller and given to ``replanned``.
+
+        The owner asks after every input; None: those that there are will do, or are being computed.
+        """
+        return self.fleet.books.router.replan()
+
+    def replanned(self, tables: Tables, now: Seconds) -> None:
+        """Tables that were wanted have been computed."""
+        self.fleet.replanned(tables, now)
         self._decide()
 
     # -- keep before you tell -----------------------------------------------------------------------------------------

@@ -139,6 +139,10 @@ class JobEvent(StrEnum):
     EMERGENCY_RELEASED = "EmergencyReleased"
 
 
+HOT_FROM = 90
+"""Jobs of this priority and above, of 0 to 99, are hot lots: they come before all others (our choice)."""
+
+
 @dataclass(frozen=True, slots=True)
 class Job:
     """One transfer order.
@@ -169,6 +173,11 @@ class Job:
     assigned: Timestamp | None = None
     picked: Timestamp | None = None
     ended: Timestamp | None = None
+
+    @property
+    def hot(self) -> bool:
+        """Whether it is a hot lot."""
+        return self.priority >= HOT_FROM
 
     def after(self, step: JobStep) -> "Job":
         """Return the job after this step. Raises KeyError for a step that the table does not have: a defect."""

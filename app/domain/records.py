@@ -13,6 +13,7 @@ from app.domain.lockout import Lockout as Lockout
 from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.why import Why
 
 
 class IntentState(StrEnum):
@@ -316,17 +317,18 @@ Record = (
     | ControllerRecord
     | DriveRecords
     | DeviceRecord
+    | Why
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord and DeviceRecord replace
-the row of their key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord and Why
+replace the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
 class Kept:
     """All that a controller needs to go on after a restart.
 
-    ``jobs`` are those not ended; ``intents`` those not closed; ``dests`` and ``offsets`` the newest version of each;
-    ``proposals`` and ``sessions`` those not over; ``next_...`` the first numbers not yet used;
+    ``jobs`` are those not ended, ``whys`` their why-records; ``intents`` those not closed; ``dests`` and ``offsets`` the
+    newest version of each; ``proposals`` and ``sessions`` those not over; ``next_...`` the first numbers not yet used;
     ``epoch`` has been raised for this process life.
     """
 
@@ -342,6 +344,7 @@ class Kept:
     controller: ControllerRecord = ControllerRecord(ControllerState.AUTO)
     next_event: int = 1
     next_order: int = 1
+    whys: tuple[Why, ...] = ()
     drives: tuple[DriveRecord, ...] = ()
     drive_values: tuple[DriveValue, ...] = ()
     operations: tuple[DriveOperation, ...] = ()

@@ -29,6 +29,7 @@ from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
+from app.domain.why import Why
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
@@ -99,6 +100,8 @@ class Books:
         self.jobs_changed = bool(self.queued)
         """Whether there is something that dispatch can use: a job without a vehicle, a station that such a job waits for."""
         self._queued_at = Counter(place for job in self.queued.values() for place in _ends(job))
+        self.whys: dict[JobId, Why] = {why.job: why for why in kept.whys}
+        """Of jobs not ended."""
         self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
         self.stations = {s.id: StationRecord(s.id) for s in plant.stations} | {
             record.station: record for record in kept.stations if record.station in self.specs
@@ -197,6 +200,7 @@ class Books:
             self.by_key[job.idempotency_key] = job.id
         self._note_queue(job)
         self.effects.records.append(job)
+        self._follow(job)
         self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
         return job
 
@@ -211,6 +215,21 @@ class Books:
             self.jobs_changed |= before is None
         elif before is not None:
             del self.queued[job.id]
+
+    def _follow(self, job: Job) -> None:
+        """Keep what the job waits for with its why-record."""
+        known = self.whys.get(job.id)
+        if known is not None or job.reason:
+            why = (known or Why(job.order, job.id)).waiting(job.reason, self.utc)
+            if why is not known:
+                self.keep_why(why)
+        if job.state.terminal:
+            self.whys.pop(job.id, None)
+
+    def keep_why(self, why: Why) -> None:
+        """Keep a job's why-record as it is now."""
+        self.whys[why.job] = why
+        self.effects.records.append(why)
 
     def new_order(self) -> int:
         """Return the next number of acceptance."""

@@ -47,6 +47,7 @@ from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
+from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
 """A vehicle that looks different is shown so long after it first did, at once if anything is decided of it (QUALITY 1)."""
@@ -215,6 +216,12 @@ class Fleet:
         """Take one event of a drive line."""
         self.books.now = now
         self.drives.handle(event)
+
+    def replanned(self, tables: Tables, now: Seconds) -> None:
+        """Plan routes by these tables from now on, if they are those that were wanted."""
+        self.books.now = now
+        if self.books.router.adopt(tables):
+            self._think_soon()
 
     def ask(self, request: Request, ticket: int, now: Seconds) -> None:
         """Take one request; its reply is among the effects under this ticket."""

@@ -19,7 +19,7 @@ from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
 from app.fleet.kinds import serves
 from app.fleet.motion import Motion
-from app.fleet.obstacles import against_picking_up, against_putting_down
+from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer
 from app.fleet.recovery import Recovery
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
@@ -28,6 +28,9 @@ MAX_MISSES = 3
 """So often a handling or a move may end abnormally without an alarm before the vehicle is held (our choice)."""
 NO_PLACE = "its destination cannot be used"
 """How the reason of a job begins that waits for a place to put its carrier down."""
+
+STANDS_BY = "its vehicle stands by"
+"""How the reason of a job begins whose carrier is not there yet."""
 
 
 class Missions:
@@ -115,11 +118,22 @@ class Missions:
                 self._start_handling(vehicle, usable, station, pickup=pickup)
 
     def _usable_source(self, vehicle: VehicleNow, job: Job) -> Job | None:
-        """Return the job if its source still has what it wants; else it goes back into the queue."""
+        """Return the job if its source still has what it wants, or will have; else it goes back into the queue.
+
+        A vehicle that is there before the carrier stands by: whoever brings it must get past (``Courtesy``).
+        """
         obstacle = against_picking_up(self._books, job)
-        if obstacle:
+        if not obstacle:
+            return self._wait(job, "") if job.reason.startswith(STANDS_BY) else job
+        first = None if against_fetching(self._books, job) else bringer(self._books, job)
+        if first is None:
             self.give_back(vehicle, obstacle)
-        return None if obstacle else job
+            return None
+        errand = vehicle.errand
+        if errand and errand.purpose is Purpose.SOURCE and self._motion.arrived(vehicle):
+            job = self._wait(job, f"{STANDS_BY}: {first.id} brings a carrier to {job.source} first")
+            self._motion.drop(vehicle)
+        return None if job.reason.startswith(STANDS_BY) else job
 
     def _cannot(self, vehicle: VehicleNow, job: Job, *, pickup: bool) -> None:
         """The load is not what this leg needs; a person has vouched for it, otherwise the vehicle were held."""

@@ -1,7 +1,7 @@
 """What stands against picking up or putting down now, as a clause for people; empty if nothing does (DOMAIN section 2)."""
 
 from app.domain.ids import JobId, StationId, VehicleId
-from app.domain.job import Job
+from app.domain.job import Job, Leg
 from app.domain.layout import StationKind
 from app.domain.records import Provenance, StationRecord
 from app.fleet.books import Books
@@ -9,18 +9,16 @@ from app.fleet.books import Books
 PLACED_COUNTS_FOR = 3600.0
 """Seconds after which "we placed it there" says nothing about a port any more: equipment takes carriers unseen (our choice)."""
 
+_BRINGING = frozenset({Leg.TO_DESTINATION, Leg.DEPOSITING})
+
 
 def against_picking_up(books: Books, job: Job) -> str:
     """Return why the job's carrier cannot be fetched from its source, as far as is known."""
     if job.source in books.vehicles:
         return _against_taking_over(books, job)
-    if taught := _taught(books, StationId(job.source)):
-        return taught
+    if closed := against_fetching(books, job):
+        return closed
     record = books.stations[StationId(job.source)]
-    if record.out_of_service:
-        return f"{job.source} is out of service: {record.out_of_service}"
-    if trouble := books.buffer_trouble.get(record.station):
-        return trouble
     if books.sensed.get(record.station) is False:
         return f"{job.source} is empty: its buffer reports no cart"
     if record.present is False and record.station not in books.sensed:
@@ -32,6 +30,25 @@ def against_picking_up(books: Books, job: Job) -> str:
         if place is not None and place != job.source:
             return f"{job.carrier} is at {place}, not at {job.source}"
     return ""
+
+
+def against_fetching(books: Books, job: Job) -> str:
+    """Return why nothing can be fetched from the job's source, whatever stands there."""
+    if taught := _taught(books, StationId(job.source)):
+        return taught
+    record = books.stations[StationId(job.source)]
+    if record.out_of_service:
+        return f"{job.source} is out of service: {record.out_of_service}"
+    return books.buffer_trouble.get(record.station, "")
+
+
+def bringer(books: Books, job: Job) -> Job | None:
+    """Return the job under way whose vehicle brings the carrier to this job's source, if there is one: hosts order ahead."""
+    for other in books.jobs.values():
+        if other.destination == job.source and other.order < job.order and other.leg in _BRINGING:
+            another = job.carrier and other.carrier and job.carrier != other.carrier
+            return None if another else other
+    return None
 
 
 def _against_taking_over(books: Books, job: Job) -> str:

@@ -1,62 +1,178 @@
-"""The quickest way over the track, in microseconds: a table over junctions, segments between them."""
+"""Routes over the track, in microseconds: a compiled view of it, and the closures and weights of now around that."""
 
-from collections import defaultdict
-from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice, pairwise
 from math import inf
-from typing import TypeAlias, cast
 
-import networkx as nx
 import numpy as np
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
 
 from app.domain.errors import NoRoute
-from app.domain.units import Barcode
-from app.planning.segments import Segment, contract
+from app.domain.units import Barcode, Seconds
+from app.planning.alternatives import by_present, by_table, drawn, search, ways
+from app.planning.arcs import EdgeKey, contract
+from app.planning.compiled import NO_CUTS, Cuts, View, is_open
+from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
-EdgeKey: TypeAlias = tuple[Barcode, Barcode]
-Row: TypeAlias = "tuple[memoryview[float], memoryview[int]]"
-WHOLE_TABLE = 2000
-"""Our choice: with more junctions than this (48 MB, 12 bytes per pair) rows are computed when first asked for only."""
+INLINE_FORKS = 300
+"""Our choice: up to so many forks tables are computed at once where they are wanted, in less than 5 ms of CPU."""
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """A way with its expected duration: at the present weights, and on an empty track; by which version of the view."""
+
+    barcodes: tuple[Barcode, ...]
+    seconds: Seconds
+    free_flow: Seconds
+    version: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """What tables were asked for: they are of use only together with this."""
+
+    version: int
+    seconds: Floats
+    at: Floats
+    shut: Cuts
 
 
 class Router:
-    """Quickest routes, by the edges' ``time`` in ``track.graph``, around what is closed.
+    """Quickest routes over a track, around what is closed; an edge takes its ``time`` in ``track.graph``, or more.
 
-    The whole table is computed at the start; after a change of closures each row when it is first asked for, so that no
-    change halts the caller.
+    With more than ``inline`` forks a change of closures or weights makes a new ``version`` that is only *wanted*: ``replan``
+    gives a task, to be computed elsewhere, and ``adopt`` takes what came of it. Until then routes follow the old times, but
+    no route ever leads over what is closed: where the old table would, the way round is searched for, which takes about
+    1 ms at 3,000 forks. ``times`` stay those of the old version until then, except at the ends.
     """
 
-    def __init__(self, track: Track) -> None:
+    def __init__(self, track: Track, inline: int = INLINE_FORKS) -> None:
         self._track = track
+        self._arcs = contract(track)
+        self._free: Floats = np.array([track.graph.edges[edge]["time"] for edge in self._arcs.edges], dtype=np.float64)
+        self._seconds = self._free
         self._closed: dict[Barcode | EdgeKey, None] = {}
-        found = contract(track)
-        self._junctions, self._segments = found.junctions, found.segments
-        self._inside, self._edges = found.inside, found.edges
-        self._size = len(self._junctions)
-        self._links: dict[int, tuple[Barcode, ...]] = {}
-        self._table: dict[int, Row] = {}
-        self._connect()
-        if self._size <= WHOLE_TABLE:
-            self._compute(range(self._size))
+        self._cuts: Cuts = {}
+        self._inline = self._arcs.plan.size <= inline
+        self._version = 1
+        self._asked: _Asked | None = None
+        self._stale = False
+        self._shown = self._view(self._ask())
+        self._newly_open = self._newly_shut = False
+
+    # -- what is closed, what takes how long -------------------------------------------------------------------------------
 
     @property
     def closed(self) -> tuple[Barcode | EdgeKey, ...]:
         """The closed barcodes and edges, in the order of closing."""
         return tuple(self._closed)
 
+    @property
+    def version(self) -> int:
+        """The version that routes are planned by; rises."""
+        return self.view.version
+
+    @property
+    def view(self) -> View:
+        """What routes are planned by: fixed, to be held as long as one likes."""
+        if self._stale:
+            self._stale = False
+            self._shown = self._view(self._ask())
+        return self._shown
+
     def close(self, *places: Barcode | EdgeKey) -> None:
         """Let no route lead over these barcodes, nor to them, nor over these edges. A route may start at a closed barcode."""
         self._closed.update(dict.fromkeys(places))
-        self._reconnect()
+        self._recut()
 
     def open(self, *places: Barcode | EdgeKey) -> None:
         """End the closure of these."""
         for place in places:
             self._closed.pop(place, None)
-        self._reconnect()
+        self._recut()
+
+    def reweigh(self, seconds: Mapping[EdgeKey, float]) -> None:
+        """Let these edges take so long from now on, and never less than on an empty track; the others stay as they are.
+
+        Raises KeyError: one is no edge of the track.
+        """
+        edges = self._arcs.edges
+        places = np.fromiter((edges[edge] for edge in seconds), dtype=np.intp, count=len(seconds))
+        values = np.fromiter(seconds.values(), dtype=np.float64, count=len(seconds))
+        weights = self._seconds.copy()
+        weights[places] = np.maximum(values, self._free[places])
+        if not np.array_equal(weights, self._seconds):
+            self._seconds = weights
+            self._change()
+
+    def weight(self, start: Barcode, end: Barcode) -> float:
+        """Return the seconds that an edge takes by the newest weights. Raises KeyError: it is no edge of the track."""
+        return float(self._seconds[self._arcs.edges[start, end]])
+
+    # -- new versions --------------------------------------------------------------------------------------------------------
+
+    def replan(self) -> Task | None:
+        """Return the task of computing the newest version, once; None if it is being computed, or is there."""
+        if self._inline or self._asked is not None or self._shown.version == self._version:
+            return None
+        return self._ask()
+
+    def adopt(self, tables: Tables) -> bool:
+        """Plan by these tables from now on; False if they are not those that were asked for last.
+
+        If a newer version is wanted meanwhile, ``replan`` asks for it then.
+        """
+        if self._asked is None or tables.version != self._asked.version:
+            return False
+        self._shown = self._view(tables)
+        self._compare()
+        return True
+
+    def _ask(self) -> Task:
+        at = self._arcs.at(self._seconds)
+        self._asked = _Asked(self._version, self._seconds, at, self._cuts)
+        ends = self._arcs.begins[1 : self._arcs.approaches + 1] - 1
+        whole = at[ends]
+        whole[[arc for arc in self._cuts if arc < self._arcs.approaches]] = inf
+        return Task(self._version, self._arcs.plan, whole)
+
+    def _view(self, result: Task | Tables) -> View:
+        asked = self._asked
+        assert asked is not None
+        self._asked = None
+        tables = compute(result) if isinstance(result, Task) else result
+        return View(self._arcs, asked.seconds, asked.at, asked.shut, tables)
+
+    def _recut(self) -> None:
+        cuts: dict[int, list[int]] = {}
+        for place in self._closed:
+            for edge in self._edges_of(place):
+                for arc, index in self._arcs.on(edge):
+                    cuts.setdefault(arc, []).append(index)
+        if cuts != self._cuts:
+            self._cuts = cuts
+            self._change()
+
+    def _edges_of(self, place: Barcode | EdgeKey) -> Iterable[EdgeKey]:
+        if isinstance(place, tuple):
+            return (place,)
+        return ((before, place) for before in self._track.predecessors(place)) if place in self._track else ()
+
+    def _change(self) -> None:
+        self._version += 1
+        if self._inline:
+            self._stale = True
+        else:
+            self._compare()
+
+    def _compare(self) -> None:
+        """See whether the view that is shown may lead over closed track, or not see track that is open again."""
+        self._newly_shut = any(arc not in self._shown.shut for arc in self._cuts)
+        self._newly_open = any(arc not in self._cuts for arc in self._shown.shut)
+
+    # -- routes --------------------------------------------------------------------------------------------------------------
 
     def route(self, start: Barcode, goal: Barcode) -> tuple[Barcode, ...]:
         """Return the barcodes of a quickest route, start and goal included; just one if they are the same.
@@ -65,151 +181,85 @@ class Router:
         """
         if start == goal and start in self._track:
             return (start,)
-        path = self._path(start, goal)
+        path = (self.view if self._stale else self._shown).path(start, goal, self._cuts)
+        if path is None:
+            path = self._search(start, goal, self._cuts) if self._newly_open else None
+        elif self._newly_shut and any(map(self._is_closed, path, path[1:])):
+            path = self._search(start, goal, self._cuts)
         if path is None:
             raise self._no_route(start, goal)
         return tuple(path)
 
+    def quickest(self, start: Barcode, goal: Barcode) -> Route:
+        """Return a quickest route with its times. Raises NoRoute as ``route`` does."""
+        return self._timed(self.route(start, goal))
+
+    def alternatives(self, start: Barcode, goal: Barcode, most: int) -> list[Route]:
+        """Return the ``most`` quickest routes that pass no barcode twice, quickest first; fewer if there are no more.
+
+        Exact (Yen's algorithm between forks), by the version that is shown. Raises NoRoute as ``route`` does.
+        """
+        first = self.route(start, goal)
+        fork, _ = self.view.leave(start, self._cuts)
+        if self.view.stretch(start, goal) or start == goal or self._arcs.forks.get(goal) == fork:
+            return [self._timed(first)][:most]
+        differs = self._newly_open or self._newly_shut
+        search = (by_present if differs else by_table)(self.view, goal, self._cuts)
+        before = self._before(start)
+        found = [self._timed((*before, *drawn(search, way))) for _, way in islice(ways(search, fork), most)]
+        return sorted(found, key=lambda route: route.seconds)
+
     def time(self, start: Barcode, goal: Barcode) -> float:
-        """Return the seconds of the quickest route at full speed; infinite if there is none."""
-        if (direct := self._direct(start, goal)) is not None:
-            return direct
-        (junction, rest), (target, more) = self._leave(start), self._reach(goal)
-        if rest + more == inf:
-            return inf
-        return rest + self._row(target)[0][junction] + more
+        """Return the seconds of the quickest route; infinite if there is none."""
+        if start == goal:
+            return 0.0 if start in self._track else inf
+        return self.view.time(start, goal, self._cuts)
 
     def times(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> list[list[float]]:
         """Return a row for each start with the time to each goal, in seconds, infinite if there is no route."""
-        if not starts or not goals or not self._size:
-            return [[inf] * len(goals) for _ in starts]
-        leave = [self._leave(start) for start in starts]
-        reach = [self._reach(goal) for goal in goals]
-        self._compute(junction for junction, _ in reach)
-        table = np.empty((len(starts), len(goals)))
-        junctions = np.array([junction for junction, _ in leave])
-        rest = np.array([seconds for _, seconds in leave])
-        for column, (target, more) in enumerate(reach):
-            table[:, column] = np.asarray(self._table[target][0])[junctions] + (rest + more)
-        times: list[list[float]] = table.tolist()
-        self._put_direct(times, starts, goals)
+        times: list[list[float]] = self.table(starts, goals).tolist()
         return times
 
-    def _put_direct(self, times: list[list[float]], starts: Sequence[Barcode], goals: Sequence[Barcode]) -> None:
-        """Correct the times between places of one segment, which need not go round by its head."""
-        columns: defaultdict[int, list[int]] = defaultdict(list)
-        for column, goal in enumerate(goals):
-            if (place := self._inside.get(goal)) is not None:
-                columns[id(place.segment)].append(column)
-        for row, start in enumerate(starts):
-            if (place := self._inside.get(start)) is not None:
-                for column in columns.get(id(place.segment), ()):
-                    if (direct := self._direct(start, goals[column])) is not None:
-                        times[row][column] = direct
+    def table(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> Floats:
+        """Return what ``times`` does, as an array."""
+        return self.view.times(starts, goals, self._cuts)
 
-    def _direct(self, start: Barcode, goal: Barcode) -> float | None:
-        """Return the time if the goal lies ahead in the start's own segment, where there is no choice; else None."""
-        if start == goal:
-            return 0.0 if start in self._track else inf
-        here, there = self._inside.get(start), self._inside.get(goal)
-        if here is None or there is None or here.segment is not there.segment or there.index < here.index:
+    def _timed(self, path: tuple[Barcode, ...]) -> Route:
+        view = self.view
+        passed = [self._arcs.edges[edge] for edge in pairwise(path)]
+        seconds, free = view.seconds[passed].sum(), self._free[passed].sum()
+        return Route(path, Seconds(float(seconds)), Seconds(float(free)), view.version)
+
+    def _before(self, start: Barcode) -> tuple[Barcode, ...]:
+        """Return the barcodes from here to the first fork of any route, both included."""
+        for arc, index in self._arcs.spots.get(start, ())[:1]:
+            return self._arcs.paths[arc][index:]
+        return (start,)
+
+    def _search(self, start: Barcode, goal: Barcode, cuts: Cuts) -> list[Barcode] | None:
+        """Return a quickest way by search: with the times that are shown, and these closures."""
+        view = self.view
+        if (direct := view.stretch(start, goal)) is not None:
+            arc, index, place = direct
+            return list(self._arcs.paths[arc][index : place + 1]) if is_open(cuts, *direct) else None
+        fork, rest = view.leave(start, cuts)
+        if rest == inf:
             return None
-        return here.segment.time(here.index, there.index)
+        sought = by_present(view, goal, cuts)
+        found = (0.0, ()) if sought.fork == fork else search(sought, fork)
+        return None if found is None else [*self._before(start), *drawn(sought, found[1])]
 
-    def _leave(self, start: Barcode) -> tuple[int, float]:
-        """Return the first junction of any route from here, and the time there."""
-        if (place := self._inside.get(start)) is not None:
-            return place.segment.head, place.segment.time(place.index, len(place.segment.path) - 1)
-        return (self._junctions[start], 0.0) if start in self._junctions else (0, inf)
-
-    def _reach(self, goal: Barcode) -> tuple[int, float]:
-        """Return the last junction of any route to here, and the time from there."""
-        if (place := self._inside.get(goal)) is not None:
-            return place.segment.tail, place.segment.time(0, place.index)
-        return (self._junctions[goal], 0.0) if goal in self._junctions else (0, inf)
-
-    def _path(self, start: Barcode, goal: Barcode) -> list[Barcode] | None:
-        here, there = self._inside.get(start), self._inside.get(goal)
-        if here is not None and there is not None and here.segment is there.segment and here.index <= there.index:
-            return _stretch(here.segment, here.index, there.index)
-        path: list[Barcode] | None = [start]
-        junction, target = self._junctions.get(start, -1), self._junctions.get(goal, -1)
-        if here is not None:
-            path, junction = _stretch(here.segment, here.index, len(here.segment.path) - 1), here.segment.head
-        last: list[Barcode] | None = [goal]
-        if there is not None:
-            last, target = _stretch(there.segment, 0, there.index), there.segment.tail
-        if path is None or last is None or junction < 0 or target < 0:
-            return None
-        hop, size, links = self._row(target)[1], self._size, self._links
-        while junction != target:
-            after = hop[junction]
-            if after < 0:
-                return None
-            path += links[junction * size + after]
-            junction = after
-        path += last[1:]
-        return path
-
-    def _row(self, target: int) -> Row:
-        if (row := self._table.get(target)) is None:
-            self._compute([target])
-            row = self._table[target]
-        return row
-
-    def _compute(self, targets: Iterable[int]) -> None:
-        """Fill the missing rows of these goals: for each junction the time to the goal and the next junction."""
-        missing = [target for target in dict.fromkeys(targets) if target not in self._table]
-        if not missing:
-            return
-        times, hops = dijkstra(self._reversed, indices=missing, return_predecessors=True)
-        for target, time, hop in zip(missing, times, hops, strict=True):
-            self._table[target] = cast("memoryview[float]", time.data), hop.data
-
-    def _reconnect(self) -> None:
-        for segment in self._segments:
-            segment.cuts.clear()
-        for place in self._closed:
-            for start, end in self._edges_of(place):
-                if (cut := self._edges.get((start, end))) is not None:
-                    cut.segment.cuts.append(cut.index)
-        self._connect()
-
-    def _edges_of(self, place: Barcode | EdgeKey) -> Iterable[EdgeKey]:
-        if isinstance(place, tuple):
-            return (place,)
-        return ((before, place) for before in self._track.predecessors(place)) if place in self._track else ()
-
-    def _connect(self) -> None:
-        """Choose the quickest open segment between each two junctions, and forget the table."""
-        best: dict[int, Segment] = {}
-        for segment in self._segments:
-            key = segment.tail * self._size + segment.head
-            if not segment.cuts and (key not in best or segment.at[-1] < best[key].at[-1]):
-                best[key] = segment
-        self._links = {key: segment.path[1:] for key, segment in best.items()}
-        tails, heads = [s.tail for s in best.values()], [s.head for s in best.values()]
-        seconds = np.array([s.at[-1] for s in best.values()], dtype=np.float64)
-        self._reversed = csr_array((seconds, (heads, tails)), shape=(self._size, self._size))
-        self._table.clear()
+    # -- why there is none ---------------------------------------------------------------------------------------------------
 
     def _no_route(self, start: Barcode, goal: Barcode) -> NoRoute:
         for barcode in (start, goal):
             if barcode not in self._track:
                 return NoRoute(f"no route from {start} to {goal}: {barcode} is not on the track")
-        try:
-            path = nx.shortest_path(self._track.graph, start, goal, weight="time")
-        except nx.NetworkXNoPath:
+        path = self._search(start, goal, NO_CUTS)
+        if path is None:
             return NoRoute(f"no route from {start} to {goal}: the track does not connect them")
         shut = next((b if b in self._closed else f"{a} to {b}" for a, b in pairwise(path) if self._is_closed(a, b)))
         return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}")
 
     def _is_closed(self, start: Barcode, end: Barcode) -> bool:
         return end in self._closed or (start, end) in self._closed
-
-
-def _stretch(segment: Segment, start: int, end: int) -> list[Barcode] | None:
-    """Return the barcodes from one index to another, both included; None if a cut lies between."""
-    if segment.cuts and not segment.is_open(start, end):
-        return None
-    return list(segment.path[start : end + 1])

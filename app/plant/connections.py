@@ -37,7 +37,8 @@ def check_connections(document: Document, plant: Plant, places: Places, graph: "
             message = f"the track falls into {len(served)} pieces with stations; {barcode} is not connected to {first}"
             document.warn(places.barcodes[barcode], message, "no transfer is possible from one to the other", key=True)
     for piece in pieces:
-        _check_piece(document, plant, places, graph.subgraph(piece))
+        # Most plants are one piece, and a view of all of it is slower than the graph itself.
+        _check_piece(document, plant, places, graph if len(pieces) == 1 else graph.subgraph(piece))
 
 
 def _check_ends(document: Document, places: Places, graph: "nx.DiGraph[str]") -> None:

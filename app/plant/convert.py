@@ -161,6 +161,7 @@ def _shown(node: Node) -> str:
             return node.text
 
 
+@cache
 def _stripped(wanted: Any) -> tuple[Any, Meta | None]:
     """Return the type without UNSET and annotations, and its Meta."""
     if get_origin(wanted) in (Union, types.UnionType):
@@ -172,11 +173,13 @@ def _stripped(wanted: Any) -> tuple[Any, Meta | None]:
     return wanted, None
 
 
+@cache
 def _choices(wanted: Any) -> tuple[Any, ...]:
     """Return the types of a union, or the type alone."""
     bare = _stripped(wanted)[0]
     return get_args(bare) if get_origin(bare) in (Union, types.UnionType) else (wanted,)
 
 
+@cache
 def _is_struct(bare: Any) -> bool:
     return isinstance(bare, type) and issubclass(bare, msgspec.Struct)

@@ -20,9 +20,11 @@ from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
-from app.domain.units import Timestamp
+from app.domain.units import Barcode, Timestamp
 from app.domain.view import EventView, LineView, Update
 from app.fleet.takeover import check_nobody_is_forgotten
+from app.planning.routing import Route
+from app.planning.tables import Tables
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.session import LinkQuality
@@ -30,6 +32,7 @@ from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
+from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
@@ -102,6 +105,7 @@ class Controller:
             on_lost=lambda message: self._tell(self._lose, message),
         )
         self._writer.start()
+        self._replanner = Replanner(self._replanned)
         self.hub.publish(self._control.snapshot())
         leased = math.isfinite(self._writer.held_until)
         for name in self._control.lines:
@@ -128,6 +132,7 @@ class Controller:
         await asyncio.to_thread(self._writer.close)
         await asyncio.sleep(0)
         self._end()
+        await self._replanner.stop()
         await asyncio.to_thread(self._ledger.close)
         self.reader.close()
         self._log.info("stopped")
@@ -169,6 +174,10 @@ class Controller:
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first."""
         return self._control.link_frames(link)
+
+    def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
+        """Return the quickest routes as they would be planned now. Raises NoRoute."""
+        return self._control.fleet.books.router.alternatives(start, goal, most)
 
     def utc(self) -> Timestamp:
         """Return the present moment."""
@@ -229,7 +238,15 @@ class Controller:
                 future = self._asked.pop(ticket, None)
                 if future is not None and not future.done():
                     future.set_result(reply)
+            if (task := self._control.replan()) is not None:
+                self._replanner.submit(task)
             self._arm()
+
+    def _replanned(self, tables: Tables) -> None:
+        if not self._over:
+            with self._whole():
+                self._control.replanned(tables, self._clock.now())
+            self._kick()
 
     def _note(self, updates: Sequence[Update]) -> None:
         """Write into the log what a person on duty should see without the page."""

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 from typing import cast
 
-from app.domain.ports import Endpoint
+from app.domain.ports import Endpoint, Prompt
 from app.domain.units import Seconds
 
 USER_TIMEOUT = 5_000
@@ -60,6 +60,7 @@ class Line(asyncio.Protocol):
         "_loop",
         "_may_send",
         "_now",
+        "_prompt",
         "_timer",
         "_transport",
         "after",
@@ -76,6 +77,7 @@ class Line(asyncio.Protocol):
     ) -> None:
         self._may_send = may_send
         self._endpoint = endpoint
+        self._prompt = endpoint if isinstance(endpoint, Prompt) else None
         self._now = now
         self.after = after
         """Called after each input."""
@@ -114,8 +116,13 @@ class Line(asyncio.Protocol):
         self._budget -= len(data)
         if self._budget < 0 and not self._within_budget(len(data), now):
             return
-        self._endpoint.received(data, now)
-        self.flush()
+        prompt, transport = self._prompt, self._transport
+        if prompt is not None and transport is not None and (answer := prompt.at_once(data, now)):
+            if self._may_send is None or self._may_send():
+                transport.write(answer)
+        else:
+            self._endpoint.received(data, now)
+            self.flush()
         self.after()
 
     def pause_writing(self) -> None:

@@ -25,6 +25,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, SessionState, TeachingSession
+from app.domain.why import Why
 
 
 class MemoryLedger:
@@ -41,6 +42,7 @@ class MemoryLedger:
         self._dests: dict[StationId, StationDest] = {}
         self._offsets: dict[VehicleId, VehicleOffset] = {}
         self._devices: dict[DeviceId, DeviceRecord] = {}
+        self._whys: dict[int, Why] = {}
         self._controller = ControllerRecord(ControllerState.AUTO)
         self._next_event = 1
         self._next_order = 1
@@ -67,6 +69,7 @@ class MemoryLedger:
             controller=self._controller,
             next_event=self._next_event,
             next_order=self._next_order,
+            whys=tuple(self._whys[job.order] for job in self._jobs.values() if self._goes_on(job)),
             drives=tuple(self._drives.values()),
             drive_values=tuple(self._values.values()),
             operations=tuple(one for one in self._operations.values() if one.state is OperationState.RUNNING),
@@ -91,6 +94,13 @@ class MemoryLedger:
     def job(self, job: JobId) -> Job | None:
         """Return a job, ended ones too."""
         return self._jobs.get(job)
+
+    def why(self, order: int) -> Why | None:
+        """Return what is kept of a job's why."""
+        return self._whys.get(order)
+
+    def _goes_on(self, job: Job) -> bool:
+        return not job.state.terminal and job.order in self._whys
 
     def _keep(self, record: Record) -> None:
         match record:
@@ -122,6 +132,8 @@ class MemoryLedger:
 
     def _keep_of_drive(self, record: Record) -> None:
         match record:
+            case Why():
+                self._whys[record.order] = record
             case DriveRecord():
                 self._drives[record.drive] = record
             case DriveValue():

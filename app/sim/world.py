@@ -15,6 +15,7 @@ from app.domain.records import Record
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import Update
+from app.planning.tables import compute
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.sim.agenda import Agenda
@@ -31,6 +32,9 @@ BEGINNING = 1_767_225_600.0
 """UTC at virtual time 0: 2026-01-01. Our choice."""
 LOOK_EVERY = 0.2
 """Virtual seconds between two looks of the oracle at the rails. Our choice: 0.6 m at full speed."""
+
+REPLAN_AFTER = 0.2
+"""Virtual seconds until routing tables that are wanted are there. Our choice: what a process needs for a whole fab."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,7 +242,20 @@ class World:
             self.seen(update)
         for ticket, reply in control.replies():
             self.replies[ticket] = reply
+        self._replan(control)
         self._arm(control)
+
+    def _replan(self, control: Control) -> None:
+        if (task := control.replan()) is None:
+            return
+        tables = compute(task)
+
+        def deliver() -> None:
+            if self._control is control:
+                control.replanned(tables, self.now)
+                self._pump()
+
+        self.agenda.after(REPLAN_AFTER, deliver)
 
     def _take_transactions(self, control: Control) -> None:
         while True:

@@ -4,7 +4,7 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import drive_rows, rows, teaching
+from app.store import drive_rows, rows, teaching, why_rows
 from app.store.device_rows import device
 from app.store.tables import (
     carriers,
@@ -16,6 +16,7 @@ from app.store.tables import (
     going_on,
     going_on_teaching,
     intents,
+    job_whys,
     jobs,
     operations,
     station_dests,
@@ -49,6 +50,7 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         ),
         devices=tuple(sorted(map(device, _all(connection, devices)), key=lambda record: record.device)),
         controller=ControllerRecord(ControllerState.AUTO) if one is None else rows.controller(one),
+        whys=tuple(map(why_rows.why, _whys(connection))),
         next_event=_next(connection, events.c.seq),
         next_order=_next(connection, jobs.c.number),
         drives=tuple(sorted(map(drive_rows.drive, _all(connection, drives)), key=lambda record: record.drive)),
@@ -78,6 +80,12 @@ def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
 def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
     """Return the rows wanted, in the order of their number."""
     return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
+
+
+def _whys(connection: sa.Connection) -> sa.CursorResult[object]:
+    """Return the why-records of the jobs that have not ended."""
+    live = sa.select(jobs.c.number).where(going_on)
+    return connection.execute(sa.select(job_whys).where(job_whys.c.number.in_(live)).order_by(job_whys.c.number))
 
 
 def _newest(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:

@@ -11,10 +11,11 @@ from app.domain.errors import StoreError
 from app.domain.ids import CmdId, JobId, VehicleId
 from app.domain.job import Job
 from app.domain.records import AuditRow, HistoryEvent, Intent
-from app.store import drive_rows, rows
+from app.domain.why import Why
+from app.store import drive_rows, rows, why_rows
 from app.store.columns import Found, signed
 from app.store.engine import MEMORY, parsed, reading, told
-from app.store.tables import audit, drive_backups, events, intents, jobs, operations
+from app.store.tables import audit, drive_backups, events, intents, job_whys, jobs, operations
 from app.store.teaching_reading import TeachingReader, where
 
 T = TypeVar("T")
@@ -47,6 +48,10 @@ class Reader(TeachingReader):
     def job(self, job: JobId) -> Job | None:
         """Return a job, ended or not."""
         return self._first(sa.select(jobs).where(jobs.c.id == job), rows.job)
+
+    def why(self, order: int) -> Why | None:
+        """Return what is kept of a job's why, by the job's order; None: it never waited and never got a vehicle."""
+        return self._first(sa.select(job_whys).where(job_whys.c.number == order), why_rows.why)
 
     def jobs_named(self, names: Sequence[JobId]) -> list[Job]:
         """Return those of the named jobs that there are, ended or not, in any order."""

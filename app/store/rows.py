@@ -26,9 +26,11 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.units import Timestamp
+from app.domain.why import Why
 from app.store import drive_rows, teaching
 from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
 from app.store.device_rows import device_row, emergencies, emergencies_text
+from app.store.why_rows import why_row
 
 
 def job_row(job: Job) -> Row:
@@ -266,5 +268,6 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     DriveValue: drive_rows.value_row,
     DriveRecord: drive_rows.drive_row,
     DeviceRecord: device_row,
+    Why: why_row,
 }
 """How each record type becomes a row."""

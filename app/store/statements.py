@@ -24,6 +24,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
 from app.store.rows import ROW_OF
@@ -41,6 +42,7 @@ REPLACED: dict[type, sa.Table] = {
     Proposal: tables.teaching_proposals,
     TeachingSession: tables.teaching_sessions,
     DeviceRecord: tables.devices,
+    Why: tables.job_whys,
 }
 """A record replaces the row of its key: the table's first columns."""
 

@@ -114,6 +114,17 @@ _index_where_set(jobs.c.idempotency_key)
 _index_where_set(jobs.c.carrier, jobs.c.number)
 _index_where_set(jobs.c.vehicle, jobs.c.number)
 
+job_whys = sa.Table(
+    "job_whys",
+    metadata,
+    _key("number", BIG),
+    _text("job"),
+    sa.Column("choices", JSON, nullable=False),
+    sa.Column("waits", JSON, nullable=False),
+    _big("left_out"),
+)
+"""One row a job, under the job's own number."""
+
 intents = sa.Table(
     "intents",
     metadata,

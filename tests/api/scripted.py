@@ -45,8 +45,11 @@ from app.domain.view import (
     Update,
     VehicleView,
 )
+from app.domain.why import Why
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.views import view_of_event, view_of_intent, view_of_job
+from app.planning.routing import Route, Router
+from app.planning.track import Track
 from app.runtime.hub import Hub, ReadModel
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
@@ -81,6 +84,7 @@ class MemoryReader:
 
     def __init__(self) -> None:
         self.kept: dict[str, Job] = {}
+        self.whys: dict[int, Why] = {}
         self.past: list[HistoryEvent] = []
         self.commands: dict[int, Intent] = {}
         self.asked: list[AuditRow] = []
@@ -90,6 +94,9 @@ class MemoryReader:
         self.sent: list[TeachingEvent] = []
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
+
+    def why(self, order: int) -> Why | None:
+        return self.whys.get(order)
 
     def operation(self, number: int) -> DriveOperation | None:
         return self.drives.operations.get(number)
@@ -226,6 +233,9 @@ class Scripted:
 
     def utc(self) -> Timestamp:
         return NOW
+
+    def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
+        return Router(Track(self.plant)).alternatives(start, goal, most)
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic

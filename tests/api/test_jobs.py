@@ -9,8 +9,10 @@ import pytest
 from app.api import calls
 from app.domain import requests as r
 from app.domain.errors import PlantHeld, Refusal, StoreError
-from app.domain.ids import JobId
+from app.domain.ids import JobId, VehicleId
 from app.domain.job import Job
+from app.domain.units import Timestamp
+from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import Scripted
 
 pytestmark = pytest.mark.anyio
@@ -218,3 +220,33 @@ async def test_an_id_has_no_hidden_letters_and_no_first_dot(
     answer = await client.post("/jobs", json=ORDER | {"job_id": name})
     assert (answer.status_code, answer.json()["field"]) == (422, "job_id")
     assert not controller.seen
+
+
+async def test_why_a_job_went_as_it_did_is_told_with_its_vehicles_and_waits(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    await client.post("/jobs", json=ORDER)
+    nothing = await client.get("/jobs/LOT-1/why")
+    assert (nothing.status_code, nothing.json()["assignments"], nothing.json()["waits"]) == (200, [], [])
+    other = Candidate(VehicleId("V2"), 9.5, "is farther")
+    choice = Choice(Timestamp(20.0), VehicleId("V1"), 3.5, 50, hot=False, waited=1.2, switch=0.0, candidates=(other,))
+    why = (
+        Why(1, JobId("LOT-1"))
+        .waiting("no vehicle is free", Timestamp(10.0))
+        .chosen(choice)
+        .waiting("", Timestamp(20.0))
+    )
+    controller.reader.whys[controller.reader.kept["LOT-1"].order] = why
+    told = (await client.get("/jobs/LOT-1/why")).json()
+    assert told["waits"] == [
+        {
+            "since": "1970-01-01T00:00:10.000Z",
+            "until": "1970-01-01T00:00:20.000Z",
+            "seconds": 10.0,
+            "reason": "no vehicle is free",
+        }
+    ]
+    (assignment,) = told["assignments"]
+    assert (assignment["vehicle"], assignment["seconds"], assignment["saved"]) == ("V1", 3.5, None)
+    assert assignment["candidates"] == [{"vehicle": "V2", "seconds": 9.5, "why_not": "is farther"}]
+    assert (await client.get("/jobs/nobody/why")).status_code == 404

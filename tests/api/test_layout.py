@@ -1,10 +1,13 @@
 """The layout of a plant with a hall and drives: all that the page draws and names is in it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import httpx
 import pytest
 
+from app.domain.layout import Edge
+from app.domain.units import Barcode, Millimetres
 from app.plant import read
 from tests.api.scripted import Scripted
 
@@ -43,3 +46,26 @@ async def test_a_line_over_a_serial_port_is_named_by_its_device(
     controller.plant, _ = read(text, "hall")
     layout = (await client.get("/layout")).json()
     assert layout["links"][1] == {"id": "axes", "protocol": "hi", "address": "/dev/ttyUSB0"}
+
+
+async def test_routes_between_stations_and_barcodes_come_with_alternatives_and_times(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    shortcut = Edge(Barcode("1001"), Barcode("1003"), Millimetres(2500))
+    controller.plant = replace(controller.plant, edges=(*controller.plant.edges, shortcut))
+    found = (await client.get("/layout/routes", params={"from": "P1", "to": "1003", "k": 3})).json()
+    routes = found["items"]
+    assert [(route["barcodes"], route["length"]) for route in routes] == [
+        (["1001", "1002", "1003"], 2000),
+        (["1001", "1003"], 2500),
+    ]
+    assert [route["seconds"] for route in routes] == [pytest.approx(2 / 3, abs=1e-3), pytest.approx(2.5 / 3, abs=1e-3)]
+    assert all(route["free_flow_seconds"] == route["seconds"] and route["version"] == 1 for route in routes)
+    quickest = (await client.get("/layout/routes", params={"from": "P1", "to": "1003"})).json()
+    assert quickest == {"items": routes[:1], "next": None}
+
+
+async def test_where_no_route_leads_the_problem_says_so(client: httpx.AsyncClient) -> None:
+    answer = await client.get("/layout/routes", params={"from": "nowhere", "to": "0101"})
+    assert answer.status_code == 422
+    assert answer.json()["detail"] == "no route from nowhere to 0101: nowhere is not on the track"

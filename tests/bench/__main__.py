@@ -7,7 +7,17 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, hoists, memory, posting, routing, session_path, showing
+from tests.bench import (
+    decoding,
+    dispatching,
+    hoists,
+    memory,
+    posting,
+    replanning,
+    routing,
+    session_path,
+    showing,
+)
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
@@ -16,6 +26,8 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "post": posting.rows,
     "show": showing.rows,
     "route": routing.rows,
+    "replan": replanning.rows,
+    "dispatch": dispatching.rows,
     "memory": memory.rows,
     "hoists": hoists.rows,
 }

@@ -1,46 +1,18 @@
-"""One route over a large plant, against networkx on the same graph."""
+"""One route over a whole fab, against networkx on the same graph."""
 
 import random
 import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import networkx as nx
 
-from app.domain.layout import Edge, Plant, Point
-from app.domain.units import Barcode, Millimetres
+from app.domain.units import Barcode
 from app.planning.routing import Router
 from app.planning.track import Track
+from app.plant.fab import SIZES, generate
 from tests.bench.measuring import Row, in_turn
-
-WIDTH = 200
-"""Barcodes of a rail from one side of the hall to the other."""
-CROSSINGS = (0, 50, 100, 150, WIDTH - 1)
-UP = {0, 100}
-
-
-def hall(rails: int) -> Plant:
-    """Return a hall of so many long rails (even), every other one in the opposite direction, joined by five cross rails."""
-
-    def at(rail: int, place: int) -> Barcode:
-        return Barcode(str(1000 * (rail + 1) + place))
-
-    points = [
-        Point(at(rail, place), Millimetres(1000 * place), Millimetres(2000 * rail))
-        for rail in range(rails)
-        for place in range(WIDTH)
-    ]
-    ways = []
-    for rail in range(rails):
-        places = range(WIDTH) if rail % 2 == 0 else range(WIDTH - 1, -1, -1)
-        ways.append([at(rail, place) for place in places])
-    for place in CROSSINGS:
-        order = range(rails - 1, -1, -1) if place in UP else range(rails)
-        ways.append([at(rail, place) for rail in order])
-    edges = [Edge(a, b, Millimetres(1000)) for way in ways for a, b in pairwise(way)]
-    return Plant("hall", tuple(points), tuple(edges), (), ())
 
 
 def per_route(route: Callable[[Barcode, Barcode], Any], pairs: Sequence[tuple[Barcode, Barcode]]) -> float:
@@ -53,8 +25,8 @@ def per_route(route: Callable[[Barcode, Barcode], Any], pairs: Sequence[tuple[Ba
 
 def rows() -> Iterator[Row]:
     """Measure routes between random places."""
-    for rails, asked, goal in ((50, 20, 1 / 300), (250, 5, 1 / 1000)):
-        track = Track(hall(rails))
+    for size, asked, goal in (("10k", 20, 1 / 300), ("50k", 10, 1 / 1000), ("50k-dense", 10, 1 / 1000)):
+        track = Track(generate(SIZES[size], 1).plant)
         router = Router(track)
         barcodes = sorted(track.graph)
         draw = random.Random(1)
@@ -63,6 +35,6 @@ def rows() -> Iterator[Row]:
         library = partial(nx.shortest_path, track.graph, weight="time")
         floor, ours = in_turn(3, partial(per_route, library, pairs[:asked]), partial(per_route, router.route, pairs))
         yield Row(
-            f"one route, {len(barcodes):,} barcodes; floor: networkx shortest_path",
+            f"one route, {size} fab, {len(barcodes):,} barcodes; floor: networkx shortest_path",
             ours, floor, None, "µs CPU/route", goal,
         )  # fmt: skip

@@ -9,7 +9,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 SCRIPTS = Path(__file__).parents[2] / "examples" / "curl" / "teaching"
 ORDER = {"source": "P1", "destination": "P3", "vehicle": "V002"}
@@ -41,11 +41,11 @@ class Shift:
 
     def get(self, path: str) -> object:
         """Ask for something, past the scripts."""
-        return httpx.get(f"{self.url}/api/v1{path}", timeout=10.0).json()
+        return HTTP.get(f"{self.url}/api/v1{path}", timeout=10.0).json()
 
     def order(self) -> httpx.Response:
         """Order a transfer from the port that is taught."""
-        return httpx.post(f"{self.url}/api/v1/jobs", json=ORDER, timeout=10.0)
+        return HTTP.post(f"{self.url}/api/v1/jobs", json=ORDER, timeout=10.0)
 
 
 @pytest.fixture

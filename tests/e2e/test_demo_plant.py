@@ -3,9 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-import httpx
-
-from tests.e2e.processes import GENEROUS, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, free_ports, quick_plant, running, wait_until
 
 QUICK_AGVS = "agv_defaults: {max_speed: 4000, curve_speed: 4000, acceleration: 4000, braking: 4000}\n"
 
@@ -18,7 +16,7 @@ def test_everything_in_the_demo_plant_is_there_and_an_agv_passes_the_door(tmp_pa
     api = f"http://127.0.0.1:{port}/api/v1"
 
     def get(path: str) -> dict[str, Any]:
-        found: dict[str, Any] = httpx.get(f"{api}{path}", timeout=GENEROUS).json()
+        found: dict[str, Any] = HTTP.get(f"{api}{path}", timeout=GENEROUS).json()
         return found
 
     def all_there() -> bool:
@@ -32,10 +30,10 @@ def test_everything_in_the_demo_plant_is_there_and_an_agv_passes_the_door(tmp_pa
         wait_until(lambda: b"Ctrl-C" in log.read_bytes(), "the invitation", log)
         wait_until(all_there, "everything in the plant", log)
         assert [len(get(path)["items"]) for path in ("/vehicles", "/devices", "/drives")] == [12, 6, 3]
-        taken = httpx.post(f"{api}/jobs", json={"source": "AB1", "destination": "AB4"}, timeout=GENEROUS)
+        taken = HTTP.post(f"{api}/jobs", json={"source": "AB1", "destination": "AB4"}, timeout=GENEROUS)
         assert taken.status_code == 201, taken.text
         job = f"/jobs/{taken.json()['id']}"
         wait_until(lambda: get(job)["state"] == "completed", "the end of the job", log)
-        refused = httpx.post(f"{api}/jobs", json={"source": "ETCH01-P1", "destination": "AB2"}, timeout=GENEROUS)
+        refused = HTTP.post(f"{api}/jobs", json={"source": "ETCH01-P1", "destination": "AB2"}, timeout=GENEROUS)
         assert refused.status_code in {409, 422}, refused.text
     assert "Traceback" not in log.read_text(encoding="utf-8")

@@ -8,12 +8,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import httpx
 import pytest
 
-from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 SCRIPTS = Path(__file__).parents[2] / "examples/curl"
+pytestmark = pytest.mark.xdist_group("device scripts")
+"""One worker, since all use one plant."""
 HALL = """
 links:
   hall: {{protocol: enig, address: "127.0.0.1:{port}"}}
@@ -40,12 +41,12 @@ class People:
 
     def device(self, name: str) -> dict[str, Any]:
         """Return a device as it is now."""
-        found: dict[str, Any] = httpx.get(f"{self.url}/api/v1/devices/{name}", timeout=GENEROUS).json()
+        found: dict[str, Any] = HTTP.get(f"{self.url}/api/v1/devices/{name}", timeout=GENEROUS).json()
         return found
 
     def vehicles(self) -> list[dict[str, Any]]:
         """Return all vehicles."""
-        found: list[dict[str, Any]] = httpx.get(f"{self.url}/api/v1/vehicles", timeout=GENEROUS).json()["items"]
+        found: list[dict[str, Any]] = HTTP.get(f"{self.url}/api/v1/vehicles", timeout=GENEROUS).json()["items"]
         return found
 
 
@@ -132,7 +133,7 @@ def test_a_fire_is_told_and_released(people: People) -> None:
     assert told["emergencies"] == ["fire: smoke in bay 2 (fire-panel)"]
     (over,) = people.run("emergency.sh", "--release", "fire", "false alarm")
     assert (over["emergencies"], over["state"]) == ([], "paused")
-    resumed = httpx.post(f"{people.url}/api/v1/controller/resume", timeout=GENEROUS)
+    resumed = HTTP.post(f"{people.url}/api/v1/controller/resume", timeout=GENEROUS)
     assert resumed.json()["state"] == "auto"
 
 

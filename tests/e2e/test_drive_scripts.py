@@ -9,9 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import httpx
-
-from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ROOT / "examples/curl"
@@ -52,7 +50,7 @@ class Maintenance:
         return found
 
     def get(self, path: str) -> dict[str, Any]:
-        found: dict[str, Any] = httpx.get(f"{self.url}/api/v1{path}", timeout=GENEROUS).json()
+        found: dict[str, Any] = HTTP.get(f"{self.url}/api/v1{path}", timeout=GENEROUS).json()
         return found
 
 

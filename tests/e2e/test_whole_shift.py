@@ -13,7 +13,7 @@ import httpx
 
 from app.wire.faults import Fault
 from tests.e2e.noise import noisy
-from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 SCRIPTS = Path(__file__).parents[2] / "examples/curl"
 EQUIPMENT = """
@@ -60,12 +60,12 @@ class Shift:
 
     def get(self, path: str) -> dict[str, Any]:
         """Ask for something, past the scripts."""
-        found: dict[str, Any] = httpx.get(f"{self.url}/api/v1{path}", timeout=GENEROUS).json()
+        found: dict[str, Any] = HTTP.get(f"{self.url}/api/v1{path}", timeout=GENEROUS).json()
         return found
 
     def order(self) -> httpx.Response:
         """Order a transfer from the port that is taught."""
-        return httpx.post(f"{self.url}/api/v1/jobs", json=ORDER, timeout=GENEROUS)
+        return HTTP.post(f"{self.url}/api/v1/jobs", json=ORDER, timeout=GENEROUS)
 
 
 @contextmanager

@@ -19,6 +19,7 @@ from app.domain.requests import (
     WriteDest,
 )
 from app.domain.units import Barcode, Pulses
+from app.planning.dispatch import RULES
 from tests.fleet.script import B1, B2, FOUP1, FOUP2, HOST, P1, P2, P3, V1, V2, Script, small
 
 J1, J2 = JobId("J1"), JobId("J2")
@@ -120,7 +121,7 @@ def test_a_vehicle_with_its_carrier_aboard_is_not_taken_away(alone: Script) -> N
 def test_a_vehicle_that_becomes_free_nearer_by_more_than_a_switch_costs_takes_a_job_over(
     ready: Script, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.fleet.dispatch.SWITCH", 0.1)
+    monkeypatch.setattr("app.fleet.dispatch.RULES", replace(RULES, switch=0.1))
     ready.world[B2] = CarrierId("LOT7")
     ready.accept(MoveVehicle(HOST, V1, Barcode("112")))
     ready.order("B2", "P3", job="J1")
@@ -135,17 +136,6 @@ def test_a_vehicle_that_becomes_free_nearer_by_more_than_a_switch_costs_takes_a_
 
 
 def test_a_gain_smaller_than_a_switch_changes_nothing(ready: Script) -> None:
-    ready.accept(HoldVehicle(HOST, V1, "x"))
-    ready.order("P1", "P3", job="J1")
-    ready.run_to("to_source")
-    ready.accept(ReleaseVehicle(HOST, V1, Verdict.GO_ON, "fine"))
-    ready.run(3)
-    assert ready.job("J1").vehicle == V2
-
-
-def test_with_too_many_pairs_assignments_are_not_thought_over(ready: Script, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.fleet.dispatch.SWITCH", 0.0)
-    monkeypatch.setattr("app.fleet.dispatch.MOST_PAIRS", 0)
     ready.accept(HoldVehicle(HOST, V1, "x"))
     ready.order("P1", "P3", job="J1")
     ready.run_to("to_source")

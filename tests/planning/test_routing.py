@@ -1,18 +1,20 @@
-from collections.abc import Callable
-from itertools import pairwise
+import pickle
+from collections.abc import Callable, Mapping, Sequence
+from itertools import islice, pairwise
 from math import inf
 from typing import TypeAlias
 
 import networkx as nx
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.domain.errors import NoRoute
 from app.domain.layout import Edge
-from app.domain.units import Barcode, Millimetres
-from app.planning import routing
-from app.planning.routing import EdgeKey, Router
+from app.domain.units import Barcode, Millimetres, Seconds
+from app.planning.arcs import EdgeKey
+from app.planning.routing import Route, Router
+from app.planning.tables import compute
 from app.planning.track import Track
 
 Lay: TypeAlias = Callable[..., Track]
@@ -132,13 +134,6 @@ def test_closing_what_is_not_there_changes_nothing(lay: Lay) -> None:
     assert router.route(A, B) == (A, B)
 
 
-def test_a_large_track_computes_its_rows_when_asked(lay: Lay, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(routing, "WHOLE_TABLE", 1)
-    router = Router(lay("a b c", "b d", "d b"))
-    assert router.route(A, C) == (A, B, C)
-    assert router.time(D, C) == pytest.approx(2 / 3)
-
-
 names = st.integers(0, 11).map(lambda i: Barcode(str(i)))
 edges = st.lists(
     st.builds(
@@ -159,26 +154,192 @@ def free_track(track: Track, closed: tuple[Barcode | EdgeKey, ...]) -> "nx.DiGra
     return graph
 
 
-@given(edges, st.data())
-def test_routes_cost_what_networkx_says_with_closures_or_without(
-    lay: Lay, rails: list[Edge], data: st.DataObject
-) -> None:
-    track = lay(edges=rails)
-    router = Router(track)
-    places: list[Barcode | EdgeKey] = [*track.barcodes, *((e.start, e.end) for e in rails)]
-    router.close(*data.draw(st.lists(st.sampled_from(places), max_size=3)))
-    graph = free_track(track, router.closed)
-    times = router.times(track.barcodes, track.barcodes)
-    for row, start in enumerate(track.barcodes):
+LATER = -1
+"""So many forks are computed inline: the tables of every track are computed elsewhere."""
+
+
+def weighed(
+    track: Track, closed: tuple[Barcode | EdgeKey, ...], seconds: Mapping[EdgeKey, float]
+) -> "nx.DiGraph[Barcode]":
+    """Return the open track with these seconds, or those of an empty track where they are more."""
+    graph = track.graph.copy()
+    for (a, b), time in seconds.items():
+        graph.edges[a, b]["time"] = max(time, graph.edges[a, b]["time"])
+    graph.remove_edges_from([(a, b) for a, b in track.graph.edges if b in closed or (a, b) in closed])
+    return graph
+
+
+def costs(graph: "nx.DiGraph[Barcode]", path: Sequence[Barcode]) -> float:
+    assert len(set(path)) == len(path)
+    return float(sum(graph.edges[pair]["time"] for pair in pairwise(path)))
+
+
+def assert_equals_networkx(router: Router, graph: "nx.DiGraph[Barcode]") -> None:
+    names = list(graph)
+    times = router.times(names, names)
+    for row, start in enumerate(names):
         expected = nx.single_source_dijkstra_path_length(graph, start, weight="time")
-        for column, goal in enumerate(track.barcodes):
+        for column, goal in enumerate(names):
             assert times[row][column] == pytest.approx(expected.get(goal, inf))
             assert router.time(start, goal) == pytest.approx(expected.get(goal, inf))
             if goal not in expected:
                 with pytest.raises(NoRoute):
                     router.route(start, goal)
                 continue
-            route = router.route(start, goal)
-            assert (route[0], route[-1]) == (start, goal)
-            assert len(set(route)) == len(route)
-            assert sum(graph.edges[pair]["time"] for pair in pairwise(route)) == pytest.approx(expected[goal])
+            route = router.quickest(start, goal)
+            assert (route.barcodes[0], route.barcodes[-1]) == (start, goal)
+            assert costs(graph, route.barcodes) == pytest.approx(expected[goal])
+            assert route.seconds == pytest.approx(expected[goal])
+
+
+def replanned(router: Router) -> None:
+    """Compute and adopt what a router wants, in another process as it were."""
+    while (task := router.replan()) is not None:
+        assert router.adopt(pickle.loads(pickle.dumps(compute(pickle.loads(pickle.dumps(task))))))
+
+
+@settings(max_examples=25)
+@given(edges, st.data(), st.sampled_from([LATER, 300]))
+def test_routes_cost_what_networkx_says_with_closures_and_weights(
+    lay: Lay, rails: list[Edge], data: st.DataObject, inline: int
+) -> None:
+    track = lay(edges=rails)
+    router = Router(track, inline)
+    places: list[Barcode | EdgeKey] = [*track.barcodes, *((e.start, e.end) for e in rails)]
+    router.close(*data.draw(st.lists(st.sampled_from(places), max_size=3)))
+    seconds = data.draw(st.dictionaries(st.sampled_from([(e.start, e.end) for e in rails]), st.floats(0, 9)))
+    router.reweigh(seconds)
+    replanned(router)
+    assert_equals_networkx(router, weighed(track, router.closed, seconds))
+
+
+@settings(max_examples=25)
+@given(edges, st.data())
+def test_until_new_tables_come_no_route_leads_over_what_is_closed_and_what_is_open_is_found(
+    lay: Lay, rails: list[Edge], data: st.DataObject
+) -> None:
+    track = lay(edges=rails)
+    router = Router(track, LATER)
+    places: list[Barcode | EdgeKey] = [*track.barcodes, *((e.start, e.end) for e in rails)]
+    some = st.lists(st.sampled_from(places), max_size=3)
+    router.close(*data.draw(some))
+    replanned(router)
+    router.open(*data.draw(some))
+    router.close(*data.draw(some))
+    graph = weighed(track, router.closed, {})
+    for start in track.barcodes:
+        reached = nx.single_source_dijkstra_path_length(graph, start, weight="time")
+        for goal in track.barcodes:
+            if goal in reached:
+                path = router.route(start, goal)
+                assert (path[0], path[-1]) == (start, goal)
+                assert costs(graph, path) >= reached[goal] - 1e-9
+            else:
+                with pytest.raises(NoRoute):
+                    router.route(start, goal)
+    replanned(router)
+    assert_equals_networkx(router, graph)
+
+
+@settings(max_examples=25)
+@given(edges, st.data())
+def test_a_new_closure_is_driven_round_at_once_by_the_quickest_way(
+    lay: Lay, rails: list[Edge], data: st.DataObject
+) -> None:
+    track = lay(edges=rails)
+    router = Router(track, LATER)
+    router.close(*data.draw(st.lists(st.sampled_from(track.barcodes), max_size=3)))
+    graph = weighed(track, router.closed, {})
+    for start in track.barcodes:
+        reached = nx.single_source_dijkstra_path_length(graph, start, weight="time")
+        for goal, expected in reached.items():
+            assert costs(graph, router.route(start, goal)) == pytest.approx(expected)
+
+
+def test_a_version_counts_from_when_its_tables_are_adopted(lay: Lay) -> None:
+    router = Router(lay("a b c f", "a d e c"), LATER)
+    assert (router.version, router.replan()) == (1, None)
+    router.reweigh({(A, B): 9.0})
+    task = router.replan()
+    assert task is not None
+    assert router.replan() is None
+    assert router.quickest(A, F) == Route((A, B, C, F), Seconds(1.0), Seconds(1.0), 1)
+    assert router.adopt(compute(task))
+    route = router.quickest(A, F)
+    assert (route.barcodes, route.version) == ((A, D, E, C, F), 2)
+    assert not router.adopt(compute(task))
+
+
+def test_tables_that_are_late_are_still_used_and_the_newest_asked_for(lay: Lay) -> None:
+    router = Router(lay("a b c f", "a d e c"), LATER)
+    router.reweigh({(A, B): 9.0})
+    first = router.replan()
+    router.reweigh({(A, D): 99.0})
+    assert first is not None
+    assert router.adopt(compute(first))
+    assert router.route(A, F) == (A, D, E, C, F)
+    second = router.replan()
+    assert second is not None
+    assert second.version > first.version
+    assert router.adopt(compute(second))
+    assert router.route(A, F) == (A, B, C, F)
+
+
+def test_an_edge_never_takes_less_than_on_an_empty_track(lay: Lay) -> None:
+    router = Router(lay("a b c"))
+    router.reweigh({(A, B): 0.01, (B, C): 4.0})
+    assert router.weight(A, B) == pytest.approx(1 / 3)
+    route = router.quickest(A, C)
+    assert route.seconds == pytest.approx(4 + 1 / 3)
+    assert route.free_flow == pytest.approx(2 / 3)
+    router.reweigh({(B, C): 0.0})
+    assert router.quickest(A, C).seconds == pytest.approx(2 / 3)
+    with pytest.raises(KeyError):
+        router.reweigh({(C, A): 1.0})
+
+
+def test_what_changes_nothing_makes_no_new_version(lay: Lay) -> None:
+    router = Router(lay("a b c", "a d c"), LATER)
+    router.close(X, (C, A))
+    router.open(B)
+    router.reweigh({(A, B): 0.0})
+    router.reweigh({})
+    assert router.replan() is None
+
+
+@settings(max_examples=25)
+@given(edges, st.data())
+def test_alternatives_are_the_quickest_simple_paths_of_networkx(
+    lay: Lay, rails: list[Edge], data: st.DataObject
+) -> None:
+    track = lay(edges=rails)
+    router = Router(track)
+    router.close(*data.draw(st.lists(st.sampled_from(track.barcodes), max_size=1)))
+    graph = weighed(track, router.closed, {})
+    start, goal = data.draw(st.sampled_from(track.barcodes)), data.draw(st.sampled_from(track.barcodes))
+    if start == goal or not nx.has_path(graph, start, goal):
+        return
+    expected = list(islice(nx.shortest_simple_paths(graph, start, goal, weight="time"), 6))
+    found = router.alternatives(start, goal, 6)
+    assert len(found) == len({route.barcodes for route in found}) == len(expected)
+    for route, path in zip(found, expected, strict=True):
+        assert costs(graph, route.barcodes) == pytest.approx(costs(graph, path))
+        assert route.seconds == pytest.approx(costs(graph, path))
+
+
+def test_there_are_as_many_alternatives_as_asked_for_quickest_first(lay: Lay) -> None:
+    router = Router(lay("a b c d e", "a x c", "c f d"))
+    assert [route.barcodes for route in router.alternatives(A, E, 2)] == [(A, B, C, D, E), (A, X, C, D, E)]
+    assert len(router.alternatives(A, E, 9)) == 4
+    assert [route.barcodes for route in router.alternatives(A, A, 9)] == [(A,)]
+    with pytest.raises(NoRoute):
+        router.alternatives(E, A, 3)
+
+
+def test_alternatives_keep_off_a_closure_at_once(lay: Lay) -> None:
+    router = Router(lay("a b c e", "a d c", "a x f c"), LATER)
+    router.close(D)
+    assert [route.barcodes for route in router.alternatives(A, E, 9)] == [(A, B, C, E), (A, X, F, C, E)]
+    replanned(router)
+    router.open(D)
+    assert len(router.alternatives(A, E, 9)) == 3

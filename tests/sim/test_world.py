@@ -1,3 +1,4 @@
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from app.domain.ids import Actor, VehicleId
 from app.domain.layout import Plant
 from app.domain.requests import Accepted, CommandVehicle, PauseController, ReleaseVehicle, Verdict
 from app.domain.units import Barcode, Timestamp
+from app.planning.routing import Router
 from app.plant import read
 from app.sim.truth import Act, Deed
 from app.sim.world import World
@@ -176,3 +178,23 @@ def test_nobody_enters_where_a_vehicle_was_pushed_and_switched_off_until_a_perso
     assert world.oracle.takes > takes
     assert hoists_of(world) != places
     assert world.result().violations == ()
+
+
+def test_closures_that_are_replanned_beside_the_controller_give_the_same_run_each_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("app.fleet.books.Router", partial(Router, inline=-1))
+
+    def ran() -> tuple[str, int, tuple[str, ...]]:
+        world = settled(World(plant_of("demo"), 3))
+        router = world.control.fleet.books.router
+        world.work(until=40.0, keep_open=3)
+        somewhere = next(b for b in world.plant.points if not world.control.fleet.books.track.stations_at(b.barcode))
+        world.agenda.at(10.0, lambda: router.close(somewhere.barcode))
+        world.agenda.at(25.0, lambda: router.open(somewhere.barcode))
+        world.run(40.0)
+        return world.trace, router.version, world.result().violations
+
+    first = ran()
+    assert ran() == first
+    assert first[1:] == (3, ())

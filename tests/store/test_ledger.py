@@ -21,6 +21,7 @@ from app.domain.records import (
     Record,
 )
 from app.domain.units import Timestamp
+from app.domain.why import Why
 from app.store.ledger import EPOCH_ZERO, SqlLedger
 from app.store.reading import Reader
 from tests.store.conftest import Open
@@ -68,6 +69,18 @@ def test_a_restart_gets_what_goes_on_and_no_more(url: str, open_ledger: Open) ->
     assert [one.state for one in kept.intents] == [IntentState.OPEN, IntentState.UNKNOWN]
     assert (kept.next_order, kept.next_event) == (len(jobs) + 1, 8)
     assert kept.controller == ControllerRecord(ControllerState.AUTO)
+
+
+def test_a_restart_gets_the_why_of_jobs_that_go_on_and_the_rest_stays_to_be_read(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    live = Why(1, JobId("J1")).waiting("no vehicle is free", Timestamp(5.0))
+    over = Why(2, JobId("J2")).waiting("S1 is empty", Timestamp(6.0)).waiting("", Timestamp(7.0))
+    ledger.commit([job(1), job(2, JobState.COMPLETED), live, over])
+    assert ledger.load().whys == (live,)
+    reader = Reader(url)
+    assert (reader.why(2), reader.why(3)) == (over, None)
+    reader.close()
 
 
 def test_a_record_replaces_the_row_of_its_key(url: str, open_ledger: Open) -> None:

@@ -47,6 +47,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
+from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
 from app.store.reading import Reader
 from app.store.rows import ROW_OF
@@ -86,6 +87,21 @@ READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_i
 PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
 BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
 EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
+SECONDS = st.floats(-1e9, 1e9)
+CANDIDATES = st.builds(Candidate, vehicle=TEXT, seconds=st.none() | SECONDS, why_not=TEXT)
+CHOICES = st.builds(
+    Choice,
+    at=TIME,
+    vehicle=TEXT,
+    seconds=SECONDS,
+    priority=st.integers(0, 99),
+    hot=st.booleans(),
+    waited=SECONDS,
+    switch=SECONDS,
+    candidates=st.lists(CANDIDATES, max_size=2).map(tuple),
+    before=MAYBE,
+    saved=st.none() | SECONDS,
+)
 TAUGHT: dict[str, st.SearchStrategy[Any]] = {
     "version": st.integers(1, 1 << 31),
     "pulses": SOME_PULSES,
@@ -121,6 +137,14 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         assigned=st.none() | TIME,
         picked=st.none() | TIME,
         ended=st.none() | TIME,
+    ),
+    Why: st.builds(
+        Why,
+        order=st.integers(1, 1 << 62),
+        job=TEXT,
+        choices=st.lists(CHOICES, max_size=3).map(tuple),
+        waits=st.lists(st.builds(Wait, since=TIME, reason=TEXT, until=st.none() | TIME), max_size=3).map(tuple),
+        left_out=st.integers(0, 1 << 62),
     ),
     Intent: st.builds(
         Intent,
@@ -282,6 +306,7 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
 
 FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     Job: lambda one, kept, reader: [reader.job(one.id), *([] if one.state in TERMINAL else [kept.jobs[0]])],
+    Why: lambda one, kept, reader: [reader.why(one.order)],
     Intent: lambda one, kept, reader: [reader.intent(one.cmd_id), *([] if one.state.closed else [kept.intents[0]])],
     HistoryEvent: lambda one, kept, reader: list(reader.events()),
     AuditRow: lambda one, kept, reader: [row for _, row in reader.audit()],

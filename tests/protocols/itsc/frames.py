@@ -2,6 +2,7 @@
 
 import string
 from collections.abc import Callable
+from functools import cache
 
 from hypothesis import strategies as st
 
@@ -103,8 +104,9 @@ def bodies(form: Form, dialect: Dialect) -> st.SearchStrategy[Body]:
     return makers[form]()
 
 
+@cache
 def frames(dialect: Dialect, toward: Toward) -> st.SearchStrategy[Frame]:
-    """Every kind of frame that may go one way."""
+    """Every kind of frame that may go one way. Made once: making it anew costs more than drawing and coding a frame."""
     kinds: list[st.SearchStrategy[Frame]] = [st.builds(Ack, U32, U64), st.builds(Nak, U32, U64)]
     for code, message in messages_of(dialect).items():
         form = _form(message, toward)

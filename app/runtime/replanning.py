@@ -1,0 +1,117 @@
+"""Computes routing tables beside the event loop: in a process of its own, or in slices if there can be none."""
+
+import asyncio
+import contextlib
+import pickle
+import sys
+from asyncio.subprocess import PIPE, Process
+from collections.abc import Callable, Sequence
+
+from structlog.typing import FilteringBoundLogger
+
+from app.planning.tables import Tables, Task, computing
+from app.runtime.planner import LENGTH, clear, packed, read
+from app.runtime.telemetry import logger
+
+COMMAND = (sys.executable, "-m", "app.runtime.planner")
+TRIES = 3
+"""How often a task is given to a process before it is computed here. Our choice."""
+PAUSE = 0.5
+"""Seconds before a process that died is started again. Our choice."""
+LEAVE_WITHIN = 2.0
+"""Seconds for the process to end by itself when the controller stops. Our choice."""
+SLICE_PAUSE = 0.001
+"""Seconds that the loop has for others between two slices. Our choice."""
+
+
+class Replanner:
+    """Computes one task after the other and tells ``deliver`` of each, on the loop. The process starts with the first task.
+
+    A process that dies is logged and started again; nothing here ends the controller.
+    """
+
+    def __init__(self, deliver: Callable[[Tables], None], command: Sequence[str] = COMMAND) -> None:
+        self._deliver = deliver
+        self._command = command
+        self._log: FilteringBoundLogger = logger(part="planner")
+        self._process: Process | None = None
+        self._tasks: asyncio.Queue[Task] = asyncio.Queue()
+        self._running: asyncio.Task[None] | None = None
+
+    @property
+    def pid(self) -> int | None:
+        """The process that computes, if there is one."""
+        return None if self._process is None else self._process.pid
+
+    def submit(self, task: Task) -> None:
+        """Compute this after what waits."""
+        self._tasks.put_nowait(task)
+        if self._running is None:
+            self._running = asyncio.get_running_loop().create_task(self._run())
+
+    async def stop(self) -> None:
+        """End the process. What is not computed yet never will be."""
+        if self._running is not None:
+            self._running.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._running
+            self._running = None
+        await self._end()
+
+    async def _run(self) -> None:
+        used: list[Tables] = []
+        while True:
+            task = await self._tasks.get()
+            tables = await self._computed(task)
+            self._deliver(tables)
+            # The last to hold the tables before these is a thread: unmapping 60 MB takes some 8 ms, but not the GIL.
+            await asyncio.to_thread(used.clear)
+            used.append(tables)
+
+    async def _computed(self, task: Task) -> Tables:
+        for _ in range(TRIES):
+            try:
+                return await self._elsewhere(task)
+            except (OSError, EOFError, ValueError, pickle.UnpicklingError) as why:
+                self._log.warning("planner process lost", reason=str(why) or type(why).__name__)
+                await self._end()
+                await asyncio.sleep(PAUSE)
+        self._log.error("no planner process: routes are planned in the controller, in slices")
+        return await self._here(task)
+
+    async def _elsewhere(self, task: Task) -> Tables:
+        """Let the process compute. Raises OSError, EOFError: there is none, or it died."""
+        if self._process is None:
+            self._process = await asyncio.create_subprocess_exec(*self._command, stdin=PIPE, stdout=PIPE)
+            self._log.info("planner process started", pid=self._process.pid)
+        stdin, stdout = self._process.stdin, self._process.stdout
+        assert stdin is not None
+        assert stdout is not None
+        stdin.write(packed(task))
+        await stdin.drain()
+        (length,) = LENGTH.unpack(await stdout.readexactly(LENGTH.size))
+        return read(*pickle.loads(await stdout.readexactly(length)))
+
+    async def _here(self, task: Task) -> Tables:
+        steps = computing(task)
+        while True:
+            try:
+                next(steps)
+            except StopIteration as end:
+                tables: Tables = end.value
+                return tables
+            await asyncio.sleep(SLICE_PAUSE)
+
+    async def _end(self) -> None:
+        process, self._process = self._process, None
+        if process is None:
+            return
+        if process.stdin is not None:
+            process.stdin.close()
+        try:
+            await asyncio.wait_for(process.wait(), LEAVE_WITHIN)
+        except TimeoutError:
+            with contextlib.suppress(ProcessLookupError):
+                process.kill()
+            await process.wait()
+        clear(process.pid)

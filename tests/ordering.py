@@ -1,0 +1,39 @@
+"""In which order the tests begin, so that no core idles while a test waits, and no long test is begun last."""
+
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
+from typing import TypeVar
+
+T = TypeVar("T")
+LONG = {
+    "tests/e2e/test_killed_server.py::test_a_server": 127,
+    "tests/e2e/test_whole_shift.py": 107,
+    "tests/sim/test_whole_plant.py::test_two_hours": 70,
+    "tests/e2e/test_curl_teaching.py": 67,
+    "tests/e2e/test_drive_scripts.py::test_a_maintenance_person": 45,
+    "tests/runtime/test_serial_hall.py": 20,
+    "tests/e2e/test_demo_plant.py": 25,
+    "tests/e2e/test_command_line.py::test_the_demo": 15,
+    "tests/sim/test_whole_plant.py::test_a_controller_killed": 6,
+    "tests/sim/test_whole_plant.py::test_an_hour": 6,
+    "tests/e2e/test_command_line.py::test_a_killed_demo": 5,
+    "tests/e2e/test_command_line.py::test_the_workload": 5,
+}
+"""Seconds that a test of this file, or of this name, takes by itself on an idle machine: those of five or more."""
+
+
+def weight(nodeid: str) -> int:
+    """Return the seconds that the table gives for a test; 0 for a short one."""
+    return next((seconds for name, seconds in LONG.items() if nodeid.startswith(name)), 0)
+
+
+def spread(tests: Sequence[T], workers: int, weigh: Callable[[T], int]) -> list[T]:
+    """Return the same tests with those that weigh anything first, the heaviest before all.
+
+    A worker is given its next test while it still runs one, and that one waits for the other to end. So each worker begins
+    with a long test and has a short one next; from then on long ones and short ones take turns. Short ones keep their order.
+    """
+    long = sorted(filter(weigh, tests), key=weigh, reverse=True)
+    short = [test for test in tests if not weigh(test)]
+    turns = zip_longest(long[workers:], short[workers:])
+    return [*long[:workers], *short[:workers], *(test for turn in turns for test in turn if test is not None)]
