@@ -56,10 +56,12 @@ async def serve(
     ready: Callable[[str], None],
     *,
     restored: bool = False,
+    seen: Callable[[Controller], None] = lambda controller: None,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
-    ``ready`` is told the URL once requests are answered. Raises CannotStart, PlantHeld, StoreError.
+    ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered.
+    Raises CannotStart, PlantHeld, StoreError.
     """
     controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
     try:
@@ -67,6 +69,7 @@ async def serve(
     except OSError as wrong:
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
     try:
+        seen(controller)
         server = _Server(_configured(controller, settings))
         serving = asyncio.create_task(server.serve([listening]))
         stopping = asyncio.create_task(stop.wait())

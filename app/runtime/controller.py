@@ -27,6 +27,7 @@ from app.planning.routing import Route
 from app.planning.tables import Tables
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
@@ -212,6 +213,10 @@ class Controller:
     def links(self) -> Sequence[LineView]:
         """Return how all links are doing."""
         return self._control.links()
+
+    def line_quality(self) -> Sequence[LinkQuality]:
+        """Return the figures of every hoist's line."""
+        return self._control.line_quality()
 
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first."""

@@ -51,7 +51,6 @@ class Line(asyncio.Protocol):
     """
 
     __slots__ = (
-        "_after",
         "_armed",
         "_budget",
         "_budgeted",
@@ -64,6 +63,7 @@ class Line(asyncio.Protocol):
         "_prompt",
         "_timer",
         "_transport",
+        "after",
         "flooded",
         "heard",
     )
@@ -79,7 +79,8 @@ class Line(asyncio.Protocol):
         self._endpoint = endpoint
         self._prompt = endpoint if isinstance(endpoint, Prompt) else None
         self._now = now
-        self._after = after
+        self.after = after
+        """Called after each input."""
         self._loop = asyncio.get_running_loop()
         self._transport: asyncio.Transport | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -106,7 +107,7 @@ class Line(asyncio.Protocol):
         tune(transport)
         self._endpoint.connected(self._now())
         self.flush()
-        self._after()
+        self.after()
 
     def data_received(self, data: bytes) -> None:
         """Give the endpoint its bytes, as long as they are not too many."""
@@ -122,7 +123,7 @@ class Line(asyncio.Protocol):
         else:
             self._endpoint.received(data, now)
             self.flush()
-        self._after()
+        self.after()
 
     def pause_writing(self) -> None:
         """Cut the connection of a peer that takes no bytes: what it does not take is bounded."""
@@ -137,7 +138,7 @@ class Line(asyncio.Protocol):
             self._closing = None
         self._endpoint.disconnected(self._now(), FLOODED if self.flooded else _why(exc))
         self.flush()
-        self._after()
+        self.after()
         if self._idle is not None and not self._idle.done():
             self._idle.set_result(None)
 
@@ -191,7 +192,7 @@ class Line(asyncio.Protocol):
         if deadline is not None and deadline <= now:
             self._endpoint.tick(now)
             self.flush()
-            self._after()
+            self.after()
         elif deadline is not None:
             self._arm(deadline)
 

@@ -11,6 +11,7 @@ from tests.bench import (
     decoding,
     dispatching,
     history,
+    hoists,
     memory,
     posting,
     replanning,
@@ -30,6 +31,7 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "replan": replanning.rows,
     "dispatch": dispatching.rows,
     "memory": memory.rows,
+    "hoists": hoists.rows,
 }
 RESULTS = ROOT / "bench"
 
