@@ -2,6 +2,7 @@
 
 import difflib
 import ipaddress
+import math
 import os
 import tomllib
 from collections.abc import Iterable, Mapping
@@ -14,6 +15,7 @@ from pydantic import Field, SecretStr, ValidationError, model_validator
 from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict
 
 from app.domain.errors import HoistwayError
+from app.domain.units import Seconds
 
 PREFIX = "HOISTWAY_"
 NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG")
@@ -50,8 +52,15 @@ class Settings(BaseSettings):
     """Most connections to the server at the same time, live streams among them; at most half the files that may be open."""
     watchers: Annotated[int, Field(ge=1)] = 1000
     """Most live streams at the same time."""
+    history_days: Annotated[int, Field(ge=0)] = 90
+    """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
     log_format: Literal["console", "json"] = "console"
+
+    @property
+    def keep_events(self) -> Seconds:
+        """How long events are kept; infinite for ever."""
+        return Seconds(self.history_days * 86_400.0 if self.history_days else math.inf)
 
     @model_validator(mode="after")
     def _only_loopback_is_open(self) -> "Settings":

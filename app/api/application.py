@@ -6,8 +6,10 @@ from pathlib import Path
 from fastapi import APIRouter, FastAPI, Request
 from fastapi.openapi.docs import get_swagger_ui_html
 from starlette.middleware import Middleware
+from starlette.middleware.errors import ServerErrorMiddleware
 from starlette.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
     devices,
@@ -65,6 +67,19 @@ async def readyz(controller: Ctl) -> Response:
     return answer_of({"ready": not reasons, "reasons": reasons}, 503 if reasons else 200)
 
 
+class Api(FastAPI):
+    """FastAPI, with orders answered before its own layers."""
+
+    orders: ASGIApp
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request."""
+        if Orders.take(scope):
+            await self.orders(scope, receive, send)
+        else:
+            await super().__call__(scope, receive, send)
+
+
 def application(controller: Controller, settings: Settings) -> FastAPI:
     """Return the ASGI application around a running controller."""
     app = described(settings)
@@ -75,7 +90,7 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
 def described(settings: Settings) -> FastAPI:
     """Return the application without a controller: enough for its description."""
     tickets = Tickets()
-    app = FastAPI(
+    app = Api(
         title="Hoistway",
         version=VERSION,
         openapi_url="/api/openapi.json",
@@ -84,10 +99,11 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, tickets=tickets), Middleware(Orders)],
+        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
     )
     app.state.settings = settings
     app.state.tickets = tickets
+    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, tickets), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
         jobs.router,

@@ -1,9 +1,10 @@
 """What routes share: the controller, who asks, and how answers are made."""
 
-import asyncio
+import re
 import unicodedata
 import zlib
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import Annotated, Any, NoReturn, TypeVar
 from urllib.parse import quote
 
@@ -19,12 +20,11 @@ from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
 from app.domain.ids import Actor
 from app.domain.view import Topic, View
+from app.runtime.controller import ANSWER_WITHIN
 from app.runtime.hub import Page
 from app.runtime.showing import encode, shown
 
 JSON = "application/json"
-ANSWER_WITHIN = 30.0
-"""Seconds until a caller is told that the controller does not answer (a database in trouble). Our choice."""
 MAX_ACTOR = 64
 
 T = TypeVar("T")
@@ -65,6 +65,7 @@ def actor_of(request: Request) -> Actor:
     return actor_named(request.headers.get("x-actor"), request.client.host if request.client else "unknown")
 
 
+@lru_cache(maxsize=1000)
 def actor_named(given: str | None, address: str) -> Actor:
     """Return who asks, from the header (UTF-8 read as Latin-1); without it, the caller's address stands for the name."""
     if given is None or not given.strip():
@@ -87,8 +88,7 @@ def actor_named(given: str | None, address: str) -> Actor:
 async def ask(controller: Controller, request: requests.Request) -> requests.Accepted:
     """Put a request to the controller. Raises Problem for a refusal, or if no answer comes in time."""
     try:
-        async with asyncio.timeout(ANSWER_WITHIN):
-            reply = await controller.ask(request)
+        reply = await controller.ask(request)
     except TimeoutError:
         detail = controller.trouble or f"The controller gave no answer within {ANSWER_WITHIN:.0f} s."
         remedy = "Look at the object before asking again; a job is safe to post again under the same id or key."
@@ -130,7 +130,10 @@ def answer_view(view: View, status: int = 200, headers: dict[str, str] | None = 
 
 def location(*parts: str) -> dict[str, str]:
     """Return the header that says where an object is; ids may hold letters that no header can."""
-    return {"Location": "/".join(("/api/v1", *(quote(part, safe=":+@") for part in parts)))}
+    return {"Location": "/".join(("/api/v1", *(part if _PLAIN(part) else quote(part, safe=":+@") for part in parts)))}
+
+
+_PLAIN = re.compile(r"[A-Za-z0-9_.~:+@-]*").fullmatch
 
 
 def listing(request: Request, page: Page) -> Response:

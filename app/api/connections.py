@@ -1,10 +1,15 @@
-"""HTTP connections with the bounds that the server's own do not have: how many, how long a head, how slow a peer."""
+"""HTTP connections with the bounds that the server's own do not have: how many, how long a head, how slow a peer.
 
+An answer that is known as a whole leaves in one piece: head and body in two are two calls of the system, and two segments.
+"""
+
+import re
 from asyncio import BaseTransport, TimerHandle, Transport
 from http import HTTPStatus
-from typing import cast
+from typing import Any, cast
 
-from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
+from starlette.types import Message
+from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol, RequestResponseCycle
 
 from app.api.problems import MEDIA_TYPE
 from app.runtime.showing import encode
@@ -16,6 +21,62 @@ HEADERS_LIMIT = 120
 """Longest line and most headers of a request for a WebSocket; beyond 8192 and 128 the library does not answer."""
 PATIENCE = 30.0
 """Seconds that a request may take to come in whole, and a peer to read something of what waits for it. Our choice."""
+COPIED = 1 << 14
+"""Bytes up to which a body is joined to its head; a longer one is handed on beside it, without a copy. Our choice."""
+_FRAMING = frozenset({b"connection", b"transfer-encoding"})
+_UNSENDABLE = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+"""What no head may hold; the server refuses such answers."""
+
+
+class _Whole:
+    """The ``send`` of one request: holds the head back until its body comes, and writes both at once."""
+
+    __slots__ = ("_connection", "_cycle", "_head", "_send")
+
+    def __init__(self, connection: "Connection", cycle: RequestResponseCycle) -> None:
+        self._connection = connection
+        self._cycle = cycle
+        self._send = cycle.send
+        self._head: Message | None = None
+
+    async def __call__(self, message: Message) -> None:
+        head, self._head = self._head, None
+        if head is not None:
+            if message["type"] == "http.response.body" and self._written(head, message):
+                return
+            await self._send(cast(Any, head))
+        elif message["type"] == "http.response.start" and _has_length(message) and not self._cycle.response_started:
+            self._head = message
+            return
+        await self._send(cast(Any, message))
+
+    def _written(self, head: Message, message: Message) -> bool:
+        """Write an answer in one piece; False: it is none of the plain ones, and the server's own way has to do it."""
+        cycle = self._cycle
+        if cycle.disconnected or cycle.flow.write_paused or not cycle.keep_alive:
+            return False
+        if message.get("more_body", False) or cycle.scope["method"] == "HEAD":
+            return False
+        body = message.get("body", b"")
+        parts = [STATUS_LINE[head["status"]]]
+        for name, value in (*cycle.default_headers, *head["headers"]):
+            if name in _FRAMING or (name == b"content-length" and int(value) != len(body)):
+                return False
+            parts += (name, b": ", value, b"\r\n")
+        parts.append(b"\r\n")
+        text = b"".join(parts)
+        if text.count(b"\n") != len(parts) // 4 + 2 or _UNSENDABLE.search(text):
+            return False
+        self._connection.write(text, body)
+        cycle.response_started = cycle.response_complete = True
+        cycle.waiting_for_100_continue = False
+        cycle.message_event.set()
+        cycle.on_response()
+        return True
+
+
+def _has_length(head: Message) -> bool:
+    return any(name == b"content-length" for name, _ in head.get("headers", ()))
 
 
 class Connection(HttpToolsProtocol):
@@ -56,6 +117,17 @@ class Connection(HttpToolsProtocol):
     def on_message_complete(self) -> None:
         self._head, self._since = 0, None
         super().on_message_complete()
+
+    def write(self, head: bytes, body: bytes) -> None:
+        """Write an answer."""
+        if len(body) <= COPIED:
+            self.transport.write(head + body)
+        else:
+            self.transport.writelines((head, body))
+
+    def _start_asgi_task(self, cycle: RequestResponseCycle, app: Any) -> None:
+        cycle.send = cast(Any, _Whole(self, cycle))  # type: ignore[method-assign]
+        super()._start_asgi_task(cycle, app)
 
     def handle_websocket_upgrade(self) -> None:
         lines = [len(self.url) + 20, *(len(name) + len(value) + 4 for name, value in self.headers)]

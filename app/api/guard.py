@@ -5,7 +5,6 @@ import secrets
 import time
 from collections.abc import Callable
 
-from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -17,6 +16,8 @@ TICKET_LIFE = 30.0
 """Seconds in which a ticket for the live stream can be used, once. Our choice."""
 TICKETS = 1000
 """Most unused tickets at a time; the oldest goes."""
+HOSTS_KEPT = 100
+"""So many spellings of our own name are known again at once. Our choice."""
 
 
 class Tickets:
@@ -45,8 +46,10 @@ class Guard:
 
     def __init__(self, app: ASGIApp, settings: Settings, tickets: Tickets) -> None:
         self.app = app
-        self._settings = settings
+        self.limit = settings.body_limit
+        """Largest body, bytes."""
         self._tickets = tickets
+        self._known_hosts: set[bytes] = set()
         self._key = settings.access_key.get_secret_value().encode() if settings.access_key else None
         self._hosts = frozenset(host.lower() for host in settings.allowed_hosts)
         self._origins = frozenset(origin.rstrip("/").lower() for origin in settings.allowed_origins)
@@ -56,10 +59,8 @@ class Guard:
         if scope["type"] not in ("http", "websocket"):
             await self.app(scope, receive, send)
             return
-        headers = Headers(scope=scope)
-        problem = self._host(headers) or self._origin(scope, headers) or self._access(scope, headers)
+        problem = self.refusal(scope)
         if problem is None and scope["type"] == "http":
-            problem = self._size(headers)
             receive = self._bounded(receive)
         if problem is None:
             await self.app(scope, receive, send)
@@ -69,33 +70,54 @@ class Guard:
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": problem.brief()})
 
-    def _host(self, headers: Headers) -> Problem | None:
+    def refusal(self, scope: Scope) -> Problem | None:
+        """Return why a request is not let through; a body is to be counted besides, as it comes."""
+        host = origin = access = length = None
+        for name, value in scope["headers"]:
+            if name == b"host":
+                host = value if host is None else host
+            elif name == b"content-length":
+                length = value if length is None else length
+            elif name == b"origin":
+                origin = value if origin is None else origin
+            elif name == b"authorization":
+                access = value if access is None else access
+        return (
+            self._host(host or b"")
+            or (None if origin is None else self._origin(scope, origin, host or b""))
+            or (None if self._key is None else self._access(scope, access or b""))
+            or (None if length is None or scope["type"] != "http" else self._size(length))
+        )
+
+    def _host(self, host: bytes) -> Problem | None:
         """Without a key, only a name of this machine: a foreign name that resolves to it is DNS rebinding."""
-        if self._key is not None:
+        if self._key is not None or host in self._known_hosts:
             return None
-        name = _host_name(headers.get("host", ""))
+        name = _host_name(host.decode("latin-1"))
         if name in self._hosts or is_loopback(name):
+            if len(self._known_hosts) < HOSTS_KEPT:
+                self._known_hosts.add(host)
             return None
         remedy = "Use localhost or 127.0.0.1, add the name to allowed_hosts, or set access_key."
         return Problem("misdirected", f"This server does not answer to the name {name[:80]!r}.", remedy)
 
-    def _origin(self, scope: Scope, headers: Headers) -> Problem | None:
+    def _origin(self, scope: Scope, given: bytes, host: bytes) -> Problem | None:
         """A browser names the page that calls: only our own page, or one named in the settings, may change or watch."""
-        origin = headers.get("origin")
-        if origin is None or (scope["type"] == "http" and scope["method"] in SAFE):
+        if scope["type"] == "http" and scope["method"] in SAFE:
             return None
-        same = {f"{scheme}://{headers.get('host', '').lower()}" for scheme in ("http", "https")}
+        origin = given.decode("latin-1")
+        same = {f"{scheme}://{host.decode('latin-1').lower()}" for scheme in ("http", "https")}
         if origin.lower() in same or origin.lower() in self._origins:
             return None
         detail = f"A page of {origin[:80]!r} may not call this server."
         return Problem("foreign-origin", detail, "Use the server's own page, or add the origin to allowed_origins.")
 
-    def _access(self, scope: Scope, headers: Headers) -> Problem | None:
+    def _access(self, scope: Scope, header: bytes) -> Problem | None:
         """The page, its parts, the descriptions and the probes are open; everything under ``/api/v1`` wants the key."""
         if self._key is None or not scope["path"].startswith("/api/v1"):
             return None
-        scheme, _, given = headers.get("authorization", "").partition(" ")
-        if scheme.lower() == "bearer" and hmac.compare_digest(given.strip().encode("latin-1"), self._key):
+        scheme, _, given = header.partition(b" ")
+        if scheme.lower() == b"bearer" and hmac.compare_digest(given.strip(), self._key):
             return None
         if scope["type"] == "websocket" and self._ticket(scope):
             return None
@@ -114,14 +136,13 @@ class Guard:
                 return True
         return False
 
-    def _size(self, headers: Headers) -> Problem | None:
-        declared = headers.get("content-length", "0")
-        if declared.isdigit() and len(declared) < 20 and int(declared) <= self._settings.body_limit:
+    def _size(self, length: bytes) -> Problem | None:
+        if length.isdigit() and len(length) < 20 and int(length) <= self.limit:
             return None
-        return Problem("too-large", f"The body is larger than {self._settings.body_limit} bytes.", "Send it in parts.")
+        return Problem("too-large", f"The body is larger than {self.limit} bytes.", "Send it in parts.")
 
     def _bounded(self, receive: Receive) -> Receive:
-        limit, seen = self._settings.body_limit, 0
+        limit, seen = self.limit, 0
 
         async def bounded() -> Message:
             nonlocal seen

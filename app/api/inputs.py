@@ -47,7 +47,9 @@ class JobIn(Strict):
     carrier: Id | None = None
     priority: Priority = 50
     vehicle: Id | None = None
-    fallbacks: Annotated[list[Id], Field(max_length=16)] = []
+    fallbacks: Annotated[list[Id], Field(max_length=16)] = Field(
+        default_factory=list, json_schema_extra={"default": []}
+    )
 
 
 class JobChange(Strict):

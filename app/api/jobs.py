@@ -1,8 +1,7 @@
 """Transfer jobs: ordered, watched, changed, ended."""
 
-import hashlib
-from collections.abc import Awaitable, Callable
-from functools import partial
+from dataclasses import dataclass
+from hashlib import blake2b
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query
@@ -11,6 +10,7 @@ from starlette.responses import Response
 from app.api.calls import Ctl, Who, answer, answer_of, answer_view, ask, items, location, missing, read
 from app.api.declared import gives
 from app.api.inputs import JobChange, JobIn, Limit, PathId, QueryId, station_ids
+from app.api.known_jobs import KnownJobs
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.whys import told
@@ -19,10 +19,9 @@ from app.domain.job import Job, JobState
 from app.domain.requests import AbortJob, CancelJob, ChangeJob, CreateJob
 from app.domain.view import JobView, Topic
 from app.fleet.views import view_of_event, view_of_job
-from app.runtime.showing import encode, shown
+from app.runtime.showing import encoded, shown
 
 router = APIRouter(prefix="/jobs", tags=["jobs"])
-Find = Callable[[JobId], Awaitable[Job | None]]
 HISTORY = 1000
 """Most events given with one job."""
 
@@ -38,25 +37,35 @@ IdempotencyKey = Annotated[
 ]
 
 
+@dataclass(frozen=True, slots=True)
+class Ordered:
+    """What became of an order: the job as JSON, 201 where it is new, and where it is found."""
+
+    status: int
+    body: bytes
+    place: dict[str, str]
+
+
 @router.post("", **gives("Job", 201, "The job; 201 new, 200 the one that was there.", Job=200))
 async def create_job(body: JobIn, controller: Ctl, actor: Who, key: IdempotencyKey = None) -> Response:
     """Order a transfer. (Declared here; ``app.api.orders`` answers before the routes are looked at.)"""
-    return await create(body, controller, actor, key, partial(read, controller.reader.job))
+    ordered = await create(body, controller, actor, key, KnownJobs(controller.reader))
+    return answer(ordered.body, ordered.status, ordered.place)
 
 
-async def create(body: JobIn, controller: Controller, actor: Actor, key: str | None, lookup: Find) -> Response:
+async def create(body: JobIn, controller: Controller, actor: Actor, key: str | None, store: KnownJobs) -> Ordered:
     """Create the job or find it. Raises Problem: refused, or another body under the same id or key."""
     mark = fingerprint(body)
-    known = await _known(controller, body.job_id, key, lookup)
+    name = body.job_id
+    if name is None:
+        known = None if key is None else await read(controller.reader.job_by_key, key)
+    else:
+        known = None if store.surely_not(name) else await store.job(JobId(name))
     if known is not None:
-        if known.fingerprint != mark:
-            name = f"Job id {body.job_id}" if body.job_id else f"Idempotency-Key {key}"
-            remedy = "Send the same body as at first, or choose another id."
-            raise Problem("conflict", f"{name} stands for another order already: job {known.id}.", remedy)
-        return _found(controller, known)
+        return _again(controller, known, mark, f"Job id {name}" if name else f"Idempotency-Key {key}")
     request = CreateJob(
         actor=actor,
-        job=JobId(body.job_id) if body.job_id else None,
+        job=JobId(name) if name else None,
         source=body.source,
         destination=StationId(body.destination),
         carrier=CarrierId(body.carrier) if body.carrier else None,
@@ -66,35 +75,32 @@ async def create(body: JobIn, controller: Controller, actor: Actor, key: str | N
         vehicle=VehicleId(body.vehicle) if body.vehicle else None,
         fallbacks=station_ids(body.fallbacks),
     )
+    if name is not None:
+        store.note(name)
     accepted = await ask(controller, request)
-    return await _present(controller, accepted.key, 201 if accepted.created else 200)
+    job = accepted.key
+    raw = controller.model.raw(Topic.JOBS, job) or encoded(await _view(controller, job))
+    return Ordered(201, raw, location("jobs", job)) if accepted.created else Ordered(200, raw, {})
 
 
 def fingerprint(body: JobIn) -> str:
     """Return a digest of what was ordered; how it was written does not matter."""
-    return hashlib.blake2b(body.model_dump_json().encode(), digest_size=16).hexdigest()
+    return blake2b(JobIn.__pydantic_serializer__.to_json(body), digest_size=16).hexdigest()
 
 
-async def _known(controller: Controller, job: str | None, key: str | None, lookup: Find) -> Job | None:
-    if job is not None:
-        return await lookup(JobId(job))
-    if key is not None:
-        return await read(controller.reader.job_by_key, key)
-    return None
+def _again(controller: Controller, known: Job, mark: str, name: str) -> Ordered:
+    """Return the job that was accepted before. Raises Problem: that was another order."""
+    if known.fingerprint != mark:
+        remedy = "Send the same body as at first, or choose another id."
+        raise Problem("conflict", f"{name} stands for another order already: job {known.id}.", remedy)
+    raw = controller.model.raw(Topic.JOBS, known.id) or encoded(view_of_job(known))
+    return Ordered(200, raw, location("jobs", known.id))
 
 
-def _found(controller: Controller, known: Job) -> Response:
-    raw = controller.model.raw(Topic.JOBS, known.id)
-    return answer(raw or encode(shown(view_of_job(known))), 200, location("jobs", known.id))
-
-
-async def _present(controller: Controller, job: str, status: int = 200) -> Response:
+async def _present(controller: Controller, job: str) -> Response:
     """Return the job as it is now, live or ended."""
-    headers = location("jobs", job) if status == 201 else None
     raw = controller.model.raw(Topic.JOBS, job)
-    if raw is not None:
-        return answer(raw, status, headers)
-    return answer_view(await _view(controller, job), status, headers)
+    return answer(raw) if raw is not None else answer_view(await _view(controller, job))
 
 
 async def _view(controller: Controller, job: str) -> JobView:

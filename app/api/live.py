@@ -18,6 +18,7 @@ from app.api.guard import TICKET_LIFE, Tickets
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.spoken import Order, Speaker, Spoken, error
+from app.api.streams import WIRE
 from app.domain.view import Topic
 from app.runtime.hub import Subscription
 
@@ -73,6 +74,7 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
         await socket.send_text(error(problem))
         await socket.close(1008, problem.brief())
         return
+    subscription.direct = socket.scope.get("extensions", {}).get(WIRE)
     sender = asyncio.create_task(_send(socket, subscription))
     spoken = _spoken(socket, controller, subscription)
     try:

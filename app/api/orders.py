@@ -1,136 +1,109 @@
 """``POST /jobs`` without the framework's work per request: the one call that hosts make all day.
 
-It stands between the guard and the routes, and answers as the route of the same path declares. Durable jobs are looked up for
-many orders at once, as they are committed.
+It is answered before the routes, and as the route of the same path declares; everything else goes to them.
 """
 
-import asyncio
-from collections.abc import Sequence
+from typing import cast
 
 from pydantic import ValidationError
-from starlette.datastructures import Headers
-from starlette.exceptions import HTTPException
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.datastructures import State
+from starlette.types import Receive, Scope, Send
 
 from app.api.calls import actor_named
+from app.api.guard import Guard
 from app.api.inputs import JobIn
-from app.api.jobs import create
-from app.api.port import Controller, Reader
+from app.api.jobs import Ordered, create
+from app.api.known_jobs import KnownJobs
+from app.api.port import Controller
 from app.api.problems import Problem, is_json, ours, problem_of
 from app.domain.errors import HoistwayError
-from app.domain.ids import JobId
-from app.domain.job import Job
 
 PATH = "/api/v1/jobs"
-BATCH = 500
-"""Most jobs looked up by one statement."""
-
-
-class Lookup:
-    """Finds jobs that the store has, one statement for all that are asked for while the last one runs."""
-
-    def __init__(self, reader: Reader) -> None:
-        self.reader = reader
-        self._waiting: list[tuple[JobId, asyncio.Future[Job | None]]] = []
-        self._running: asyncio.Task[None] | None = None
-
-    async def job(self, job: JobId) -> Job | None:
-        """Return the job, ended or not. Raises StoreError."""
-        future: asyncio.Future[Job | None] = asyncio.get_running_loop().create_future()
-        self._waiting.append((job, future))
-        if self._running is None:
-            self._running = asyncio.create_task(self._run())
-        return await future
-
-    async def _run(self) -> None:
-        batch: list[tuple[JobId, asyncio.Future[Job | None]]] = []
-        try:
-            while self._waiting:
-                batch, self._waiting = self._waiting[:BATCH], self._waiting[BATCH:]
-                await self._answer(batch)
-        finally:
-            self._running = None
-            for _, future in batch:
-                future.cancel()
-
-    async def _answer(self, batch: Sequence[tuple[JobId, asyncio.Future[Job | None]]]) -> None:
-        names = [name for name, _ in batch]
-        try:
-            found = await asyncio.get_running_loop().run_in_executor(None, self.reader.jobs_named, names)
-        except HoistwayError as error:
-            for _, future in batch:
-                if not future.done():
-                    future.set_exception(error)
-            return
-        jobs = {job.id: job for job in found}
-        for name, future in batch:
-            if not future.done():
-                future.set_result(jobs.get(name))
+JSON = b"application/json"
+_HEAD = (b"content-type", JSON)
 
 
 class Orders:
-    """ASGI middleware that answers ``POST /api/v1/jobs``."""
+    """ASGI application of one call. ``state`` is that of the application, and has the controller."""
 
-    def __init__(self, app: ASGIApp) -> None:
-        self.app = app
-        self._lookup: Lookup | None = None
+    def __init__(self, guard: Guard, state: State) -> None:
+        self._guard = guard
+        self._state = state
+        self._known: KnownJobs | None = None
+
+    @staticmethod
+    def take(scope: Scope) -> bool:
+        """Return whether this is the call."""
+        return bool(scope["type"] == "http" and scope["path"] == PATH and scope["method"] == "POST")
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer an order, pass on anything else."""
-        if scope["type"] != "http" or scope["path"] != PATH or scope["method"] != "POST":
-            await self.app(scope, receive, send)
-            return
+        """Answer an order."""
         try:
-            body = await _body(receive)
+            if problem := self._guard.refusal(scope):
+                raise problem
+            body = await self._body(receive)
             if body is None:
                 return
-            response = await self._order(scope, body)
+            ordered = await self._order(scope, body)
         except Problem as problem:
-            response = problem.response()
+            await problem.response()(scope, receive, send)
         except HoistwayError as error:
-            response = ours(error).response()
-        except HTTPException as error:
-            response = Problem("too-large", str(error.detail)).response()
-        await response(scope, receive, send)
+            await ours(error).response()(scope, receive, send)
+        else:
+            headers = [_HEAD, (b"content-length", b"%d" % len(ordered.body))]
+            headers += [(name.lower().encode(), value.encode("latin-1")) for name, value in ordered.place.items()]
+            await send({"type": "http.response.start", "status": ordered.status, "headers": headers})
+            await send({"type": "http.response.body", "body": ordered.body})
 
-    async def _order(self, scope: Scope, body: bytes) -> ASGIApp:
-        headers = Headers(scope=scope)
-        kind = headers.get("content-type", "")
+    async def _order(self, scope: Scope, body: bytes) -> Ordered:
+        kind, named, key = b"", None, None
+        for name, value in scope["headers"]:
+            if name == b"content-type":
+                kind = kind or value
+            elif name == b"x-actor":
+                named = value.decode("latin-1") if named is None else named
+            elif name == b"idempotency-key":
+                key = value.decode("latin-1") if key is None else key
         order = _read(body, kind)
         client = scope.get("client")
-        actor = actor_named(headers.get("x-actor"), client[0] if client else "unknown")
-        key = headers.get("idempotency-key")
+        actor = actor_named(named, client[0] if client else "unknown")
         if key is not None and not (0 < len(key) <= 128 and key.isascii() and key.isprintable() and " " not in key):
             detail = "Idempotency-Key has 1 to 128 printable ASCII characters without blanks."
             raise Problem("invalid", detail, field="Idempotency-Key")
-        controller: Controller = scope["app"].state.controller
-        if self._lookup is None or self._lookup.reader is not controller.reader:
-            self._lookup = Lookup(controller.reader)
-        return await create(order, controller, actor, key, self._lookup.job)
+        controller: Controller = self._state.controller
+        known = self._known
+        if known is None or known.reader is not controller.reader:
+            known = self._known = KnownJobs(controller.reader)
+        return await create(order, controller, actor, key, known)
+
+    async def _body(self, receive: Receive) -> bytes | None:
+        """Return the whole body; None if the caller has gone. Raises Problem: it is larger than allowed."""
+        message = await receive()
+        parts: list[bytes] = []
+        size = 0
+        while message["type"] == "http.request":
+            part = cast(bytes, message.get("body", b""))
+            size += len(part)
+            if size > self._guard.limit:
+                raise Problem("too-large", f"The body is larger than {self._guard.limit} bytes.")
+            more = message.get("more_body", False)
+            if not more and not parts:
+                return part
+            parts.append(part)
+            if not more:
+                return b"".join(parts)
+            message = await receive()
+        return None
 
 
-def _read(body: bytes, kind: str) -> JobIn:
-    if not is_json(kind):
+def _read(body: bytes, content_type: bytes) -> JobIn:
+    kind = "" if content_type == JSON else content_type.decode("latin-1")
+    if content_type != JSON and not is_json(kind):
         raise Problem(
             "media-type", f"The body came as {kind[:80]!r}.", "Send the header Content-Type: application/json."
         )
     try:
-        return JobIn.model_validate_json(body)
+        return JobIn.__pydantic_validator__.validate_json(body)  # type: ignore[no-any-return]
     except ValidationError as error:
         found = [{**e, "loc": ("body", *e["loc"])} for e in error.errors(include_url=False)]
-        raise problem_of(found, kind) from None
-
-
-async def _body(receive: Receive) -> bytes | None:
-    """Return the whole body; None if the caller has gone."""
-    message = await receive()
-    if message["type"] == "http.request" and not message.get("more_body", False):
-        body: bytes = message.get("body", b"")
-        return body
-    parts: list[bytes] = []
-    while message["type"] == "http.request":
-        parts.append(message.get("body", b""))
-        if not message.get("more_body", False):
-            return b"".join(parts)
-        message = await receive()
-    return None
+        raise problem_of(found, kind or JSON.decode()) from None

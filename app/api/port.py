@@ -1,6 +1,6 @@
 """What the API needs of the controller and of the store's reading side."""
 
-from collections.abc import Sequence
+from collections.abc import Awaitable, Sequence
 from typing import Protocol
 
 from app.api.teaching_port import TeachingReader
@@ -32,6 +32,14 @@ class Reader(TeachingReader, Protocol):
 
     def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
         """Return those of the named jobs that there are, ended or not, in any order."""
+        ...
+
+    def job_count(self) -> int:
+        """Return how many jobs there have been."""
+        ...
+
+    def job_names(self, after: int, limit: int) -> Sequence[tuple[int, str]]:
+        """Return orders above ``after`` and the names of their jobs, oldest first."""
         ...
 
     def job_by_key(self, key: str) -> Job | None:
@@ -115,8 +123,8 @@ class Controller(Protocol):
         """Why nothing can be made durable just now; empty if all is well."""
         ...
 
-    async def ask(self, request: Request) -> Reply:
-        """Put a request to the controller; returns when the answer is durable."""
+    def ask(self, request: Request) -> Awaitable[Reply]:
+        """Put a request to the controller; returns when the answer is durable. Raises TimeoutError: there is none in time."""
         ...
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:

@@ -112,7 +112,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(RequestValidationError, _validation)
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(HoistwayError, _ours)
-    app.add_exception_handler(Exception, _defect)
+    app.add_exception_handler(Exception, defect)
 
 
 async def _own(_request: Request, error: Exception) -> Response:
@@ -125,7 +125,8 @@ async def _ours(_request: Request, error: Exception) -> Response:
     return ours(error).response()
 
 
-async def _defect(_request: Request, _error: Exception) -> Response:
+async def defect(_request: Request, _error: Exception) -> Response:
+    """Answer what no other handler takes."""
     remedy = "Report it with the server's log of this moment; nothing is known of the request's effect."
     return Problem("internal", "The request met a defect of this server.", remedy).response()
 

@@ -4,7 +4,22 @@ from __future__ import annotations
 
 import typer
 
-from app.cli import check, db, decode, demo, detect, fab, openapi, schema, serve, sim, simulate, vectors, workload
+from app.cli import (
+    bench,
+    check,
+    db,
+    decode,
+    demo,
+    detect,
+    fab,
+    openapi,
+    schema,
+    serve,
+    sim,
+    simulate,
+    vectors,
+    workload,
+)
 
 app = typer.Typer(
     name="hoistway",
@@ -29,3 +44,4 @@ for command in (
 ):
     app.command()(command)
 app.add_typer(db.commands, name="db")
+app.add_typer(bench.commands, name="bench")

@@ -12,11 +12,15 @@ import uvicorn
 
 from app.api import application
 from app.api.connections import bounded
+from app.api.streams import Stream
 from app.cli.plainly import CannotStart, said
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.settings import Settings
 
+COLLECTED = (10_000, 20, 50)
+"""New objects until they are looked through for rings, and how many times until older ones are: a backlog of thousands of jobs
+is no garbage, and is not to be looked through all the time. Our choice."""
 GRACE = 3
 """Seconds for requests under way when the server stops. Our choice."""
 FILES = 1 << 16
@@ -52,17 +56,20 @@ async def serve(
     ready: Callable[[str], None],
     *,
     restored: bool = False,
+    seen: Callable[[Controller], None] = lambda controller: None,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
-    ``ready`` is told the URL once requests are answered. Raises CannotStart, PlantHeld, StoreError.
+    ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered.
+    Raises CannotStart, PlantHeld, StoreError.
     """
-    controller = Controller(plant, settings.database, restored=restored)
+    controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
     try:
         await controller.start()
     except OSError as wrong:
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
     try:
+        seen(controller)
         server = _Server(_configured(controller, settings))
         serving = asyncio.create_task(server.serve([listening]))
         stopping = asyncio.create_task(stop.wait())
@@ -70,6 +77,7 @@ async def serve(
             await asyncio.sleep(0.01)
         gc.collect()
         gc.freeze()
+        gc.set_threshold(*COLLECTED)
         ready(url_of(settings.host, listening.getsockname()[1]))
         ends: set[asyncio.Future[Any]] = {serving, stopping, controller.lost}
         await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
@@ -101,7 +109,7 @@ def _configured(controller: Controller, settings: Settings) -> uvicorn.Config:
         application(controller, settings),
         loop="none",
         http=bounded(min(settings.connections, _files() // 2)),
-        ws="websockets-sansio",
+        ws=Stream,
         ws_per_message_deflate=False,
         ws_max_size=WORD,
         access_log=False,

@@ -28,7 +28,7 @@ from app.fleet.vehicle import VehicleNow
 from app.planning.tables import Tables, Task
 from app.planning.ways import Ways
 from app.plant import dialect_of
-from app.protocols.itsc.session import Timing
+from app.protocols.itsc.session import LinkQuality, Timing
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,6 +137,10 @@ class Control:
             devices=tuple(devices),
             figures=link.counts,
         )
+
+    def line_quality(self) -> list[LinkQuality]:
+        """Return the figures of every hoist's line."""
+        return [line.link for line in self._lines.values()]
 
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""

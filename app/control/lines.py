@@ -1,15 +1,12 @@
 """Our end of a line, as its owner feeds it: the session, with what it tells passed on."""
 
-from collections.abc import Callable, Container
+from collections.abc import Container
 
-from app.domain.events import Event
 from app.domain.ids import CmdIds
 from app.domain.layout import VehicleSpec
 from app.domain.units import Seconds
 from app.protocols.itsc.dialects import Dialect
-from app.protocols.itsc.session import Session, Timing
-
-Told = Callable[[list[Event], Seconds], None]
+from app.protocols.itsc.session import Session, Timing, Told
 
 
 class VehicleLine(Session):
@@ -18,7 +15,7 @@ class VehicleLine(Session):
     It is a session instead of having one, because on the hot path each object between the socket and the session costs.
     """
 
-    __slots__ = ("_pass_on",)
+    __slots__ = ()
 
     def __init__(
         self,
@@ -29,8 +26,7 @@ class VehicleLine(Session):
         timing: Timing,
         barcodes: Container[str] | None = None,
     ) -> None:
-        super().__init__(vehicle, dialect, cmd_ids, timing, barcodes)
-        self._pass_on = told
+        super().__init__(vehicle, dialect, cmd_ids, timing, barcodes, told)
 
     def connected(self, now: Seconds) -> None:
         """The line is up."""
@@ -55,5 +51,5 @@ class VehicleLine(Session):
 
     def _tell(self, now: Seconds) -> None:
         events = self.events()
-        if events:
+        if events and self._pass_on is not None:
             self._pass_on(events, now)

@@ -1,10 +1,9 @@
 """Our ends of the lines that carry several devices, as their owner feeds them: sessions, with what they tell passed on."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 
 from app.control.agv import Agv
-from app.control.lines import Told
 from app.domain.devices import DeviceEvent, DeviceId, DeviceKind, DeviceNumber, DeviceRequest, DeviceSpec
 from app.domain.drive import DriveEvent, DriveLineId, DriveRequest, DriveSpec, Jog, KeepJogging, ReleaseJog
 from app.domain.events import Event
@@ -14,12 +13,13 @@ from app.domain.units import Seconds
 from app.plant.dialects import drive_dialect_of, hall_dialect_of
 from app.protocols.enig.session import LinkSession
 from app.protocols.hi.session import LineSession
+from app.protocols.itsc.session import Told
 
 DevicesTold = Callable[[list[DeviceEvent], Seconds], None]
 DrivesTold = Callable[[list[DriveEvent], Seconds], None]
 
 
-def _to_nobody(events: list[Event], now: Seconds) -> None:
+def _to_nobody(events: Sequence[Event], now: Seconds) -> None:
     """For a link without AGVs."""
 
 

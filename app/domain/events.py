@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 from app.domain.commands import Command
 from app.domain.ids import CmdId, VehicleId
@@ -24,30 +25,16 @@ class LinkDown:
     reason: str
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Reported:
+class Reported(NamedTuple):
     """A STATUS. ``polled`` tells an answer to our question (``asked_at``: when we asked) from an event of the vehicle's own.
 
-    Every polled answer is given; an unasked one only where something changed.
+    Every polled answer is given; an unasked one only where something changed. A named tuple: see VehicleStatus.
     """
 
     vehicle: VehicleId
     status: VehicleStatus
     polled: bool
     asked_at: Seconds
-
-    def __init__(self, vehicle: VehicleId, status: VehicleStatus, polled: bool, asked_at: Seconds) -> None:
-        # One for each packet: see VehicleStatus.
-        _set_vehicle(self, vehicle)
-        _set_status(self, status)
-        _set_polled(self, polled)
-        _set_asked_at(self, asked_at)
-
-
-_set_vehicle = vars(Reported)["vehicle"].__set__
-_set_status = vars(Reported)["status"].__set__
-_set_polled = vars(Reported)["polled"].__set__
-_set_asked_at = vars(Reported)["asked_at"].__set__
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """Ports: what the pure layers ask of the world, and what the world may ask of them."""
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from app.domain.records import Kept, Record
 from app.domain.units import Seconds
@@ -41,6 +41,18 @@ class Endpoint(Protocol):
 
     def outgoing(self) -> bytes:
         """Return and forget the bytes to send; empty if none."""
+        ...
+
+
+@runtime_checkable
+class Prompt(Protocol):
+    """What an endpoint may offer besides: the commonest bytes taken and answered in one step."""
+
+    def at_once(self, data: bytes, now: Seconds) -> bytes:
+        """Take bytes and return the whole answer; empty if they are for ``received``, and nothing has been done with them.
+
+        Where it answers, ``outgoing``, ``wants_close`` and ``deadline`` are as before (``deadline`` may have moved back).
+        """
         ...
 
 

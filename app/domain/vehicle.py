@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
+from typing import NamedTuple
 
 from app.domain.devices import AgvStatus
 from app.domain.layout import StationKind
@@ -59,27 +60,16 @@ class Condition:
     doubt: str = ""
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class VehicleStatus:
-    """One STATUS: condition and place. ``dist`` is mm past the barcode where the dialect reports it (PROTOCOLS 1.7)."""
+class VehicleStatus(NamedTuple):
+    """One STATUS: condition and place. ``dist`` is mm past the barcode where the dialect reports it (PROTOCOLS 1.7).
+
+    A named tuple, since there is one for each packet: a frozen dataclass takes more than twice as long to make.
+    """
 
     condition: Condition
     barcode: Barcode
     seq: int
     dist: Millimetres | None = None
-
-    def __init__(self, condition: Condition, barcode: Barcode, seq: int, dist: Millimetres | None = None) -> None:
-        # One for each packet: the ``__init__`` that a frozen dataclass is given takes nearly twice as long.
-        _set_condition(self, condition)
-        _set_barcode(self, barcode)
-        _set_seq(self, seq)
-        _set_dist(self, dist)
-
-
-_set_condition = vars(VehicleStatus)["condition"].__set__
-_set_barcode = vars(VehicleStatus)["barcode"].__set__
-_set_seq = vars(VehicleStatus)["seq"].__set__
-_set_dist = vars(VehicleStatus)["dist"].__set__
 
 
 class VehicleState(StrEnum):

@@ -1,11 +1,12 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
-from app.domain.job import Job, JobEvent
+from app.domain.job import Job, JobEvent, JobState
 from app.domain.layout import Plant, Station, StationKind
 from app.domain.links import LinkSend
 from app.domain.records import (
@@ -29,6 +30,7 @@ from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
 from app.domain.why import Why
+from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
@@ -82,18 +84,30 @@ class Books:
         self.started = utc
         self._utc_offset = utc - now
         self.effects = Effects()
-        self.dirty: dict[VehicleId, None] = {}
+        self.dirty: dict[VehicleId, Seconds] = {}
+        """Vehicles that look different now, by when they first did since they were last shown: the longest wait first."""
+        self.touched: dict[VehicleId, None] = {}
+        """Vehicles that look different since the effects were last taken."""
         self.woken: dict[VehicleId, None] = {}
+        self.changed: dict[VehicleId, None] = {}
+        """Vehicles of which something is different since the fleet last minded their looks and doors."""
         self.specs: dict[StationId, Station] = {s.id: s for s in plant.stations}
         self.vehicles = self._vehicles(kept)
         self.jobs: dict[JobId, Job] = {job.id: job for job in kept.jobs}
         self.ended: dict[JobId, Job] = {}
+        self.queued: dict[JobId, Job] = {job.id: job for job in kept.jobs if job.state is JobState.QUEUED}
+        """The jobs that no vehicle has, as they are now."""
+        self.jobs_changed = bool(self.queued)
+        """Whether there is something that dispatch can use: a job without a vehicle, a station that such a job waits for."""
+        self._queued_at = Counter(place for job in self.queued.values() for place in _ends(job))
         self.whys: dict[JobId, Why] = {why.job: why for why in kept.whys}
         """Of jobs not ended."""
         self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
         self.stations = {s.id: StationRecord(s.id) for s in plant.stations} | {
             record.station: record for record in kept.stations if record.station in self.specs
         }
+        self.stations_changed: dict[StationId, None] = {}
+        """Stations of which something is different since the fleet last minded their buffers."""
         self.carriers: dict[CarrierId, CarrierRecord] = {record.carrier: record for record in kept.carriers}
         self.dests: dict[StationId, StationDest] = {d.station: d for d in kept.dests}
         self.offsets: dict[VehicleId, VehicleOffset] = {o.vehicle: o for o in kept.offsets}
@@ -102,7 +116,7 @@ class Books:
         self.teaching = TeachingBooks(plant, kept)
         self._note_teaching()
         self.controller = kept.controller
-        self.roll_call: dict[VehicleId, None] = {}
+        self.roll_call = RollCall(self.track)
         self.buffer_trouble: dict[StationId, str] = {}
         """Why the buffer of a station cannot be used now."""
         self.sensed: dict[StationId, bool] = {}
@@ -184,10 +198,23 @@ class Books:
             self.jobs[job.id] = job
         if job.idempotency_key:
             self.by_key[job.idempotency_key] = job.id
+        self._note_queue(job)
         self.effects.records.append(job)
         self._follow(job)
         self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
         return job
+
+    def _note_queue(self, job: Job) -> None:
+        """Keep the queue, and say to dispatch what it can use."""
+        before = self.queued.get(job.id)
+        if before is not None:
+            self._queued_at.subtract(_ends(before))
+        if job.state is JobState.QUEUED:
+            self.queued[job.id] = job
+            self._queued_at.update(_ends(job))
+            self.jobs_changed |= before is None
+        elif before is not None:
+            del self.queued[job.id]
 
     def _follow(self, job: Job) -> None:
         """Keep what the job waits for with its why-record."""
@@ -249,6 +276,8 @@ class Books:
         if record != vehicle.record:
             vehicle.record = record
             self.effects.records.append(record)
+            if vehicle.id in self.roll_call:
+                self.roll_call.miss(vehicle)
         self.touch(vehicle)
 
     def open_intent(
@@ -302,6 +331,8 @@ class Books:
     def save_station(self, record: StationRecord) -> None:
         """Keep and show what is believed of a station."""
         self.stations[record.station] = record
+        self.stations_changed[record.station] = None
+        self.jobs_changed |= self._queued_at[record.station] > 0
         self.effects.records.append(record)
         self.show_station(record.station)
 
@@ -395,8 +426,14 @@ class Books:
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""
-        self.dirty[vehicle.id] = None
+        self.dirty.setdefault(vehicle.id, self.now)
+        self.changed[vehicle.id] = self.touched[vehicle.id] = None
 
     def wake(self, vehicle: VehicleId) -> None:
         """Note that a vehicle should look again whether it can go on."""
-        self.woken[vehicle] = None
+        self.woken[vehicle] = self.changed[vehicle] = None
+
+
+def _ends(job: Job) -> Iterable[str]:
+    """Return the places that keep a job from beginning while they are not ready."""
+    return (job.source, job.destination, *job.fallbacks)

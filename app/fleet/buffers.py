@@ -6,6 +6,7 @@ or a restart the lock counts as not known and is asked for again. A lock that is
 taken off or has gone another way, is released.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from app.domain.devices import BufferState, DeviceAct, DeviceEvent, DeviceId, DeviceKind, DeviceReported
@@ -28,8 +29,8 @@ class Buffers:
     def __init__(self, books: Books, devices: Devices) -> None:
         self._books = books
         self._devices = devices
-        self._all = [device for device in devices.all.values() if device.kind is DeviceKind.BUFFER]
         self._stations: dict[DeviceId, StationId] = {s.buffer: s.id for s in books.plant.stations if s.buffer}
+        self._at: dict[StationId, DeviceId] = {station: buffer for buffer, station in self._stations.items()}
 
     # -- what they say ------------------------------------------------------------------------------------------------
 
@@ -102,9 +103,21 @@ class Buffers:
 
     # -- minding ------------------------------------------------------------------------------------------------------
 
-    def mind(self) -> None:
+    def concern(self, vehicles: Iterable[VehicleId]) -> None:
+        """Note which buffers hang on what is different of these vehicles, or of stations."""
+        for name in vehicles:
+            for buffer in self._devices.locked_for.get(name, ()):
+                self._devices.concern(buffer)
+        stations, self._books.stations_changed = self._books.stations_changed, {}
+        for station in stations:
+            if station in self._at:
+                self._devices.concern(self._at[station])
+
+    def mind(self, devices: Iterable[DeviceNow]) -> None:
         """Release locks that are kept for nobody, ask for what is wanted, and say what contradicts our books."""
-        for buffer in self._all:
+        for buffer in devices:
+            if buffer.kind is not DeviceKind.BUFFER:
+                continue
             station = self._stations.get(buffer.id)
             if station is not None:
                 self._note(buffer, station)

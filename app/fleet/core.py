@@ -1,6 +1,8 @@
 """The fleet: takes what sessions tell and people ask, in order, and gives effects (ARCHITECTURE section 1)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from itertools import takewhile
+from math import inf
 
 from app.domain.commands import Send
 from app.domain.devices import DeviceAct, DeviceEvent, DeviceKind, DeviceRequest
@@ -10,7 +12,6 @@ from app.domain.events import (
     Event,
 )
 from app.domain.ids import CmdIds, VehicleId
-from app.domain.job import JobState
 from app.domain.layout import Plant
 from app.domain.links import LinkSend
 from app.domain.records import Intent, Kept
@@ -32,6 +33,7 @@ from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
 from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
+from app.fleet.looks import Looks
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.objections import objection
@@ -48,11 +50,15 @@ from app.fleet.views import view_of_job, view_of_vehicle
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
-"""A vehicle is shown at most so often, unless something is decided (QUALITY 1: live frames at 10 Hz)."""
+"""A vehicle that looks different is shown so long after it first did, at once if anything is decided of it (QUALITY 1)."""
+SHOW_TOGETHER = Seconds(0.02)
+"""Those that are due so soon are shown together: fewer, and none of them long, as each is due at its own time (our choice)."""
 THINK_EVERY = Seconds(1.0)
 """Dispatch, and a look at everything that waits, at least so often; sooner when something changed (our choice)."""
 THINK_AT_MOST_EVERY = Seconds(0.1)
 """Dispatch runs at most so often: a burst of orders costs one assignment (our choice)."""
+THINK_SECONDS_PER_JOB = Seconds(50e-6)
+"""With thousands of jobs, dispatch runs so much more seldom for each, so that it never takes the whole time (our choice)."""
 GIVE_BACK_AFTER = Seconds(10.0)
 """A vehicle that cannot go on for so long loses its job to another, or its job is paused if picked up (our choice)."""
 
@@ -109,8 +115,10 @@ class Fleet:
             emergency,
         )
         self._link = link
+        self._looks = Looks()
+        self._free: set[VehicleId] = set()
+        """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
-        self._last_show = now
         self._next_thought = self._last_thought = now
         self._start(restored=kept.restored)
 
@@ -124,7 +132,7 @@ class Fleet:
                 continue
             claim = [*vehicle.record.held, *(b for i in vehicle.opened.values() for b in i.path)]
             books.traffic.hold(vehicle.id, [b for b in dict.fromkeys(claim) if b in books.track])
-            books.roll_call[vehicle.id] = None
+            books.roll_call.miss(vehicle)
             if restored:
                 self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
@@ -148,46 +156,51 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        next_one = min(self._next_thought, self.drives.deadline)
-        if self.books.dirty:
-            return min(next_one, Seconds(self._last_show + SHOW_EVERY))
-        return next_one
+        return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at)
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
         self.books.now = now
         self.drives.tick()
+        self._look()
         if now < self._next_thought:
+            if self.books.woken:
+                self._go_on()
             return
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         self.teaching.tick()
         self.devices.tick()
-        for vehicle in self.books.vehicles.values():
-            self.alarms.tick(vehicle)
-            self._mind_job(vehicle)
-            self.books.wake(vehicle.id)
         self._charging.run()
         self._dispatch.run()
-        self._go_on()
+        self._go_on(all_devices=True)
+
+    def _look(self) -> None:
+        """Look at the vehicles whose time has come, though nothing was heard of them."""
+        for name in self._looks.due(self.books.now):
+            vehicle = self.books.vehicles[name]
+            self.alarms.tick(vehicle)
+            self._mind_job(vehicle)
+            self.books.wake(name)
 
     def _mind_job(self, vehicle: VehicleNow) -> None:
         """A job does not wait for a vehicle that cannot go on without saying so."""
-        if vehicle.fit or vehicle.job is None:
-            vehicle.unfit_since = None
-        elif vehicle.unfit_since is None:
-            vehicle.unfit_since = self.books.now
-        elif self.books.now - vehicle.unfit_since >= GIVE_BACK_AFTER:
+        self._note_fitness(vehicle)
+        if vehicle.unfit_since is not None and self.books.now - vehicle.unfit_since >= GIVE_BACK_AFTER:
             cut = "" if vehicle.linked else f"it is not connected: {vehicle.link_reason}"
             why = vehicle.barred or vehicle.waiting or cut or "it is not ready"
             self.missions.interrupt(vehicle, why)
+
+    def _note_fitness(self, vehicle: VehicleNow) -> None:
+        if vehicle.job is None or vehicle.fit:
+            vehicle.unfit_since = None
+        elif vehicle.unfit_since is None:
+            vehicle.unfit_since = self.books.now
 
     def handle(self, event: Event, now: Seconds) -> None:
         """Take one event of a session."""
         self.books.now = now
         vehicle = self.books.vehicles[event.vehicle]
         self._hearing.take(vehicle, event)
-        if any(self._wants_dispatch(name) for name in self.books.woken):
-            self._think_soon()
         self._go_on()
 
     def handle_device(self, event: DeviceEvent, now: Seconds) -> None:
@@ -217,7 +230,7 @@ class Fleet:
         self.books.now = now
         self.books.effects.replies.append((ticket, self._desk.answer(request)))
         self._think_soon()
-        self._go_on()
+        self._go_on(all_devices=True)
 
     def tell(self, word: Word, now: Seconds) -> tuple[Reply, list[LinkSend]]:
         """Take a word that changes nothing that is kept. Its reply, and what it gives the lines to do, need no commit."""
@@ -232,9 +245,8 @@ class Fleet:
 
     def _think_soon(self) -> None:
         """Something changed that dispatch should see; many changes together cost one assignment."""
-        self._next_thought = min(
-            self._next_thought, Seconds(max(self.books.now, self._last_thought + THINK_AT_MOST_EVERY))
-        )
+        pause = max(THINK_AT_MOST_EVERY, min(THINK_EVERY, len(self.books.jobs) * THINK_SECONDS_PER_JOB))
+        self._next_thought = min(self._next_thought, Seconds(max(self.books.now, self._last_thought + pause)))
 
     # -- between a decision and its sending --------------------------------------------------------------------------
 
@@ -251,10 +263,10 @@ class Fleet:
 
     # -- going on -----------------------------------------------------------------------------------------------------
 
-    def _go_on(self) -> None:
-        """Let everything go on that may: vehicles that were woken, then jobs without one, until nothing changes."""
+    def _go_on(self, *, all_devices: bool = False) -> None:
+        """Let everything go on that may: vehicles that were woken, then what depends on them, until nothing changes."""
         books = self.books
-        while books.woken:
+        while True:
             while books.woken:
                 name = next(iter(books.woken))
                 del books.woken[name]
@@ -263,48 +275,74 @@ class Fleet:
                 if vehicle.errand:
                     self._courtesy.explain(vehicle, self.motion.advance(vehicle))
                 self.doors.follow(vehicle)
-            self._mind_devices()
-        self._mind_devices()
+                self._looks.looked(vehicle, books.now)
+            self._mind_changed()
+            if self.devices.all:
+                self._mind_devices(everything=all_devices)
+            if not books.woken:
+                break
         self.teaching.reassess()
         self._plant_orders.note_rest()
+        if books.jobs_changed:
+            books.jobs_changed = False
+            self._think_soon()
 
-    def _mind_devices(self) -> None:
-        """Doors open and close, buffers are locked and unlocked, by what vehicles do now."""
+    def _mind_changed(self) -> None:
+        """See to what hangs on the vehicles that are different now: their next look, who is free, doors and buffers."""
+        books = self.books
+        changed, books.changed = books.changed, {}
+        for name in changed:
+            vehicle = books.vehicles[name]
+            self._note_fitness(vehicle)
+            self._looks.mind(vehicle, books.now)
+            if not vehicle.available:
+                self._free.discard(name)
+            elif name not in self._free:
+                self._free.add(name)
+                books.jobs_changed |= bool(books.queued)
         if self.devices.all:
-            self.doors.mind()
-            self.buffers.mind()
-            self.devices.show()
+            self.doors.concern(changed)
+            self.buffers.concern(changed)
 
-    def _wants_dispatch(self, name: VehicleId) -> bool:
-        """Whether a woken vehicle could take a job now."""
-        vehicle = self.books.vehicles[name]
-        return vehicle.available and any(job.state is JobState.QUEUED for job in self.books.jobs.values())
+    def _mind_devices(self, *, everything: bool) -> None:
+        """Doors open and close, buffers are locked and unlocked, by what vehicles do now."""
+        concerned = self.devices.concerned(everything=everything)
+        self.doors.mind(concerned)
+        self.buffers.mind(concerned)
+        self.devices.show()
 
     # -- outputs ------------------------------------------------------------------------------------------------------
 
     def take(self) -> Effects:
         """Return and forget what was decided, with what has changed for the eye."""
         books = self.books
-        effects = books.effects
-        decided = bool(effects.records or effects.replies)
-        if books.dirty and (decided or books.now >= self._last_show + SHOW_EVERY):
-            self._show_vehicles(effects)
+        effects, touched = books.effects, books.touched
+        if touched:
+            books.touched = {}
+            if effects.records or effects.replies:
+                self._show_vehicles(name for name in touched if name in books.dirty)
+        if self._show_at <= books.now:
+            due = books.now - SHOW_EVERY + SHOW_TOGETHER
+            self._show_vehicles(list(takewhile(lambda name: books.dirty[name] <= due, books.dirty)))
         if effects.empty:
             return effects
         books.effects = Effects()
         return effects
 
-    def _show_vehicles(self, effects: Effects) -> None:
+    @property
+    def _show_at(self) -> Seconds:
+        """When the next vehicle is to be shown; infinite if none looks different."""
+        return Seconds(next(iter(self.books.dirty.values())) + SHOW_EVERY) if self.books.dirty else Seconds(inf)
+
+    def _show_vehicles(self, names: Iterable[VehicleId]) -> None:
         books = self.books
-        self._last_show = books.now
-        for name in books.dirty:
+        for name in names:
             vehicle = books.vehicles[name]
-            job = books.job_of(vehicle)
-            view = view_of_vehicle(vehicle, job, books.plant, self._link(name), books.utc_at)
+            del books.dirty[name]
+            view = view_of_vehicle(vehicle, books.job_of(vehicle), books.plant, self._link(name), books.utc_at)
             if self._shown.get(name) != view:
                 self._shown[name] = view
-                effects.updates.append(Update(Topic.VEHICLES, name, view))
-        books.dirty.clear()
+                books.effects.updates.append(Update(Topic.VEHICLES, name, view))
 
     def open_intents(self, vehicle: VehicleId) -> tuple[Intent, ...]:
         """Return the commands of a vehicle whose outcome is not known yet."""

@@ -10,6 +10,7 @@ from app.domain.units import Barcode
 from app.domain.vehicle import Oper
 from app.fleet.books import Books
 from app.fleet.motion import Motion
+from app.fleet.rollcall import named
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 from app.planning.traffic import Blocked, BlockReason
 
@@ -52,7 +53,7 @@ class Courtesy:
         state = self._books.controller.state
         if state is not ControllerState.AUTO:
             return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
-        missing = ", ".join(self._motion.missing(vehicle))
+        missing = named(self._motion.missing(vehicle))
         return f"{vehicle.id} waits at {vehicle.barcode}: the roll-call still misses {missing}" if missing else ""
 
     def _sentence(self, vehicle: VehicleNow, blocked: Blocked) -> str:

@@ -17,7 +17,6 @@ from app.domain.requests import (
     HallRequest,
     HandleOnce,
     HoldVehicle,
-    JobRequest,
     LockVehicle,
     MoveVehicle,
     PauseController,
@@ -53,6 +52,9 @@ TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "p
 
 UNSAID = frozenset({"actor", "fingerprint", "values"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
+
+EMPTY: tuple[object, ...] = ("", (), frozenset())
+"""What says nothing."""
 
 
 class Desk:
@@ -91,6 +93,8 @@ class Desk:
         return reply
 
     def _answer(self, request: Request) -> Reply:
+        if isinstance(request, CreateJob):  # what is asked most
+            return self._jobs.create(request)
         if isinstance(request, VehicleRequest):
             return self._answer_about_vehicle(request)
         if isinstance(request, DriveOrder):
@@ -101,10 +105,8 @@ class Desk:
             return self._answer_about_hall(request)
         return self._answer_about_plant(request)
 
-    def _answer_about_plant(self, request: JobRequest | PlantRequest) -> Reply:
+    def _answer_about_plant(self, request: CancelJob | AbortJob | ChangeJob | PlantRequest) -> Reply:
         match request:
-            case CreateJob():
-                return self._jobs.create(request)
             case CancelJob():
                 return self._jobs.cancel(request)
             case AbortJob():
@@ -171,5 +173,13 @@ def _said(request: Request) -> str:
     """Return what was asked for, for people: what was given, without who asked and how it was told from others."""
     if summary := getattr(request, "summary", ""):
         return str(summary)
-    given = ((f.name, getattr(request, f.name)) for f in fields(request) if f.name not in UNSAID)
-    return ", ".join(f"{name} {value}" for name, value in given if value not in (None, "", (), frozenset()))
+    kind: type = type(request)
+    names = _SAYABLE.get(kind)
+    if names is None:
+        names = _SAYABLE[kind] = tuple(f.name for f in fields(kind) if f.name not in UNSAID)
+    given = [(name, getattr(request, name)) for name in names]
+    return ", ".join([f"{name} {value}" for name, value in given if value is not None and value not in EMPTY])
+
+
+_SAYABLE: dict[type, tuple[str, ...]] = {}
+"""The parts of each kind of request that the audit repeats, found once."""

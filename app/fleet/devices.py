@@ -141,6 +141,11 @@ class Devices:
                 device.opened[intent.cmd_id] = intent
         self._shown: dict[DeviceId, DeviceView] = {}
         self._changed: dict[DeviceId, None] = dict.fromkeys(self.all)
+        self._concerned: dict[DeviceId, None] = dict.fromkeys(self.all)
+        self.locked_for: dict[VehicleId, dict[DeviceId, None]] = {}
+        """The buffers that are locked, or to be locked, for each vehicle."""
+        for record in records.values():
+            self._note_lock(record, None)
         for device in self.all.values():
             if isinstance(device.spec, ChargerSpec):
                 device.fresh, device.reason = True, ""
@@ -282,9 +287,16 @@ class Devices:
         """Change and keep the durable part of a device."""
         record = replace(device.record, **changes)  # type: ignore[arg-type]
         if record != device.record:
+            self._note_lock(record, device.record)
             device.record = record
             self._books.effects.records.append(record)
         self.touch(device)
+
+    def _note_lock(self, now: DeviceRecord, before: DeviceRecord | None) -> None:
+        if before is not None and before.lock:
+            self.locked_for.get(VehicleId(before.lock.owner), {}).pop(now.device, None)
+        if now.lock:
+            self.locked_for.setdefault(VehicleId(now.lock.owner), {})[now.device] = None
 
     def charging(self, charger: DeviceId, vehicle: VehicleId | None) -> None:
         """Say which vehicle charges at a charger, or is on its way to; None: nobody."""
@@ -337,7 +349,16 @@ class Devices:
 
     def touch(self, device: DeviceNow) -> None:
         """Note that a device may look different now."""
-        self._changed[device.id] = None
+        self._changed[device.id] = self._concerned[device.id] = None
+
+    def concern(self, device: DeviceId) -> None:
+        """Note that something is different on which it hangs what a device is to do."""
+        self._concerned[device] = None
+
+    def concerned(self, *, everything: bool) -> list[DeviceNow]:
+        """Return and forget the devices for which something is different, or all of them."""
+        names, self._concerned = self._concerned, {}
+        return list(self.all.values()) if everything else [self.all[name] for name in names]
 
     def show(self) -> None:
         """Show the devices that look different now."""

@@ -66,6 +66,7 @@ class Dispatch:
             return [], {}
         live = self._books.jobs.values()
         active = [job for job in live if job.state is not JobState.QUEUED]
+        served = {job.destination for job in active}
         sources: set[str] = {job.source for job in active if job.leg in {Leg.TO_SOURCE, Leg.ACQUIRING}}
         emptied: set[str] = {job.source for job in active if job.leg is Leg.ACQUIRING}
         destinations = {job.destination: job for job in active}
@@ -75,7 +76,7 @@ class Dispatch:
         ready, coming = [], {}
         for job in queued:
             first = self._first_at_source(job, bringing)
-            expected = self._expected(job) if first else None
+            expected = self._expected(job) if first and job.source in served else None
             why = self._taken(job, sources, destinations)
             if not why and expected is None:
                 why = first or against_picking_up(self._books, job)

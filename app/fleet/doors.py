@@ -41,6 +41,7 @@ class Doors:
         self._passages = passages
         self._motion = motion
         self._wanted: dict[VehicleId, tuple[DeviceId, ...]] = {}
+        self._near: dict[VehicleId, tuple[DeviceId, ...]] = {}
         self._needed: dict[DeviceId, Seconds] = {}
         self._by_hand: dict[DeviceId, Seconds] = {}
 
@@ -75,9 +76,22 @@ class Doors:
 
     # -- what a door is to do -----------------------------------------------------------------------------------------
 
-    def mind(self) -> None:
-        """Withdraw what may not be granted any more, and ask every door for what it should do now."""
-        for door in self._passages.doors:
+    def concern(self, vehicles: Iterable[VehicleId]) -> None:
+        """Note which doors hang on what is different of these vehicles: those whose track they hold, or held before."""
+        if not self._passages.doors:
+            return
+        for name in vehicles:
+            near = self._passages.near(name)
+            for door in (*self._near.pop(name, ()), *near):
+                self._devices.concern(door)
+            if near:
+                self._near[name] = near
+
+    def mind(self, devices: Iterable[DeviceNow]) -> None:
+        """Withdraw what may not be granted any more, and ask these doors for what they should do now."""
+        for door in devices:
+            if door not in self._passages.doors:
+                continue
             engaged = self._passages.engaged(door)
             waiting = self.waiting(door)
             if engaged or waiting:

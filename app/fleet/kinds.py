@@ -2,10 +2,12 @@
 
 from app.domain.errors import Refusal
 from app.domain.ids import StationId, VehicleId
-from app.domain.layout import Station, VehicleKind
+from app.domain.layout import Station, StationKind, VehicleKind
 from app.fleet.books import Books
 from app.fleet.vehicle import VehicleNow
 
+SERVANTS = {station: frozenset(kind for kind in VehicleKind if station in kind.serves) for station in StationKind}
+"""The kinds of vehicle that serve a kind of station."""
 NAMED = {VehicleKind.HOIST: "hoist", VehicleKind.AGV: "AGV"}
 
 
@@ -18,7 +20,7 @@ def kinds_at(books: Books, place: str) -> frozenset[VehicleKind]:
     """Return the kinds of vehicle that can do a job's end at a station; for a vehicle, its own."""
     if place in books.vehicles:
         return frozenset({books.vehicles[VehicleId(place)].spec.kind})
-    return frozenset(kind for kind in VehicleKind if books.specs[StationId(place)].kind in kind.serves)
+    return SERVANTS[books.specs[StationId(place)].kind]
 
 
 def between_kinds(books: Books, source: str, others: tuple[StationId, ...], wish: VehicleId | None) -> Refusal | None:

@@ -11,7 +11,7 @@ from itertools import pairwise
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
 from app.domain.events import Answered
-from app.domain.ids import StationId
+from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
 from app.domain.records import ControllerState, IntentState
@@ -185,22 +185,11 @@ class Motion:
         books = self._books
         if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
             return False
-        return not self.missing(vehicle)
+        return not books.roll_call.misses(vehicle.barcode)
 
-    def missing(self, vehicle: VehicleNow) -> tuple[str, ...]:
+    def missing(self, vehicle: VehicleNow) -> tuple[VehicleId, ...]:
         """Return the vehicles that the roll-call still misses in this vehicle's area (COMMANDS section 3.6)."""
-        books = self._books
-        if not books.roll_call or vehicle.barcode is None:
-            return ()
-        area = books.track.area(vehicle.barcode)
-        return tuple(name for name in books.roll_call if self._may_be_in(area, books.vehicles[name]))
-
-    def _may_be_in(self, area: int, absent: VehicleNow) -> bool:
-        track = self._books.track
-        places = [b for b in (absent.record.barcode, *absent.record.held) if b is not None and b in track]
-        if not places:
-            return absent.spec.kind in track.kinds(area)
-        return any(track.area(b) == area for b in places)
+        return () if vehicle.barcode is None else self._books.roll_call.missing(vehicle.barcode)
 
     def advance(self, vehicle: VehicleNow) -> Blocked | None:
         """Claim what is wanted next and tell the vehicle. Returns what stands against it, if anything does."""

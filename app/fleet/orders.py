@@ -34,6 +34,7 @@ from app.fleet.motion import Motion
 from app.fleet.obstacles import against_putting_down
 from app.fleet.recovery import Recovery
 from app.fleet.refusals import in_emergency, no_link, no_station, not_lifted, standstill
+from app.fleet.rollcall import named
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, HandleOrder, Purpose, Stage, VehicleNow
 
@@ -150,7 +151,7 @@ class VehicleOrders:
         if missing := self._motion.missing(vehicle):
             return Refusal(
                 "not-now",
-                f"the roll-call still misses {', '.join(missing)}",
+                f"the roll-call still misses {named(missing)}",
                 "connect them, or POST /api/v1/vehicles/ID/release with verdict off_rail or stands_at; "
                 "with go_on for one that is connected and on hold",
             )

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from app.domain.devices import DeviceAct, DoorState
+from app.domain.devices import DeviceAct, DeviceId, DoorState
+from app.domain.ids import VehicleId
 from app.domain.layout import DoorSpec
 from app.domain.records import DoorPosition
 from app.domain.units import Barcode
@@ -25,6 +26,16 @@ class Passages:
         self._at: dict[Passage, DeviceNow] = {
             passage: door for door, passages in self.doors.items() for passage in passages
         }
+
+        self._ends: dict[Barcode, tuple[DeviceId, ...]] = {}
+        for door, passages in self.doors.items():
+            for end in dict.fromkeys(barcode for passage in passages for barcode in passage):
+                self._ends[end] = (*self._ends.get(end, ()), door.id)
+
+    def near(self, vehicle: VehicleId) -> tuple[DeviceId, ...]:
+        """Return the doors of whose passages the vehicle holds an end."""
+        held = self._books.traffic.held(vehicle)
+        return tuple(dict.fromkeys(door for barcode in held for door in self._ends.get(barcode, ())))
 
     def _both_ways(self, spec: DoorSpec) -> tuple[Passage, ...]:
         """Return the pieces of track that lead through a door: those named, and the same ones driven the other way."""
@@ -81,9 +92,8 @@ class Passages:
             for name in sorted(books.traffic.holders(end) | books.traffic.holders(start)):
                 if name not in found and (how := self._how(books.vehicles[name], start, end)):
                     found[name] = f"{name} {how}"
-        for name in books.roll_call:
-            record = books.vehicles[name].record
-            if name not in found and record.barcode is None and not record.held:
+        for name in books.roll_call.anywhere:
+            if name not in found:
                 found[name] = f"{name} has not said where it is since the start"
         return found
 

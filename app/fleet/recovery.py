@@ -249,10 +249,16 @@ class Recovery:
     def _strike_off(self, vehicle: VehicleNow) -> None:
         """The roll-call no longer waits for it, once its place is known."""
         if vehicle.accounted and vehicle.id in self._books.roll_call:
-            del self._books.roll_call[vehicle.id]
+            freed = self._books.roll_call.strike_off(vehicle.id)
             self._books.show_controller()
-            for other in self._books.vehicles:
-                self._books.wake(other)
+            if freed:
+                self._wake_all_in(frozenset(freed))
+
+    def _wake_all_in(self, areas: frozenset[int]) -> None:
+        track = self._books.track
+        for other in self._books.vehicles.values():
+            if other.barcode is not None and track.area(other.barcode) in areas:
+                self._books.wake(other.id)
 
     def strike_off(self, vehicle: VehicleNow) -> None:
         """A named person has said where it is."""

@@ -5,9 +5,9 @@ import math
 import os
 import socket
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import takewhile
 from typing import TypeVar
 
 from structlog.typing import FilteringBoundLogger
@@ -20,13 +20,14 @@ from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
-from app.domain.units import Barcode, Timestamp
+from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import EventView, LineView, Update
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.planning.routing import Route
 from app.planning.tables import Tables
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
@@ -36,7 +37,7 @@ from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
 from app.runtime.writer import Writer
-from app.store.ledger import SqlLedger
+from app.store.ledger import FOR_EVER, SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
@@ -55,7 +56,27 @@ NOTEWORTHY = frozenset(
     }
 )
 """Events that the log has too, for a person on duty without the page."""
+ANSWER_WITHIN = 30.0
+"""Seconds until who asks is told that there is no answer (a database in trouble). Our choice."""
+SWEEP = 1.0
+"""Seconds between looks for those who have waited so long. Our choice."""
 GONE = Refusal("not-now", "This controller has stopped.", "Ask the one that holds the plant now, or start it again.")
+
+
+class _Whole:
+    """Ends the controller if a defect leaves a decision half made: a fresh start settles all by asking (COMMANDS 3)."""
+
+    def __init__(self, defect: Callable[[], None]) -> None:
+        self._defect = defect
+
+    def __enter__(self) -> None:
+        """Begin a decision."""
+
+    def __exit__(self, kind: type[BaseException] | None, _error: object, _trace: object) -> bool:
+        if kind is None or not issubclass(kind, Exception):
+            return False
+        self._defect()
+        return True
 
 
 class Controller:
@@ -65,16 +86,27 @@ class Controller:
     round: records go to the writer, and bytes, updates and replies go out once they may.
     """
 
-    def __init__(self, plant: Plant, database: str, clock: Clock | None = None, *, restored: bool = False) -> None:
+    def __init__(
+        self,
+        plant: Plant,
+        database: str,
+        clock: Clock | None = None,
+        *,
+        restored: bool = False,
+        keep_events: Seconds = FOR_EVER,
+    ) -> None:
         self.plant = plant
         self.trouble = ""
         """Why nothing can be made durable just now; empty if all is well."""
         self._clock = clock or Clock()
         self._database = database
         self._restored = restored
+        self._keep_events = keep_events
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self._in_flight: deque[Transaction] = deque()
-        self._asked: dict[int, asyncio.Future[Reply]] = {}
+        self._asked: dict[int, tuple[asyncio.Future[Reply], float]] = {}
+        self._sweeping = False
+        self._whole = _Whole(self._defect)
         self._lines: dict[str, Line] = {}
         self._diallers: list[Dialler] = []
         self._listener: Listener | None = None
@@ -136,15 +168,31 @@ class Controller:
         self.reader.close()
         self._log.info("stopped")
 
-    async def ask(self, request: Request) -> Reply:
-        """Put a request to the controller; the answer is durable."""
-        if self._over:
-            return GONE
+    def ask(self, request: Request) -> asyncio.Future[Reply]:
+        """Put a request to the controller; the answer is durable. The future raises TimeoutError: there is none in time."""
         future: asyncio.Future[Reply] = self._loop.create_future()
-        with self._whole():
-            self._asked[self._control.ask(request, self._clock.now())] = future
-            self._kick()
-        return GONE if self._gone() else await future
+        if not self._over:
+            with self._whole:
+                now = self._clock.now()
+                self._asked[self._control.ask(request, now)] = future, now
+                self._kick()
+                if not self._sweeping:
+                    self._sweep()
+        if self._over and not future.done():
+            future.set_result(GONE)
+        return future
+
+    def _sweep(self) -> None:
+        """Give up those who have waited too long; look again later while anybody waits."""
+        before = self._clock.now() - ANSWER_WITHIN
+        late = list(takewhile(lambda ticket: self._asked[ticket][1] <= before, self._asked))
+        for ticket in late:
+            future, _ = self._asked.pop(ticket)
+            if not future.done():
+                future.set_exception(TimeoutError())
+        self._sweeping = bool(self._asked) and not self._over
+        if self._sweeping:
+            self._loop.call_later(min(SWEEP, ANSWER_WITHIN), self._sweep)
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a vehicle's line, oldest first."""
@@ -155,7 +203,7 @@ class Controller:
         if self._over:
             return GONE
         reply: Reply = GONE
-        with self._whole():
+        with self._whole:
             reply = self._control.tell(word, self._clock.now())
             for name in self._control.dirty():
                 self._lines[name].flush()
@@ -165,6 +213,10 @@ class Controller:
     def links(self) -> Sequence[LineView]:
         """Return how all links are doing."""
         return self._control.links()
+
+    def line_quality(self) -> Sequence[LinkQuality]:
+        """Return the figures of every hoist's line."""
+        return self._control.line_quality()
 
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first."""
@@ -180,7 +232,9 @@ class Controller:
 
     def _take_plant(self) -> Kept:
         holder = f"{socket.gethostname()}, process {os.getpid()}"
-        self._ledger = SqlLedger(self._database, self.plant.name, holder, self._clock.utc)
+        self._ledger = SqlLedger(
+            self._database, self.plant.name, holder, self._clock.utc, keep_events=self._keep_events
+        )
         try:
             kept = replace(self._ledger.load(), restored=self._restored)
             check_nobody_is_forgotten(self.plant, kept)
@@ -221,7 +275,7 @@ class Controller:
         self._pumping = False
         if self._over:
             return
-        with self._whole():
+        with self._whole:
             self._take_transactions()
             for name in self._control.dirty():
                 self._lines[name].flush()
@@ -230,16 +284,16 @@ class Controller:
                 self.hub.publish(updates)
                 self._note(updates)
             for ticket, reply in self._control.replies():
-                future = self._asked.pop(ticket, None)
-                if future is not None and not future.done():
-                    future.set_result(reply)
+                asked = self._asked.pop(ticket, None)
+                if asked is not None and not asked[0].done():
+                    asked[0].set_result(reply)
             if (task := self._control.replan()) is not None:
                 self._replanner.submit(task)
             self._arm()
 
     def _replanned(self, tables: Tables) -> None:
         if not self._over:
-            with self._whole():
+            with self._whole:
                 self._control.replanned(tables, self._clock.now())
             self._kick()
 
@@ -251,25 +305,15 @@ class Controller:
                 about = {"vehicle": event.vehicle} if event.vehicle else {"drive": event.source}
                 self._log.warning(event.event, **about, job=event.job, detail=event.detail)
 
-    @contextmanager
-    def _whole(self) -> Iterator[None]:
-        """End this controller if a defect leaves a decision half made: a fresh start settles all by asking (COMMANDS 3)."""
-        try:
-            yield
-        except Exception:  # noqa: BLE001
-            self._log.exception("defect")
-            self._lose("a defect stopped the controller; see the log")
-
-    def _gone(self) -> bool:
-        return self._over
+    def _defect(self) -> None:
+        self._log.exception("defect")
+        self._lose("a defect stopped the controller; see the log")
 
     def _take_transactions(self) -> None:
         control, waiting = self._control, self._in_flight
         while transactions := control.transactions():
-            for transaction in transactions:
-                if transaction.records:
-                    self._writer.submit(transaction.number, transaction.records)
-                waiting.append(transaction)
+            self._writer.submit_all([(one.number, one.records) for one in transactions if one.records])
+            waiting.extend(transactions)
             self._commit_empty()
 
     def _commit_empty(self) -> None:
@@ -285,7 +329,7 @@ class Controller:
             return
         while self._in_flight and self._in_flight[0].number <= last:
             self._in_flight.popleft()
-        with self._whole():
+        with self._whole:
             self._control.committed(last, self._clock.now())
             self._commit_empty()
         self._pump()
@@ -303,7 +347,7 @@ class Controller:
         self._timer = None
         now = self._clock.now()
         if self._control.deadline <= now and not self._over:
-            with self._whole():
+            with self._whole:
                 self._control.tick(now)
         self._pump()
 
@@ -336,7 +380,7 @@ class Controller:
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
-        for future in self._asked.values():
+        for future, _ in self._asked.values():
             if not future.done():
                 future.set_result(GONE)
         self._asked.clear()

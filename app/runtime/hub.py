@@ -6,10 +6,11 @@ watcher of the topic, from memory or, for one that asked for older ones or fell 
 
 import asyncio
 import secrets
+import struct
 import time
 from collections import deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from app.domain.view import EventView, Topic, Update, View
 from app.runtime.showing import encode, encoded
@@ -115,6 +116,19 @@ class Frame:
     kind: str
     text: str
     events: tuple[EventView, ...] = ()
+    wire: bytes = field(init=False, repr=False, compare=False)
+    """The text as a frame of a WebSocket (RFC 6455 5.2): the same bytes for all."""
+
+    def __post_init__(self) -> None:
+        body = self.text.encode()
+        object.__setattr__(self, "wire", _framed(len(body)) + body)
+
+
+def _framed(length: int) -> bytes:
+    """Return the head of a whole text frame from a server."""
+    if length < 126:
+        return bytes((0x81, length))
+    return struct.pack("!BBH", 0x81, 126, length) if length < 65536 else struct.pack("!BBQ", 0x81, 127, length)
 
 
 RESYNC = Frame("resync", '{"type":"resync"}')
@@ -182,7 +196,10 @@ class Subscription(AsyncIterator[Frame]):
         self._mark = False
         self._fresh = True
         self._closed = False
+        self._idle = False
         self._wake = asyncio.Event()
+        self.direct: Callable[[bytes], bool] | None = None
+        """Takes the wire of a frame while nothing waits before it, past the iteration; False: not now."""
 
     async def __anext__(self) -> Frame:
         while not self._closed:
@@ -191,7 +208,9 @@ class Subscription(AsyncIterator[Frame]):
                 return frame
             if not self._behind and not self._closed:
                 self._wake.clear()
+                self._idle = True
                 await self._wake.wait()
+                self._idle = False
         raise StopAsyncIteration
 
     def take(self, frame: Frame) -> None:
@@ -201,6 +220,8 @@ class Subscription(AsyncIterator[Frame]):
         elif self._changes >= CHANGES_KEPT:
             self.resync()
         elif not self._fresh:
+            if self.direct is not None and self._idle and not self._wake.is_set() and self.direct(frame.wire):
+                return
             self._frames.append(frame)
             self._changes += 1
         self._wake.set()
@@ -265,6 +286,10 @@ class Subscription(AsyncIterator[Frame]):
         assert self._replay is not None
         known = self._hub.model.last_event
         page = await self._replay(self._given, EVENTS_PAGE)
+        if page and page[0].seq > self._given + 1:  # those between have grown old and are gone: a gap is marked
+            self._given = page[0].seq - 1
+            self.resync()
+            return self._next()
         if page:
             self._given = self._taken = page[-1].seq
             return _event_frame(page)

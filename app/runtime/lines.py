@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 from typing import cast
 
-from app.domain.ports import Endpoint
+from app.domain.ports import Endpoint, Prompt
 from app.domain.units import Seconds
 
 USER_TIMEOUT = 5_000
@@ -51,7 +51,6 @@ class Line(asyncio.Protocol):
     """
 
     __slots__ = (
-        "_after",
         "_armed",
         "_budget",
         "_budgeted",
@@ -61,8 +60,10 @@ class Line(asyncio.Protocol):
         "_loop",
         "_may_send",
         "_now",
+        "_prompt",
         "_timer",
         "_transport",
+        "after",
         "flooded",
         "heard",
     )
@@ -76,8 +77,10 @@ class Line(asyncio.Protocol):
     ) -> None:
         self._may_send = may_send
         self._endpoint = endpoint
+        self._prompt = endpoint if isinstance(endpoint, Prompt) else None
         self._now = now
-        self._after = after
+        self.after = after
+        """Called after each input."""
         self._loop = asyncio.get_running_loop()
         self._transport: asyncio.Transport | None = None
         self._timer: asyncio.TimerHandle | None = None
@@ -104,7 +107,7 @@ class Line(asyncio.Protocol):
         tune(transport)
         self._endpoint.connected(self._now())
         self.flush()
-        self._after()
+        self.after()
 
     def data_received(self, data: bytes) -> None:
         """Give the endpoint its bytes, as long as they are not too many."""
@@ -113,9 +116,14 @@ class Line(asyncio.Protocol):
         self._budget -= len(data)
         if self._budget < 0 and not self._within_budget(len(data), now):
             return
-        self._endpoint.received(data, now)
-        self.flush()
-        self._after()
+        prompt, transport = self._prompt, self._transport
+        if prompt is not None and transport is not None and (answer := prompt.at_once(data, now)):
+            if self._may_send is None or self._may_send():
+                transport.write(answer)
+        else:
+            self._endpoint.received(data, now)
+            self.flush()
+        self.after()
 
     def pause_writing(self) -> None:
         """Cut the connection of a peer that takes no bytes: what it does not take is bounded."""
@@ -130,7 +138,7 @@ class Line(asyncio.Protocol):
             self._closing = None
         self._endpoint.disconnected(self._now(), FLOODED if self.flooded else _why(exc))
         self.flush()
-        self._after()
+        self.after()
         if self._idle is not None and not self._idle.done():
             self._idle.set_result(None)
 
@@ -184,7 +192,7 @@ class Line(asyncio.Protocol):
         if deadline is not None and deadline <= now:
             self._endpoint.tick(now)
             self.flush()
-            self._after()
+            self.after()
         elif deadline is not None:
             self._arm(deadline)
 

@@ -3,6 +3,9 @@
 import dataclasses
 from collections.abc import Callable
 from datetime import UTC, datetime
+from functools import lru_cache
+from math import floor
+from operator import attrgetter
 from typing import get_args
 
 import msgspec
@@ -20,7 +23,15 @@ encode = msgspec.json.Encoder().encode
 
 def iso(moment: float) -> str:
     """Return a moment in UTC seconds as ISO 8601 with milliseconds, such as ``2026-07-01T08:30:00.250Z``."""
-    return datetime.fromtimestamp(moment, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+    second = floor(moment)
+    more, microsecond = divmod(round((moment - second) * 1_000_000), 1_000_000)
+    return f"{_second(second + more)}.{microsecond // 1000:03d}Z"
+
+
+@lru_cache(maxsize=256)
+def _second(moment: int) -> str:
+    """Return a whole second; what is shown together is mostly of a few."""
+    return datetime.fromtimestamp(moment, UTC).strftime("%Y-%m-%dT%H:%M:%S")
 
 
 def shown(view: object) -> dict[str, object]:
@@ -35,12 +46,13 @@ def encoded(view: View) -> bytes:
 
 def _shower(kind: type) -> Callable[[object], dict[str, object]]:
     fields = [f.name for f in dataclasses.fields(kind)]
-    plain = [(n, RENAMED.get((kind, n), n)) for n in fields]
+    labels = [RENAMED.get((kind, n), n) for n in fields]
+    values = attrgetter(*fields)
     moments = [RENAMED.get((kind, n), n) for n in fields if n in TIMES]
     nested = [n for n in fields if n in _NESTED]
 
     def show(view: object) -> dict[str, object]:
-        out: dict[str, object] = {label: getattr(view, name) for name, label in plain}
+        out: dict[str, object] = dict(zip(labels, values(view), strict=True))
         for label in moments:
             moment = out[label]
             if isinstance(moment, float | int):

@@ -7,7 +7,7 @@ from typing import Protocol, cast
 
 from structlog.typing import FilteringBoundLogger
 
-from app.runtime.lines import FLOODED, Line
+from app.runtime.lines import FLOODED, Line, nothing
 from app.runtime.telemetry import logger
 
 CONNECT_TIMEOUT = 3.0
@@ -106,7 +106,8 @@ class DeviceServer:
         self._host, self._port = host, port
         self._refuses = refuses
         self._server: asyncio.Server | None = None
-        self._watch: asyncio.Task[None] | None = None
+        self._opening: asyncio.Task[None] | None = None
+        self._watch: asyncio.TimerHandle | None = None
 
     @property
     def port(self) -> int:
@@ -117,25 +118,32 @@ class DeviceServer:
         """Listen. Raises OSError: the address cannot be used."""
         await self._listen()
         self._line.flush()
-        self._watch = asyncio.get_running_loop().create_task(self._follow())
+        self._line.after = self._look
+        self._follow()
 
     async def stop(self) -> None:
         """Stop listening and cut the connection."""
+        self._line.after = nothing
         if self._watch is not None:
             self._watch.cancel()
-            await asyncio.gather(self._watch, return_exceptions=True)
             self._watch = None
+        if self._opening is not None:
+            self._opening.cancel()
+            await asyncio.gather(self._opening, return_exceptions=True)
         self._deafen()
         self._line.stop()
 
-    async def _follow(self) -> None:
+    def _follow(self) -> None:
+        """Look now and then: a device may change its mind without an input to its line."""
+        self._look()
+        self._watch = asyncio.get_running_loop().call_later(_LOOK_AGAIN, self._follow)
+
+    def _look(self) -> None:
         """Close and open the port as the device wants."""
-        while True:
-            if self._refuses():
-                self._deafen()
-            elif self._server is None:
-                await self._listen()
-            await asyncio.sleep(_LOOK_AGAIN)
+        if self._refuses():
+            self._deafen()
+        elif self._server is None and (self._opening is None or self._opening.done()):
+            self._opening = asyncio.get_running_loop().create_task(self._listen())
 
     async def _listen(self) -> None:
         loop = asyncio.get_running_loop()
@@ -158,8 +166,8 @@ class DeviceServer:
             self._line.connection_made(transport)
 
 
-_LOOK_AGAIN = 0.05
-"""Seconds between two looks whether a simulated device refuses connections. Our choice."""
+_LOOK_AGAIN = 0.5
+"""Seconds between two looks, besides one after each input, whether a simulated device refuses connections. Our choice."""
 
 
 class _Arrival(asyncio.Protocol):

@@ -18,6 +18,14 @@ IDLE = 2.0
 """Seconds between looks at a lease that does not run out. Our choice."""
 
 
+SLICE = 500
+"""Events deleted at a time: some milliseconds, since commits wait meanwhile. Our choice."""
+PRUNE_EVERY = 60.0
+"""Seconds between looks for events that have grown old. Our choice."""
+PRUNE_ON = 0.1
+"""Seconds until the next slice while there is more: 5,000 events a second may grow old. Our choice."""
+
+
 class LeasedLedger(Ledger, Protocol):
     """A ledger that one controller at a time may write."""
 
@@ -30,6 +38,10 @@ class LeasedLedger(Ledger, Protocol):
         """Keep the plant. Raises PlantHeld or StoreError."""
         ...
 
+    def prune(self, most: int) -> int:
+        """Delete events that have grown old, at most so many, and return how many were. Raises PlantHeld or StoreError."""
+        ...
+
 
 class Writer:
     """A thread around a ledger. Batches are committed in the order of :meth:`submit`, as many together as wait.
@@ -38,6 +50,8 @@ class Writer:
     ``on_trouble(message)`` says that the database cannot be written: the writer tries again with growing pauses and delivers
     nothing meanwhile; an empty message says that it is over. ``on_lost(message)`` is the end: the plant is held by another
     controller, or the records cannot be kept, or the thread broke; nothing is delivered any more.
+
+    Between commits, old events are deleted slice by slice.
     """
 
     def __init__(
@@ -62,6 +76,7 @@ class Writer:
         self._closing = False
         self._in_trouble = False
         self._verified = clock()
+        self._prune_at = self._verified + PRUNE_EVERY
         self._thread = threading.Thread(target=self._run, name="hoistway-writer", daemon=True)
 
     @property
@@ -79,6 +94,13 @@ class Writer:
             self._waiting.append((batch_id, records))
             self._changed.notify()
 
+    def submit_all(self, batches: Sequence[tuple[int, Sequence[Record]]]) -> None:
+        """Queue batches, all at once."""
+        if batches:
+            with self._changed:
+                self._waiting += batches
+                self._changed.notify()
+
     def close(self) -> None:
         """Commit and deliver what waits, then end the thread. In trouble there is one more attempt. The ledger stays open."""
         with self._changed:
@@ -95,6 +117,7 @@ class Writer:
                     break
                 if taken:
                     self._deliver(taken[-1][0])
+                self._prune()
             lost = ""
         except (PlantHeld, StoreRefused) as end:
             lost = f"{end.message}. {end.remedy}".rstrip()
@@ -105,7 +128,7 @@ class Writer:
     def _take(self) -> list[tuple[int, Sequence[Record]]] | None:
         """Wait for batches and return all of them; none if the lease wants renewal; None at the end."""
         with self._changed:
-            due = self._verified + self._renew_every - self._clock()
+            due = min(self._verified + self._renew_every, self._prune_at) - self._clock()
             self._changed.wait_for(lambda: self._waiting or self._closing, max(due, 0.0))
             if self._closing and not self._waiting:
                 return None
@@ -136,6 +159,20 @@ class Writer:
                     self._in_trouble = False
                     self._on_trouble("")
                 return True
+
+    def _prune(self) -> None:
+        """Delete a slice of old events if it is time; what cannot be deleted now is tried again later."""
+        now = self._clock()
+        if now < self._prune_at or self._closing:
+            return
+        self._prune_at = now + PRUNE_EVERY
+        try:
+            if self._ledger.prune(SLICE) == SLICE:
+                self._prune_at = now + PRUNE_ON
+        except (PlantHeld, StoreRefused):
+            raise
+        except StoreError:
+            return
 
     def _again(self, trouble: StoreError, attempts: int) -> bool:
         """Tell of the trouble and pause; return False if there is to be no further attempt."""

@@ -9,7 +9,7 @@ from app.domain.layout import Plant
 from app.domain.ports import Endpoint
 from app.domain.units import Barcode, Seconds
 from app.plant.dialects import dialect_of
-from app.protocols.itsc.simulator import Options, Place, SimulatedVehicle, Track
+from app.protocols.itsc.simulator import Options, Place, SimulatedVehicle, Surroundings, Track
 from app.sim.halls import SimulatedHalls
 from app.sim.truth import Act, Truth
 
@@ -22,7 +22,8 @@ class SimulatedPlant:
     ``devices`` are the hoists, ``halls`` everything on lines that carry several devices; ``lines`` are the far ends of all lines.
 
     A vehicle without a start in the plant file is put on the first barcode, in the file's order, that is free; waiting places
-    first. ``seen`` is told every physical act at a station.
+    first. ``seen`` is told every physical act at a station. ``surroundings`` take the
+    place of that physical world for the hoists, where they are only some of those that are in it.
     """
 
     def __init__(
@@ -31,26 +32,27 @@ class SimulatedPlant:
         seen: Callable[[Act], None] = lambda act: None,
         options: Options | None = None,
         now: Seconds = START,
+        surroundings: Surroundings | None = None,
     ) -> None:
         self.plant = plant
         self.truth = Truth(plant, seen)
         track = Track.of(plant)
-        starts = _starts(plant)
+        placed = starts(plant)
         self.devices: Mapping[VehicleId, SimulatedVehicle] = {
             spec.id: SimulatedVehicle(
                 spec,
                 track,
                 dialect=dialect_of(plant, spec.dialect),
-                surroundings=self.truth,
+                surroundings=surroundings or self.truth,
                 options=options,
-                start=starts[spec.id],
+                start=placed[spec.id],
                 aligned=partial(self.truth.aligned, spec.id),
             )
             for spec in plant.hoists
         }
         for device in self.devices.values():
             device.make_ready(now)
-        self.halls = SimulatedHalls(plant, starts, now, self.truth)
+        self.halls = SimulatedHalls(plant, placed, now, self.truth)
         self.lines: Mapping[str, Endpoint] = {
             str(name): end for name, end in (*self.devices.items(), *self.halls.lines.items())
         }
@@ -72,7 +74,8 @@ class SimulatedPlant:
         return hoist is not None and not hoist.accepting
 
 
-def _starts(plant: Plant) -> dict[VehicleId, Barcode]:
+def starts(plant: Plant) -> dict[VehicleId, Barcode]:
+    """Return where each vehicle of a plant stands at first."""
     found: dict[VehicleId, Barcode] = {v.id: v.start for v in plant.vehicles if v.start is not None}
     taken = set(found.values())
     spare = iter(sorted((p for p in plant.points if p.barcode not in taken), key=lambda p: not p.park))

@@ -1,5 +1,6 @@
 """The ledger: takes the plant, gives what is kept, and writes each batch in one durable transaction."""
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 
@@ -15,10 +16,23 @@ from app.store.engine import parsed, told, writing
 from app.store.lease import LEASE_SECONDS, Lease, NoLease
 from app.store.loading import kept
 from app.store.opening import CANNOT_OPEN, opened
-from app.store.statements import Statements
+from app.store.statements import Statements, carry_out
 
 EPOCH_ZERO = 1_704_067_200
 """2024-01-01T00:00:00Z. Our choice."""
+FOR_EVER = Seconds(math.inf)
+
+
+def _old_events() -> sa.Delete:
+    """Return the statement that deletes old events: oldest first, and never the last, from which their numbers go on."""
+    seq = tables.events.c.seq
+    first = sa.select(seq, tables.events.c.at).order_by(seq).limit(sa.bindparam("most", type_=sa.Integer)).subquery()
+    old = sa.select(first.c.seq).where(first.c.at < sa.bindparam("before"))
+    last = sa.select(sa.func.max(seq)).scalar_subquery()
+    return tables.events.delete().where(seq.in_(old), seq < last)
+
+
+_OLD = _old_events()
 
 
 class SqlLedger:
@@ -26,8 +40,8 @@ class SqlLedger:
 
     Opening takes the lease of the plant (COMMANDS 3.7), makes the tables or brings them to the newest schema, and checks that
     the database is this plant's. ``holder`` names this controller to whoever comes second (host and process); ``now_utc`` is
-    only for records, never for the lease. Raises PlantHeld while another controller has the plant, StoreError for a
-    database that cannot be used. ``sqlite://`` is a database in memory, for simulation.
+    only for records and for the age of events, never for the lease. Raises PlantHeld while another controller has the plant,
+    StoreError for a database that cannot be used. ``sqlite://`` is a database in memory, for simulation.
     """
 
     def __init__(
@@ -38,9 +52,11 @@ class SqlLedger:
         now_utc: Callable[[], Timestamp],
         *,
         lease_seconds: Seconds = LEASE_SECONDS,
+        keep_events: Seconds = FOR_EVER,
     ) -> None:
         self._plant = plant
         self._now_utc = now_utc
+        self._keep_events = keep_events
         self._epoch: Epoch | None = None
         self._commits = 0
         self._doubt: tuple[Record, ...] | None = None
@@ -102,6 +118,17 @@ class SqlLedger:
         with self._transaction("the lease cannot be renewed"):
             pass
 
+    def prune(self, most: int) -> int:
+        """Delete events older than ``keep_events``, at most so many, and return how many were; the newest stays always.
+
+        Raises PlantHeld or StoreError.
+        """
+        before = self._now_utc() - self._keep_events
+        if before == -math.inf:
+            return 0
+        with self._transaction("old events cannot be deleted") as connection:
+            return connection.execute(_OLD, {"before": before, "most": most}).rowcount
+
     def close(self) -> None:
         """Let the plant go. More than once is once."""
         self._drop()
@@ -127,7 +154,7 @@ class SqlLedger:
             if self._count(connection, records):
                 self._doubt = records
                 for sql, many in planned:
-                    connection.exec_driver_sql(sql, many)
+                    carry_out(connection, sql, many)
         self._doubt = None
         self._commits += 1
 

@@ -57,6 +57,15 @@ class Reader(TeachingReader):
         """Return those of the named jobs that there are, ended or not, in any order."""
         return self._list(sa.select(jobs).where(jobs.c.id.in_(names)), rows.job)
 
+    def job_count(self) -> int:
+        """Return how many jobs there have been."""
+        return self._first(sa.select(sa.func.max(jobs.c.number).label("last")), lambda row: int(row.last or 0)) or 0
+
+    def job_names(self, after: int, limit: int) -> list[tuple[int, str]]:
+        """Return orders above ``after`` and the names of their jobs, oldest first."""
+        query = sa.select(jobs.c.number, jobs.c.id).where(jobs.c.number > after).order_by(jobs.c.number).limit(limit)
+        return self._list(query, lambda row: (row.number, row.id))
+
     def job_by_key(self, key: str) -> Job | None:
         """Return the job accepted under this idempotency key within the last 7 days; the newest, if there are several."""
         known = sa.and_(jobs.c.idempotency_key == key, jobs.c.created > self._now - KEY_SECONDS)

@@ -70,7 +70,7 @@ def test_charging_survives_a_restart_and_ends_before_the_agv_drives() -> None:
     world.kill()
     world.until(lambda: world.alive)
     world.ready()
-    assert world.view().activity == "charging"
+    world.until(lambda: world.view().activity == "charging", 1.0)
     world.order("B5", "B1", "J2")
     assert world.ends("J2") is JobState.COMPLETED
     assert world.result().violations == ()

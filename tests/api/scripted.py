@@ -124,6 +124,12 @@ class MemoryReader:
     def jobs_named(self, names: Sequence[JobId]) -> Sequence[Job]:
         return [self.kept[name] for name in names if name in self.kept]
 
+    def job_count(self) -> int:
+        return len(self.kept)
+
+    def job_names(self, after: int, limit: int) -> Sequence[tuple[int, str]]:
+        return list(enumerate(self.kept, 1))[after : after + limit]
+
     def job_by_key(self, key: str) -> Job | None:
         return next((job for job in self.kept.values() if job.idempotency_key == key), None)
 

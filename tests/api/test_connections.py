@@ -1,15 +1,15 @@
 """Bounds of a connection, on a loop and a transport that the test moves by hand."""
 
 import asyncio
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Callable, Coroutine, Iterable, Iterator
 from typing import Any
 
 import pytest
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 from uvicorn import Config
 from uvicorn.server import ServerState
 
-from app.api.connections import HEAD_LIMIT, PATIENCE, Connection, bounded
+from app.api.connections import COPIED, HEAD_LIMIT, PATIENCE, Connection, bounded
 
 LINE = b"POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\n"
 
@@ -68,14 +68,21 @@ class Wire(asyncio.Transport):
 
     def __init__(self) -> None:
         super().__init__()
-        self.written = b""
+        self.writes: list[bytes] = []
         self.closed = self.aborted = False
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:
         return {"peername": ("127.0.0.1", 5), "sockname": ("127.0.0.1", 80)}.get(name, default)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        self.written += bytes(data)
+        self.writes.append(bytes(data))
+
+    def writelines(self, pieces: Iterable[bytes | bytearray | memoryview]) -> None:
+        self.write(b"".join(pieces))
+
+    @property
+    def written(self) -> bytes:
+        return b"".join(self.writes)
 
     def is_closing(self) -> bool:
         return self.closed
@@ -100,14 +107,23 @@ async def _app(_scope: Scope, receive: Receive, send: Send) -> None:
     await send({"type": "http.response.body"})
 
 
+def _answering(headers: list[tuple[bytes, bytes]], *bodies: bytes) -> ASGIApp:
+    async def app(_scope: Scope, _receive: Receive, send: Send) -> None:
+        await send({"type": "http.response.start", "status": 200, "headers": headers})
+        for left, body in reversed(list(enumerate(reversed(bodies)))):
+            await send({"type": "http.response.body", "body": body, "more_body": left > 0})
+
+    return app
+
+
 class Server:
     """Makes connections of one server."""
 
-    def __init__(self, most: int = 2) -> None:
+    def __init__(self, most: int = 2, app: ASGIApp = _app) -> None:
         self.loop = Loop()
         self._state = ServerState()
         self._protocol = bounded(most)
-        self._config = Config(_app, http=self._protocol, ws="websockets-sansio", log_config=None)
+        self._config = Config(app, http=self._protocol, ws="websockets-sansio", log_config=None)
 
     def connected(self) -> tuple[Connection, Wire]:
         connection = self._protocol(self._config, self._state, {}, self.loop)  # type: ignore[arg-type]
@@ -176,6 +192,46 @@ def test_an_answer_may_take_as_long_as_it_will(server: Server) -> None:
     assert not wire.is_closing()
     server.loop.run()
     assert b"204" in wire.written
+
+
+@pytest.mark.parametrize("length", [3, COPIED + 1])
+def test_an_answer_of_known_length_leaves_in_one_piece(length: int) -> None:
+    body = b"x" * length
+    server = Server(app=_answering([(b"content-length", b"%d" % length), (b"etag", b'"1"')], body))
+    connection, wire = server.connected()
+    for _ in range(2):
+        connection.data_received(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        server.loop.run()
+    head = b'HTTP/1.1 200 OK\r\ncontent-length: %d\r\netag: "1"\r\n\r\n' % length
+    assert wire.writes == [head + body] * 2
+    assert not wire.closed
+
+
+def test_what_is_sent_in_parts_or_ends_the_connection_is_sent_as_it_comes() -> None:
+    server = Server(app=_answering([(b"content-length", b"4")], b"ab", b"cd"))
+    connection, wire = server.connected()
+    connection.data_received(b"GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+    server.loop.run()
+    assert wire.written.endswith(b"connection: close\r\n\r\nabcd")
+    assert wire.closed
+
+
+def test_an_answer_to_head_has_no_body() -> None:
+    server = Server(app=_answering([(b"content-length", b"4")], b"abcd"))
+    connection, wire = server.connected()
+    connection.data_received(b"HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+    server.loop.run()
+    assert wire.written == b"HTTP/1.1 200 OK\r\ncontent-length: 4\r\n\r\n"
+
+
+@pytest.mark.parametrize("value", [b"a\r\nset-cookie: b", b"a\0", b"a\n"])
+def test_a_head_that_would_be_read_as_another_is_not_sent(value: bytes) -> None:
+    server = Server(app=_answering([(b"content-length", b"2"), (b"location", value)], b"ok"))
+    connection, wire = server.connected()
+    connection.data_received(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+    server.loop.run()
+    assert value not in wire.written
+    assert b"200" not in wire.written
 
 
 def test_blank_lines_do_not_keep_an_idle_connection_open(server: Server) -> None:

@@ -80,5 +80,7 @@ async def test_every_page_of_the_api_answers_on_a_fresh_plant(tmp_path: Path) ->
         document = (await client.get("http://localhost/api/openapi.json")).json()
         for path, operations in document["paths"].items():
             if "get" in operations and "{" not in path and not path.endswith("/stream"):
-                assert (await client.get(f"http://localhost{path}")).status_code == 200, path
+                needs = any(parameter.get("required") for parameter in operations["get"].get("parameters", ()))
+                answer = await client.get(f"http://localhost{path}")
+                assert answer.status_code == (422 if needs else 200), path
         assert (await client.get("/vehicles/V001/frames")).json()["items"] == []

@@ -7,18 +7,31 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 
-from tests.bench import decoding, dispatching, memory, posting, replanning, routing, session_path, showing
+from tests.bench import (
+    decoding,
+    dispatching,
+    history,
+    hoists,
+    memory,
+    posting,
+    replanning,
+    routing,
+    session_path,
+    showing,
+)
 from tests.bench.measuring import ROOT, Row, Skipped, table
 
 BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "session": session_path.rows,
     "decode": decoding.rows,
     "post": posting.rows,
+    "history": history.rows,
     "show": showing.rows,
     "route": routing.rows,
     "replan": replanning.rows,
     "dispatch": dispatching.rows,
     "memory": memory.rows,
+    "hoists": hoists.rows,
 }
 RESULTS = ROOT / "bench"
 

@@ -3,7 +3,7 @@
 import asyncio
 import gc
 import tracemalloc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, cast
 
 from app.control.lines import VehicleLine
@@ -41,6 +41,17 @@ class Nowhere(asyncio.Transport):
         """Nothing waits."""
 
 
+TIMING = Timing()
+
+
+def _told(_events: Sequence[Event], _now: Seconds) -> None:
+    """Forget. One for all sessions, as in the controller."""
+
+
+def _now() -> Seconds:
+    return Seconds(1.0)
+
+
 def bare() -> object:
     """Return a task that waits."""
     return asyncio.get_running_loop().create_task(asyncio.Event().wait())
@@ -48,11 +59,7 @@ def bare() -> object:
 
 def session(number: int, codec: Codec, ids: CmdIds) -> object:
     """Return a line and its session in use."""
-
-    def told(_events: list[Event], _now: Seconds) -> None:
-        """Forget."""
-
-    line = Line(VehicleLine(told, spec_of(number), DEFAULT, ids, Timing()), lambda: Seconds(1.0))
+    line = Line(VehicleLine(_told, spec_of(number), DEFAULT, ids, TIMING), _now)
     line.connection_made(Nowhere())
     poll = ids.epoch << 32 | ids._last
     body = Resp2(status1(0x08111110), status2(0xEF000000), 1203, 7)
@@ -100,5 +107,5 @@ def rows() -> Iterator[Row]:
     yield Row(
         "memory per vehicle session, without the socket; floor: a bare task",
         ours, floor, naive, "bytes", 3.0,
-        note="ours: with 100 STATUS seen, 64 of them and 32 other packets kept for duplicates and people; naive keeps none",
+        note="ours: with 100 STATUS seen, 64 of them kept for duplicates and people, and a poll; naive keeps none",
     )  # fmt: skip

@@ -4,7 +4,7 @@ import asyncio
 import gc
 import sys
 import tempfile
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterable
 from typing import Any
 
 import uvloop
@@ -50,7 +50,7 @@ async def sessions(port: int, count: int, poll: float) -> None:
     newest: dict[VehicleId, Event] = {}
     timing = Timing(poll=Seconds(poll))
 
-    def told(events: list[Event], _now: Seconds) -> None:
+    def told(events: Iterable[Event], _now: Seconds) -> None:
         for event in events:
             newest[event.vehicle] = event
 

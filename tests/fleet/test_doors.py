@@ -332,7 +332,7 @@ def test_somebody_who_can_no_longer_be_stopped_before_a_door_in_error_is_named()
     run_to(script, "106")
     door = script.fleet.devices.all[DOOR1]
     door.fresh, door.reason = False, "silent"
-    script.fleet.doors.mind()
+    script.fleet.doors.mind([door])
     assert door.trouble == ("is not open, and V001 cannot be stopped before it any more", "look at DOOR1 and V001")
 
 

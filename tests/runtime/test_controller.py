@@ -18,6 +18,7 @@ from app.domain.units import Seconds
 from app.domain.view import Topic, VehicleView
 from app.plant import read
 from app.protocols.itsc.simulator import Options
+from app.runtime import controller as running
 from app.runtime.clock import Clock
 from app.runtime.controller import Controller
 from app.runtime.lines import Line
@@ -232,6 +233,20 @@ def test_a_defect_ends_the_controller_and_everybody_who_waits_is_told(
             assert "defect" in controller.trouble
             assert isinstance(await controller.ask(JOB), Refusal)
             await until(lambda: not any(line.up for line in controller._lines.values()))
+
+    run(scenario)
+
+
+def test_who_is_not_answered_in_time_is_told_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    async def scenario() -> None:
+        directory = in_pieces(tmp_path, "silence")
+        async with controlled(plant_in(directory), directory) as controller:
+            monkeypatch.setattr(controller._writer, "submit_all", lambda _batches: None)
+            monkeypatch.setattr(running, "ANSWER_WITHIN", 0.0)
+            with pytest.raises(TimeoutError):
+                await controller.ask(JOB)
+            assert not controller.trouble
+            assert not controller._asked
 
     run(scenario)
 

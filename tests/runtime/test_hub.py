@@ -46,12 +46,13 @@ class Store:
 
     def __init__(self, last: int) -> None:
         self.last = last
+        self.first = 1
         self.reads = 0
         self.during: Callable[[], None] | None = None
 
     async def replay(self, after: int, limit: int) -> Sequence[EventView]:
         self.reads += 1
-        page = [u.value for u in events(after + 1, min(self.last, after + limit))]
+        page = [u.value for u in events(max(after + 1, self.first), min(self.last, after + limit))]
         during, self.during = self.during, None
         if during:
             during()
@@ -193,6 +194,60 @@ def test_events_already_read_from_the_store_do_not_come_a_second_time_from_memor
         hub.publish([event(8)])
         hub.flush()
         assert seqs((await take(watcher, 1))[0]) == [8]
+
+    run(scene)
+
+
+def test_a_change_is_written_at_once_while_nothing_waits_before_it() -> None:
+    async def scene() -> None:
+        hub = Hub(ReadModel(), Bell().later)
+        watcher = hub.subscribe([Topic.CARRIERS])
+        written: list[bytes] = []
+        ready = True
+
+        def direct(wire: bytes) -> bool:
+            if ready:
+                written.append(wire)
+            return ready
+
+        watcher.direct = direct
+        hub.publish([carrier("A", "S1")])
+        hub.flush()
+        assert not written  # the snapshot goes first
+        await take(watcher, 1)
+        waiting = asyncio.ensure_future(anext(watcher))
+        await asyncio.sleep(0)
+        hub.publish([carrier("A", "S2")])
+        hub.flush()
+        assert [wire[:2] for wire in written] == [b"\x81\x7e"]
+        assert json.loads(written[0][4:])["seq"] == 2
+        assert not waiting.done()
+        ready = False
+        hub.publish([carrier("A", "S3")])
+        hub.flush()
+        ready = True
+        hub.publish([carrier("A", "S4")])
+        hub.flush()
+        assert json.loads((await waiting).text)["seq"] == 3
+        assert [frame["seq"] for frame in await take(watcher, 1)] == [4]
+        assert len(written) == 1
+
+    run(scene)
+
+
+def test_a_watcher_is_told_of_the_gap_where_events_have_been_deleted() -> None:
+    async def scene() -> None:
+        hub = Hub(ReadModel(last_event=8), Bell().later)
+        store = Store(8)
+        store.first = 6
+        watcher = hub.subscribe([Topic.EVENTS], after=2, replay=store.replay)
+        found = await take(watcher, 4)
+        assert [frame["type"] for frame in found] == ["snapshot", "resync", "snapshot", "event"]
+        assert seqs(found[-1]) == [6, 7, 8]
+        assert await waits(watcher)
+        hub.publish([event(9)])
+        hub.flush()
+        assert seqs((await take(watcher, 1))[0]) == [9]
 
     run(scene)
 

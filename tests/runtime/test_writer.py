@@ -13,7 +13,7 @@ from app.domain.errors import PlantHeld, StoreError, StoreRefused
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, HistoryEvent, Kept, Record
 from app.domain.units import Seconds, Timestamp
-from app.runtime.writer import Writer
+from app.runtime.writer import PRUNE_EVERY, SLICE, Writer
 from app.store.ledger import SqlLedger
 from app.store.reading import Reader
 
@@ -36,6 +36,10 @@ class ScriptedLedger:
         self.gate.set()
         self.entered = threading.Event()
         self.renewals = 0
+        self.old = 0
+        self.prune_errors: list[Exception] = []
+        self.slices: list[int] = []
+        self.pruned = threading.Event()
         self.renewed = threading.Event()
 
     def load(self) -> Kept:
@@ -51,6 +55,15 @@ class ScriptedLedger:
         self._fail()
         self.renewals += 1
         self.renewed.set()
+
+    def prune(self, most: int) -> int:
+        if self.prune_errors:
+            raise self.prune_errors.pop(0)
+        deleted = min(most, self.old)
+        self.old -= deleted
+        self.slices.append(deleted)
+        self.pruned.set()
+        return deleted
 
     def close(self) -> None:
         pass
@@ -179,6 +192,40 @@ def test_closing_in_trouble_gives_up_and_delivers_nothing(bench: Bench) -> None:
 
 def test_a_writer_that_was_never_started_closes() -> None:
     Bench().writer.close()
+
+
+def test_old_events_are_deleted_in_slices_between_commits() -> None:
+    moments = itertools.count(step=30.0)
+    bench = Bench(clock=lambda: next(moments))
+    bench.ledger.old = 2 * SLICE + 7
+    bench.writer.start()
+    while sum(bench.ledger.slices) < 2 * SLICE + 7:
+        assert bench.ledger.pruned.wait(BOUND)
+        bench.ledger.pruned.clear()
+    bench.writer.close()
+    assert bench.ledger.slices[:3] == [SLICE, SLICE, 7]
+
+
+def test_commits_go_before_old_events_and_no_slice_is_deleted_before_its_time() -> None:
+    moments = iter([0.0, *([PRUNE_EVERY - 0.01] * 4), *([PRUNE_EVERY] * 1000)])
+    bench = Bench(clock=lambda: next(moments))
+    bench.writer.submit(1, [record("a")])
+    bench.writer.start()
+    assert bench.heard.next() == ("durable", 1)
+    assert bench.ledger.pruned.wait(BOUND)
+    bench.writer.close()
+    assert bench.ledger.committed == [[record("a")]]
+    assert bench.ledger.slices == [0]
+
+
+def test_what_cannot_be_deleted_now_is_no_trouble_and_a_lost_plant_is_the_end() -> None:
+    moments = itertools.count(step=PRUNE_EVERY)
+    bench = Bench(clock=lambda: next(moments))
+    bench.ledger.prune_errors = [StoreError("busy"), PlantHeld("held by B")]
+    bench.writer.start()
+    assert bench.heard.next() == ("lost", "held by B.")
+    bench.writer.close()
+    assert not bench.ledger.slices
 
 
 def test_an_idle_writer_renews_the_lease() -> None:

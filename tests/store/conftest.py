@@ -11,7 +11,7 @@ import sqlalchemy as sa
 
 from app.domain.units import Seconds, Timestamp
 from app.store.engine import parsed
-from app.store.ledger import SqlLedger
+from app.store.ledger import FOR_EVER, SqlLedger
 
 NOW = Timestamp(1000.0)
 
@@ -66,9 +66,15 @@ def open_ledger() -> Iterator[Open]:
     ledgers: list[SqlLedger] = []
 
     def opened(
-        url: str, plant: str = "P1", holder: str = "first", *, seconds: float = 10.0, now: float = NOW
+        url: str,
+        plant: str = "P1",
+        holder: str = "first",
+        *,
+        seconds: float = 10.0,
+        now: float = NOW,
+        keep: Seconds = FOR_EVER,
     ) -> SqlLedger:
-        ledger = SqlLedger(url, plant, holder, lambda: Timestamp(now), lease_seconds=Seconds(seconds))
+        ledger = SqlLedger(url, plant, holder, lambda: Timestamp(now), lease_seconds=Seconds(seconds), keep_events=keep)
         ledgers.append(ledger)
         return ledger
 

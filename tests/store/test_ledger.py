@@ -20,7 +20,7 @@ from app.domain.records import (
     Provenance,
     Record,
 )
-from app.domain.units import Timestamp
+from app.domain.units import Seconds, Timestamp
 from app.domain.why import Why
 from app.store.ledger import EPOCH_ZERO, SqlLedger
 from app.store.reading import Reader
@@ -126,6 +126,72 @@ def test_a_teaching_event_sent_again_is_one_row(url: str, open_ledger: Open) -> 
     reader = Reader(url)
     assert reader.taught(vehicle="V1") == [taught(1 << 63), taught((1 << 63) + 1)]
     reader.close()
+
+
+@pytest.mark.parametrize("many", [1, 3, 500])
+def test_events_come_back_in_order_however_many_are_kept_at_once(url: str, open_ledger: Open, many: int) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    events = [replace(event(seq, job="J\t1", vehicle="V\\N"), detail="a\nb\\.") for seq in range(1, many + 1)]
+    ledger.commit(events)
+    reader = Reader(url)
+    assert reader.events(0, 1000) == events
+    reader.close()
+
+
+def test_a_carrier_that_only_left_in_the_end_leaves_nothing_to_write_of_it(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    carried = CarrierRecord(CarrierId("A"), StationId("S1"), Provenance.HOST, Timestamp(1.0))
+    ledger.commit([carried, CarrierGone(CarrierId("A"))])
+    assert ledger.load().carriers == ()
+    ledger.commit([CarrierGone(CarrierId("A")), carried])
+    assert ledger.load().carriers == (carried,)
+
+
+def test_many_events_one_of_which_holds_what_no_database_keeps_are_kept(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    ledger.commit([replace(event(seq), detail="a\0b" if seq == 7 else "") for seq in range(1, 20)])
+    reader = Reader(url)
+    assert [len(one.detail) for one in reader.events(5, 3)] == [0, 3, 0]
+    reader.close()
+
+
+def test_many_events_with_a_number_used_before_are_refused_whole(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url)
+    ledger.load()
+    ledger.commit([event(30)])
+    with pytest.raises(StoreRefused):
+        ledger.commit([event(seq) for seq in range(11, 40)])
+    ledger.commit([event(seq) for seq in range(31, 60)])
+    reader = Reader(url)
+    assert len(reader.events(0, 1000)) == 30
+    reader.close()
+
+
+def test_events_are_deleted_when_they_are_old_in_slices_but_never_the_last(url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(url, now=1000.0, keep=Seconds(980.0))
+    ledger.load()
+    ledger.commit([event(seq) for seq in range(1, 101)])
+    assert [ledger.prune(25) for _ in range(4)] == [25, 25, 9, 0]  # event(60) is of 20 s
+    reader = Reader(url)
+    assert [one.seq for one in reader.events(0, 2)] == [60, 61]
+    ledger.close()
+    later = open_ledger(url, now=1_000_000.0, keep=Seconds(1.0))
+    assert later.load().next_event == 101
+    assert [later.prune(30) for _ in range(3)] == [30, 10, 0]
+    assert [one.seq for one in reader.events(0, 2)] == [100]
+    later.close()
+    assert open_ledger(url).load().next_event == 101
+    reader.close()
+
+
+def test_events_are_kept_for_ever_unless_an_age_is_set(sqlite_url: str, open_ledger: Open) -> None:
+    ledger = open_ledger(sqlite_url, now=1e9)
+    ledger.load()
+    ledger.commit([event(1), event(2)])
+    assert ledger.prune(10) == 0
 
 
 def test_a_batch_with_a_number_used_before_is_refused_whole(url: str, open_ledger: Open) -> None:

@@ -40,6 +40,14 @@ def test_a_job_is_found_by_its_id_after_it_ended_too(ledger: SqlLedger, reader: 
     assert reader.job(JobId("J9")) is None
 
 
+def test_the_names_of_all_jobs_come_oldest_first_in_pages(ledger: SqlLedger, reader: Reader) -> None:
+    assert (reader.job_count(), reader.job_names(0, 3)) == (0, [])
+    ledger.commit([job(number, DONE) for number in range(1, 6)])
+    assert reader.job_count() == 5
+    assert reader.job_names(0, 3) == [(1, "J1"), (2, "J2"), (3, "J3")]
+    assert reader.job_names(3, 3) == [(4, "J4"), (5, "J5")]
+
+
 def test_jobs_come_newest_first_in_pages(ledger: SqlLedger, reader: Reader) -> None:
     ledger.commit([job(number) for number in range(1, 8)])
     page = reader.jobs(limit=3)

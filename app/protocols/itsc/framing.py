@@ -16,7 +16,7 @@ from functools import lru_cache
 from app.protocols.itsc.codec import CRC_SIZE, DATA_SIZE, HEAD_SIZE, SHORT_SIZE, Codec
 from app.protocols.itsc.dialects import EtbLayout
 from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Frame, Nak, Raw, Resp2, Toward
-from app.protocols.itsc.status import KNOWN_STATUS1, KNOWN_STATUS2, status1, status2
+from app.protocols.itsc.status import KNOWN_STATUS, KNOWN_STATUS1, KNOWN_STATUS2, status1, status2, statuses
 
 _ENQ_SIZE = HEAD_SIZE + CRC_SIZE
 _DATA_AT = HEAD_SIZE - DATA_SIZE
@@ -101,10 +101,8 @@ class Decoder:
             if len(held) < self._need:
                 return []
             return self._cut(bytes(held), idle=False)
-        if len(data) == _ENQ_SIZE and data[0] == _ENQ:
-            frame = self._read_whole(data)
-            if frame is not None:
-                return [frame]
+        if len(data) == _ENQ_SIZE and (frame := self._read_whole(data)) is not None:
+            return [frame]
         return self._cut(bytes(data), idle=False)
 
     def flush(self) -> list[Frame | Garbled]:
@@ -265,29 +263,29 @@ def _enq_reader_of_status(codec: Codec) -> EnqReader:
 
 
 def _whole_reader(codec: Codec, toward: Toward, read_enq: EnqReader) -> WholeReader:
-    """Return the same for exactly 33 bytes: for a STATUS by the default rules what takes the least time."""
+    """Return the same for exactly 33 bytes, None if they are no ENQ: for a STATUS what takes the least time."""
     dialect, crc = codec.dialect, codec.dialect.crc_parameters
     plain = crc.poly == 0x1021 and not crc.refin and not crc.refout and not crc.xorout and dialect.crc_covers_type
     big = dialect.byte_order == dialect.crc_order == "big"
     if not (plain and big and toward is Toward.CONTROLLER and dialect.barcode_format == "uint") or dialect.has_dist:
-        return lambda data: read_enq(bytes(data), 0)
-    unpack, init = struct.Struct(">xIQHIIHIH2x").unpack, crc.init
-    bodies = codec.body_readers(toward)
+        return lambda data: read_enq(bytes(data), 0) if data[0] == _ENQ else None
+    unpack, init = struct.Struct(">BIQHQQ2x").unpack, crc.init
+    bodies, known, both = codec.body_readers(toward), KNOWN_STATUS, statuses
 
     def read(data: Buffer) -> Enq | None:
         # The CRC over a packet and its own CRC is 0.
         if crc_hqx(data, init):
             return None
-        dev_id, cmd_id, code, word1, word2, high, low, seq = unpack(data)
-        if code != _STATUS:
+        kind, dev_id, cmd_id, code, words, place = unpack(data)
+        if kind != 0x05:
+            return None
+        if code != 0x7030:
             return Enq(dev_id, cmd_id, code, bodies.get(code, _raw)(bytes(data), _DATA_AT))
-        state = Resp2(
-            KNOWN_STATUS1.get(word1) or status1(word1),
-            KNOWN_STATUS2.get(word2) or status2(word2),
-            high << 32 | low,
-            seq,
-        )
-        return Enq(dev_id, cmd_id, code, state)
+        try:
+            axes, state = known[words]
+        except KeyError:
+            axes, state = both(words)
+        return Enq(dev_id, cmd_id, code, Resp2(axes, state, place >> 16, place & 0xFFFF))
 
     return read
 

@@ -117,3 +117,17 @@ def status2(word: int) -> Status2:
             code=word & 0xFFFF,
         )
     return found
+
+
+KNOWN_STATUS: dict[int, tuple[Status1, Status2]] = {}
+"""The pairs of words seen so far, STATUS1 above STATUS2; only for looking up on the hot path, :func:`statuses` fills it."""
+
+
+def statuses(words: int) -> tuple[Status1, Status2]:
+    """Return STATUS1 and STATUS2 of both words read as one number of 64 bits."""
+    found = KNOWN_STATUS.get(words)
+    if found is None:
+        if len(KNOWN_STATUS) >= _CACHE_LIMIT:
+            KNOWN_STATUS.clear()
+        found = KNOWN_STATUS[words] = status1(words >> 32), status2(words & 0xFFFF_FFFF)
+    return found

@@ -4,13 +4,13 @@ from binascii import crc_hqx
 
 import pytest
 
-from app.domain.events import Garbled, LinkDown, LinkUp, Reported
+from app.domain.events import Event, Garbled, LinkDown, LinkUp, Reported
 from app.domain.ids import CmdIds, DevId, Epoch
 from app.domain.layout import VehicleSpec
 from app.domain.units import Seconds
 from app.domain.vehicle import Mode
 from app.protocols.itsc.dialects import DIALECTS, Dialect
-from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Nak, Raw, Resp1, Resp2, Xmove, status1, status2
+from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Nak, Raw, Resp1, Resp2, Teach, Xmove, status1, status2
 from app.protocols.itsc.session import Session
 from tests.protocols.itsc.session_peer import (
     AUTO_IDLE,
@@ -276,7 +276,7 @@ def test_the_last_64_events_are_remembered_and_memory_stays_bounded(split: bool)
         bench.session.received(data, bench.now)
     assert bench.session.events() == []
     assert bench.session.link.duplicates == 64
-    assert len(bench.session._seen.latest) + len(bench.session._seen.before) <= 128
+    assert len(bench.session._seen) <= 64
 
 
 def test_a_duplicate_is_known_whether_it_came_whole_or_in_pieces() -> None:
@@ -530,3 +530,38 @@ def test_sessions_of_two_epochs_never_ask_under_the_same_id() -> None:
         session.connected(Seconds(0.0))
         polls.add(session.outgoing())
     assert len(polls) == 2
+
+
+def test_what_is_taken_at_once_is_told_and_acknowledged_as_by_the_long_way() -> None:
+    told: list[Event] = []
+    bench, other = Bench(), Bench()
+    for each in (bench, other):
+        each.connect()
+        each.session.events()
+        each.session.outgoing()
+    bench.session._pass_on = lambda events, _now: told.extend(events)
+    body = Resp2(status1(STANDING1), status2(AUTO_IDLE), 77, 3)
+    event = bench.codec.encode(Enq(12, TOP + 900, Code.STATUS, body))
+    ack = bench.session.at_once(event, bench.now)
+    for byte in event:
+        other.session.received(bytes([byte]), other.now)
+    assert ack == other.session.outgoing()
+    assert told == other.session.events() != []
+    assert bench.session.status == other.session.status
+    assert bench.session.last_frames == other.session.last_frames
+    assert bench.session.outgoing() == b""
+
+
+def test_what_is_no_new_status_event_is_not_taken_at_once() -> None:
+    bench = Bench()
+    assert bench.session.at_once(b"", bench.now) == b""
+    bench.connect()
+    body = Resp2(status1(STANDING1), status2(AUTO_IDLE), 77, 3)
+    event, later = (bench.codec.encode(Enq(12, TOP + n, Code.STATUS, body)) for n in (900, 901))
+    foreign = bench.codec.encode(Enq(13, TOP + 902, Code.STATUS, body))
+    taught = bench.codec.encode(Enq(12, TOP + 903, Code.LIFT_DEST_TEACHING, Teach(5, 1201)))
+    assert bench.session.at_once(event, bench.now)
+    for data in (event, later[:-1] + b"?", later + later, later[:20], foreign, taught):
+        before = bench.session.link
+        assert bench.session.at_once(data, bench.now) == b""
+        assert bench.session.link == before

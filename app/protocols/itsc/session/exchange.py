@@ -1,8 +1,5 @@
 """The sending half of a session: polls, commands with their ACK and resends, and the life of the link (PROTOCOLS 6.1)."""
 
-from collections import deque
-from typing import Literal
-
 from app.domain.commands import Move, Send, Xmove
 from app.domain.errors import EncodeError
 from app.domain.events import Acknowledged, Event, Garbled, LinkDown, NotSent, Unanswered, Unknown
@@ -13,24 +10,36 @@ from app.domain.vehicle import VehicleStatus
 from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.framing import Decoder
 from app.protocols.itsc.messages import Code, Toward
-from app.protocols.itsc.session.link import FRAMES_KEPT, Link, LinkQuality, Polls, Seen
+from app.protocols.itsc.session.link import FRAMES_KEPT, Kept, Link, LinkQuality, Polls, Seen, Tape, Way
 from app.protocols.itsc.session.orders import Order, Orders
-from app.protocols.itsc.session.quick import ack_crc, ack_of, codec_of, entries, new_ring, quick_crc
+from app.protocols.itsc.session.quick import (
+    ABOVE_ALL_IDS,
+    BODY_END,
+    ID_AT,
+    NOTHING_BELOW,
+    RING_KEPT,
+    ack_crc,
+    ack_of,
+    codec_of,
+    entries,
+    new_ring,
+    packet_of,
+    quick_crc,
+)
 from app.protocols.itsc.session.refusals import Refused, refusal
 from app.protocols.itsc.session.requests import code_of, frame_of
 from app.protocols.itsc.session.timing import Timing
-
-Way = Literal["in", "out"]
 
 
 class Exchange:
     """What goes out to one vehicle, and what is still expected back. See Session, which adds what comes in."""
 
     __slots__ = (
-        "_after_ack", "_before_first", "_codec", "_connections", "_crc_init", "_decoder", "_duplicates", "_events",
-        "_flush_at", "_frames", "_frames_in", "_frames_out", "_garbled", "_has_quick", "_heard", "_ids", "_last_move",
-        "_link", "_newest", "_orders", "_out", "_polls", "_prefix", "_quick", "_quicks", "_quicks_before", "_resends",
-        "_ring", "_seen", "deadline", "dialect", "status", "status_at", "timing", "vehicle", "wants_close",
+        "_after_ack", "_at", "_before_first", "_ceiling", "_codec", "_connections", "_crc_init", "_decoder",
+        "_duplicates", "_events", "_flush_at", "_frames", "_frames_in", "_frames_out", "_garbled", "_has_quick",
+        "_heard", "_ids", "_laps", "_last_move", "_link", "_newest", "_orders", "_out", "_polls", "_prefix",
+        "_quicks_before", "_resends", "_ring", "_seen", "deadline", "dialect", "status", "status_at", "timing",
+        "vehicle", "wants_close",
     )  # fmt: skip
 
     def __init__(self, vehicle: VehicleSpec, dialect: Dialect, cmd_ids: CmdIds, timing: Timing) -> None:
@@ -41,7 +50,7 @@ class Exchange:
         """When ``tick`` is due; may be too early by what has been received since, never too late."""
         self.wants_close = False
         """Whether the line is silent and should be closed."""
-        self._frames: deque[tuple[int, Seconds, Way, bytes]] = deque(maxlen=FRAMES_KEPT)
+        self._frames = Tape()
         self._ids = cmd_ids
         self._codec = codec_of(dialect)
         self._decoder = Decoder(self._codec, Toward.CONTROLLER)
@@ -51,14 +60,14 @@ class Exchange:
         self._events: list[Event] = []
         self._out = b""
         self._link = Link.DOWN
-        self._quick = False
         self._heard = Seconds(0.0)
         self._flush_at: Seconds | None = None
         self._prefix = b"\x05" + vehicle.dev_id.to_bytes(4, "big")
         # As bytes are compared, it comes before every event of the vehicle: they have the top bit of the CMD_ID set (I23).
         self._before_first = self._prefix + b"\x80"
         self._newest = self._before_first
-        self._ring, self._quicks, self._quicks_before = new_ring(), 0, 0
+        self._ceiling = NOTHING_BELOW
+        self._ring, self._at, self._laps, self._quicks_before = new_ring(), 0, 0, 0
         self._orders, self._polls, self._seen = Orders(), Polls(), Seen()
         self._last_move = 0
         self._connections = self._frames_in = self._frames_out = self._garbled = self._resends = self._duplicates = 0
@@ -68,14 +77,24 @@ class Exchange:
         """Whether the vehicle is connected and has answered STATUS since."""
         return self._link is Link.UP
 
+    @property
+    def _quicks(self) -> int:
+        """How many packets have come the quick way."""
+        return self._laps * RING_KEPT + self._at
+
+    @property
+    def _quick(self) -> bool:
+        """Whether there is a quick way now."""
+        return self._ceiling is not NOTHING_BELOW
+
     def _known(self, packet: bytes) -> bool:
         """Whether this packet has been taken before on this connection (I23)."""
         if packet in self._seen:
             return True
-        if not self._before_first < packet <= self._newest or packet not in self._ring:
+        if not self._before_first < packet <= self._newest or packet[ID_AT:BODY_END] not in self._ring:
             return False
-        here = self._quicks - self._quicks_before
-        return any(packet == kept for _, _, kept in entries(self._ring, self._quicks, here))
+        content, here = packet[ID_AT:BODY_END], self._quicks - self._quicks_before
+        return any(content == kept for _, _, kept in entries(self._ring, self._quicks, here))
 
     def _remember(self, packet: bytes) -> None:
         self._seen.add(packet)
@@ -84,8 +103,9 @@ class Exchange:
     @property
     def last_frames(self) -> list[tuple[Seconds, Way, bytes]]:
         """The last packets of the line, oldest first: when, ``in`` or ``out``, bytes."""
-        quick: list[tuple[int, Seconds, Way, bytes]] = []
-        for number, when, packet in entries(self._ring, self._quicks, FRAMES_KEPT):
+        quick: list[Kept] = []
+        for number, when, content in entries(self._ring, self._quicks, FRAMES_KEPT):
+            packet = packet_of(self._prefix, content, self._crc_init)
             quick += [(number + 1, when, "in", packet), (number + 1, when, "out", ack_of(packet, self._after_ack))]
         # A packet of the long way carries the number of quick ones before it, so it stands before the next of those.
         frames = sorted([*quick, *self._frames], key=lambda frame: frame[0])
@@ -228,9 +248,10 @@ class Exchange:
 
     def _plan(self) -> None:
         if not self._link.alive:
-            self.deadline, self._quick = None, False
+            self.deadline, self._ceiling = None, NOTHING_BELOW
             return
-        self._quick = self._link is Link.UP and self._flush_at is None and self._has_quick
+        quick = self._link is Link.UP and self._flush_at is None and self._has_quick
+        self._ceiling = self._prefix + ABOVE_ALL_IDS if quick else NOTHING_BELOW
         due = min(self._polls.due, Seconds(self._heard + self.timing.silence))
         for other in (self._flush_at, self._orders.due):
             if other is not None and other < due:

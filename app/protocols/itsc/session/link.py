@@ -1,12 +1,16 @@
 """How a link is doing: its life, its polls, its figures, what it remembers of the packets received (PROTOCOLS 6.1, I23)."""
 
+import struct
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
+from typing import Literal
 
 from app.domain.units import Seconds
 
+ENQ_SIZE = 33
 SEEN_KEPT = 64
-"""At least as many packets are remembered (I23), at most twice as many."""
+"""So many packets are remembered (I23)."""
 FRAMES_KEPT = 32
 """Our choice: what the vehicle's panel shows of the line."""
 POLLS_KEPT = 4
@@ -48,31 +52,70 @@ class LinkQuality:
 
 
 class Seen:
-    """The packets received lately: two generations, so that forgetting costs nothing per packet."""
+    """The packets received lately, as bytes one after the other: a set of them would take five times the memory.
 
-    __slots__ = ("before", "latest")
+    All have the size of an ENQ, the only packet that can be a duplicate.
+    """
+
+    __slots__ = ("_kept", "_next")
 
     def __init__(self) -> None:
-        self.latest: set[bytes] = set()
-        self.before: set[bytes] = set()
+        self._kept = bytearray()
+        self._next = 0
+
+    def __len__(self) -> int:
+        return len(self._kept) // ENQ_SIZE
 
     def __contains__(self, packet: bytes) -> bool:
-        return packet in self.latest or packet in self.before
+        at = self._kept.find(packet)
+        while at % ENQ_SIZE and at >= 0:  # across two packets: none of them
+            at = self._kept.find(packet, at + 1)
+        return at >= 0
 
     def add(self, packet: bytes) -> None:
-        """Remember a packet."""
-        self.latest.add(packet)
-        if len(self.latest) >= SEEN_KEPT:
-            self.turn()
-
-    def turn(self) -> None:
-        """Forget the older generation: the newer one is full."""
-        self.before, self.latest = self.latest, set()
+        """Remember a packet, in the place of the oldest if there are enough."""
+        at = self._next * ENQ_SIZE
+        self._kept[at : at + ENQ_SIZE] = packet
+        self._next = (self._next + 1) % SEEN_KEPT
 
     def clear(self) -> None:
         """Forget all: another connection, another memory."""
-        self.latest.clear()
-        self.before.clear()
+        self._kept.clear()
+        self._next = 0
+
+
+Way = Literal["in", "out"]
+Kept = tuple[int, Seconds, Way, bytes]
+"""A number to sort by, the moment, the way, the packet."""
+
+
+class Tape:
+    """The last packets of a line, as bytes one after the other: read when a person looks, forgotten otherwise."""
+
+    __slots__ = ("_count", "_tape")
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._tape = bytearray()
+
+    def __iter__(self) -> Iterator[Kept]:
+        at = 0
+        while at < len(self._tape):
+            number, when, incoming, size = _HEAD.unpack_from(self._tape, at)
+            at += _HEAD.size + size
+            yield number, Seconds(when), "in" if incoming else "out", bytes(self._tape[at - size : at])
+
+    def append(self, kept: Kept) -> None:
+        """Remember a packet, and forget the oldest if there are enough."""
+        number, when, way, packet = kept
+        if self._count == FRAMES_KEPT:
+            del self._tape[: _HEAD.size + _HEAD.unpack_from(self._tape)[3]]
+        else:
+            self._count += 1
+        self._tape += _HEAD.pack(number, when, way == "in", len(packet)) + packet
+
+
+_HEAD = struct.Struct("<Qd?I")
 
 
 class Polls:

@@ -1,8 +1,9 @@
 """The quick way for the packet that comes most: a STATUS event in one piece (PROTOCOLS 1.10).
 
-What it costs is memory touched, not instructions: a thousand sessions take turns, so that whatever one of them keeps from event
-to event is out of the cache when the next event comes, and worst is letting go of an object kept 64 events ago. Therefore the
-events of the quick way are remembered as bytes in a ring, not as objects.
+What it costs is memory touched as much as instructions: a thousand sessions take turns, so that whatever one of them keeps from
+event to event is out of the cache when the next event comes, and worst is letting go of an object kept 64 events ago. Therefore
+the events of the quick way are remembered as bytes in a ring, not as objects, and numbers that are stored stay below 257, of
+which the interpreter keeps one object each.
 """
 
 import struct
@@ -17,6 +18,9 @@ from app.protocols.itsc.condition import KNOWN_BARCODES, KNOWN_CONDITIONS, barco
 from app.protocols.itsc.dialects import Dialect
 
 ENQ_SIZE = 33
+ID_AT = 5
+"""Where CMD_ID begins."""
+CODE_AT = 13
 BODY_AT = 15
 """Where DATA1 begins, and with it the two status words."""
 BODY_END = 31
@@ -24,15 +28,22 @@ BODY_END = 31
 RING_KEPT = 64
 """So many events of the quick way are remembered, as duplicates (I23) and for the vehicle's panel."""
 
+NOTHING_BELOW = b""
+"""What no packet is below, as bytes are compared."""
+ABOVE_ALL_IDS = b"\xff" * 9
+"""What follows a vehicle's prefix in bytes that are above all its packets."""
+
 _CCITT = 0x1021
-_LONG = struct.Struct(">QHIH").unpack_from
-_SHORT = struct.Struct(">QIHH").unpack_from
-_ENTRY = struct.Struct("<d33s")
+_STATUS = 0x7030
+_LONG = struct.Struct(">HQHIH").unpack
+_SHORT = struct.Struct(">HQIHH").unpack
+_ENTRY = struct.Struct("<d26s")
+_made = tuple.__new__
 pack_ack = struct.Struct(">B12sH").pack
 """Pack an ACK: 6, both ids as they came, CRC."""
 
 write_entry = _ENTRY.pack_into
-"""Write (buffer, offset, when, packet) at the place of an entry of a ring."""
+"""Write (buffer, offset, when, packet from CMD_ID up to its CRC) at the place of an entry of a ring."""
 ENTRY_SIZE = _ENTRY.size
 RING_SIZE = RING_KEPT * ENTRY_SIZE
 
@@ -60,10 +71,19 @@ def new_ring() -> bytearray:
 
 
 def entries(ring: bytearray, count: int, most: int) -> Iterator[tuple[int, Seconds, bytes]]:
-    """Give number, moment and packet of the newest entries of a ring that ``count`` have been written to, oldest first."""
+    """Give number, moment and content of the newest entries of a ring that ``count`` have been written to, oldest first.
+
+    The content is a packet's from CMD_ID up to its CRC: the rest is the same for all, or follows from it.
+    """
     for number in range(max(count - min(most, RING_KEPT), 0), count):
-        when, packet = _ENTRY.unpack_from(ring, number * ENTRY_SIZE % RING_SIZE)
-        yield number, Seconds(when), packet
+        when, content = _ENTRY.unpack_from(ring, number * ENTRY_SIZE % RING_SIZE)
+        yield number, Seconds(when), content
+
+
+def packet_of(prefix: bytes, content: bytes, init: int) -> bytes:
+    """Return the whole packet of an entry; ``prefix`` is what stands before CMD_ID."""
+    packet = prefix + content
+    return packet + crc_hqx(packet, init).to_bytes(2, "big")
 
 
 def ack_crc(init: int) -> int:
@@ -77,24 +97,26 @@ def ack_of(event: bytes, after_first: int) -> bytes:
     return pack_ack(6, ids, crc_hqx(ids, after_first))
 
 
-def status_reader(dialect: Dialect) -> Callable[[bytes], VehicleStatus]:
-    """Return what reads the STATUS of a whole packet of a dialect with the quick way."""
+StatusReader = Callable[[bytes], VehicleStatus | None]
+
+
+def status_reader(dialect: Dialect) -> StatusReader:
+    """Return what reads a packet's code and data (18 bytes) in a dialect with the quick way; None if they are no STATUS."""
     return _read_short if dialect.has_dist else _read_long
 
 
-def _read_long(event: bytes) -> VehicleStatus:
-    words, high, low, seq = _LONG(event, BODY_AT)
+def _read_long(body: bytes) -> VehicleStatus | None:
+    code, words, high, low, seq = _LONG(body)
+    if code != _STATUS:
+        return None
     barcode = high << 32 | low
-    return VehicleStatus(
-        KNOWN_CONDITIONS.get(words) or condition_of(words), KNOWN_BARCODES.get(barcode) or barcode_text(barcode), seq
-    )
+    known = KNOWN_CONDITIONS.get(words) or condition_of(words)
+    return _made(VehicleStatus, (known, KNOWN_BARCODES.get(barcode) or barcode_text(barcode), seq, None))
 
 
-def _read_short(event: bytes) -> VehicleStatus:
-    words, barcode, seq, dist = _SHORT(event, BODY_AT)
-    return VehicleStatus(
-        KNOWN_CONDITIONS.get(words) or condition_of(words),
-        KNOWN_BARCODES.get(barcode) or barcode_text(barcode),
-        seq,
-        Millimetres(dist),
-    )
+def _read_short(body: bytes) -> VehicleStatus | None:
+    code, words, barcode, seq, dist = _SHORT(body)
+    if code != _STATUS:
+        return None
+    known = KNOWN_CONDITIONS.get(words) or condition_of(words)
+    return _made(VehicleStatus, (known, KNOWN_BARCODES.get(barcode) or barcode_text(barcode), seq, Millimetres(dist)))

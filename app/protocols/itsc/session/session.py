@@ -1,9 +1,9 @@
 """The session: one vehicle, seen from the controller, over any number of connections (PROTOCOLS 1.2, 6.1, 6.2)."""
 
 from binascii import crc_hqx
-from collections.abc import Container
+from collections.abc import Callable, Container, Sequence
 
-from app.domain.events import Answered, LinkUp, Reported, Taught, TeachingKind
+from app.domain.events import Answered, Event, LinkUp, Reported, Taught, TeachingKind
 from app.domain.ids import CmdId, CmdIds
 from app.domain.layout import VehicleSpec
 from app.domain.units import Millimetres, Pulses, Seconds
@@ -19,9 +19,11 @@ from app.protocols.itsc.session.orders import Order
 from app.protocols.itsc.session.quick import (
     BODY_AT,
     BODY_END,
+    CODE_AT,
     ENQ_SIZE,
     ENTRY_SIZE,
-    RING_SIZE,
+    ID_AT,
+    RING_KEPT,
     ack_of,
     pack_ack,
     status_reader,
@@ -29,6 +31,10 @@ from app.protocols.itsc.session.quick import (
 )
 from app.protocols.itsc.session.refusals import off_the_map, why_failed
 from app.protocols.itsc.session.timing import Timing
+
+Told = Callable[[Sequence[Event], Seconds], None]
+
+_made = tuple.__new__
 
 UNSTORED_KEPT = 64
 """Our choice: teaching events that may wait for the store; further ones are left to the vehicle's repetition."""
@@ -43,10 +49,11 @@ class Session(Exchange):
     Answered may still follow. ``status`` is the newest known state, complete at ``status_at``; between two STATUS an
     answer's STATUS2, barcode and SEQ are merged into it. It is kept when the link goes down: see ``up``. ``hint`` is
     not empty if the vehicle reported a barcode that is not in ``barcodes`` at first contact, and says which dialect
-    would fit. ``last_frames`` are (when, "in" or "out", bytes), newest last.
+    would fit. ``told``, if given, is called instead of keeping events, by ``at_once`` alone.
+    ``last_frames`` are (when, "in" or "out", bytes), newest last.
     """
 
-    __slots__ = ("_barcodes", "_epoch", "_read", "_receipt", "_told", "_unstored", "hint")
+    __slots__ = ("_barcodes", "_epoch", "_name", "_pass_on", "_read", "_receipt", "_told", "_unstored", "hint")
 
     def __init__(
         self,
@@ -55,9 +62,11 @@ class Session(Exchange):
         cmd_ids: CmdIds,
         timing: Timing = Timing(),  # noqa: B008  (frozen)
         barcodes: Container[str] | None = None,
+        told: Told | None = None,
     ) -> None:
         super().__init__(vehicle, dialect, cmd_ids, timing)
         self.hint = ""
+        self._pass_on, self._name = told, vehicle.id
         self._barcodes, self._epoch = barcodes, cmd_ids.epoch
         self._read = status_reader(dialect)
         self._told = b""
@@ -79,47 +88,64 @@ class Session(Exchange):
 
     def received(self, data: bytes, now: Seconds) -> None:
         """Take bytes. Never raises, whatever they are."""
-        if (
-            not self._quick
-            or len(data) != ENQ_SIZE
-            or not data.startswith(self._prefix)
-            or data[13:15] != b"\x70\x30"
-            or crc_hqx(data, self._crc_init)
-        ):
+        ack = self.at_once(data, now, tell=False)
+        if ack:
+            self._out += ack
+        elif not self._took_asked(data, now):
             self._take_all(data, now)
-            return
-        if data <= self._newest:
-            self._take_asked(data, now)
-            return
-        # A STATUS event in one piece, new since its CMD_ID is above all so far: what the long way does, in one step.
+
+    def at_once(self, data: bytes, now: Seconds, *, tell: bool = True) -> bytes:
+        """Take a STATUS event that came in one piece and return its ACK; empty if the bytes are something else, not taken.
+
+        It is new since its CMD_ID is above all so far. What the long way does, in one step; ``deadline`` and
+        ``wants_close`` stay as they were. With ``tell`` the owner hears of it at once.
+        """
+        if not self._newest < data < self._ceiling or len(data) != ENQ_SIZE or crc_hqx(data, self._crc_init):
+            return b""
+        body, status = data[CODE_AT:BODY_END], None
+        if body != self._told:
+            status = self._read(body)
+            if status is None:
+                return b""
         self._heard = self.status_at = now
         self._newest = data
-        write_entry(self._ring, self._quicks * ENTRY_SIZE % RING_SIZE, now, data)
-        self._quicks += 1
-        ids = data[1:13]
-        ack = pack_ack(6, ids, crc_hqx(ids, self._after_ack))
-        self._out = self._out + ack if self._out else ack
-        if data[BODY_AT:BODY_END] != self._told[BODY_AT:BODY_END]:
-            self._told = data
-            status = self._read(data)
-            self._events.append(Reported(self.vehicle.id, status, False, now))  # noqa: FBT003
+        at = self._at
+        write_entry(self._ring, at * ENTRY_SIZE, now, data[ID_AT:BODY_END])
+        if at == RING_KEPT - 1:
+            self._laps += 1
+            at = -1
+        self._at = at + 1
+        if status is not None:
+            self._told = body
             if self._orders.open:
                 self._moved_on(status, now)
             self.status = status
+            event = _made(Reported, (self._name, status, False, now))
+            if tell and self._pass_on is not None:
+                self._pass_on((event,), now)
+            else:
+                self._events.append(event)
+        ids = data[1:13]
+        return pack_ack(6, ids, crc_hqx(ids, self._after_ack))
 
-    def _take_asked(self, data: bytes, now: Seconds) -> None:
-        """Take a STATUS of this vehicle in one piece: the answer to a poll likewise in one step, any other the long way."""
-        cmd_id = int.from_bytes(data[5:13], "big")
-        if cmd_id not in self._polls.open:
-            self._take_all(data, now)
-            return
+    def _took_asked(self, data: bytes, now: Seconds) -> bool:
+        """Take the answer to a poll that came in one piece likewise in one step; return whether it was one."""
+        if not self._quick or len(data) != ENQ_SIZE or not data.startswith(self._prefix):
+            return False
+        cmd_id = int.from_bytes(data[ID_AT:CODE_AT], "big")
+        if cmd_id not in self._polls.open or crc_hqx(data, self._crc_init):
+            return False
+        status = self._read(data[CODE_AT:BODY_END])
+        if status is None:
+            return False
         self._heard = now
         self._frames_in += 1
         self._frames.append((self._quicks, now, "in", data))
         self._seen.add(data)
         self._emit(ack_of(data, self._after_ack), now)
-        self._learn(self._read(data), data, now, self._polls.answered(cmd_id, now, self.timing.poll))
+        self._learn(status, data, now, self._polls.answered(cmd_id, now, self.timing.poll))
         self._plan()
+        return True
 
     def tick(self, now: Seconds) -> None:
         """Do what is due: give up half packets, a silent line, overdue commands; poll."""
@@ -284,10 +310,10 @@ class Session(Exchange):
         """Take a whole STATUS; ``asked`` is when we asked for it, None for an event."""
         if asked is not None:
             self._events.append(Reported(self.vehicle.id, status, polled=True, asked_at=asked))
-        elif packet[BODY_AT:BODY_END] != self._told[BODY_AT:BODY_END]:
+        elif packet[CODE_AT:BODY_END] != self._told:
             self._events.append(Reported(self.vehicle.id, status, polled=False, asked_at=now))
         self._moved_on(status, now)
-        self._told = packet
+        self._told = packet[CODE_AT:BODY_END]
         self.status, self.status_at = status, now
 
     def _moved_on(self, status: VehicleStatus, now: Seconds) -> None:

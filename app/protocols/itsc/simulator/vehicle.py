@@ -1,7 +1,7 @@
 """A simulated vehicle: bytes on one side, operator and physical world on the other (PROTOCOLS 5.1)."""
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 
 from app.domain.layout import Axis, PulseSet, VehicleSpec
 from app.domain.units import Barcode, Pulses, Seconds
@@ -35,6 +35,13 @@ def _check_barcode(barcode: Barcode, dialect: Dialect) -> None:
         )
 
 
+@lru_cache(maxsize=4)
+def _check_track(track: Track, dialect: Dialect) -> None:
+    """Raises: ValueError: a barcode cannot be written. Done once for all vehicles of a plant."""
+    for barcode in track.barcodes:
+        _check_barcode(barcode, dialect)
+
+
 class SimulatedVehicle:
     """An :class:`app.domain.ports.Endpoint` that behaves as an overhead hoist on its rail.
 
@@ -63,8 +70,7 @@ class SimulatedVehicle:
         where = start if start is not None else spec.start
         if where is None or where not in track:
             raise ValueError(f"vehicle {spec.id}: {where} is no barcode of the track to start from")
-        for barcode in track.barcodes:
-            _check_barcode(barcode, dialect)
+        _check_track(track, dialect)
         self.spec = spec
         self.options = options or Options()
         self._dialect = dialect

@@ -1,0 +1,88 @@
+"""``hoistway bench``: what this program does on this machine, measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import plainly, positive
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant
+    from app.plant.fab import Shape
+
+FULL = 0.5
+"""Share of the ports that have a carrier at first. Our choice."""
+FLEET = 1000
+"""Hoists for which the fab of TRAFFIC section 1 is made. Our choice: where it delivers most."""
+
+commands = typer.Typer(help="Measure this program on this machine.", no_args_is_help=True)
+
+
+@commands.callback()
+def _bench() -> None:
+    """Keep the name of a measurement a word of its own, even while there is only one."""
+
+
+@commands.command()
+def hoists(
+    vehicles: Annotated[int, typer.Option(min=1, help="hoists of the generated plant")] = 1000,
+    minutes: Annotated[float, typer.Option(callback=positive, help="minutes to measure")] = 10.0,
+    processes: Annotated[int, typer.Option(min=1, help="processes for the simulated hoists")] = 1,
+    settle: Annotated[float, typer.Option(help="seconds under load before it begins")] = 60.0,
+    jobs: Annotated[int | None, typer.Option(min=0, help="jobs kept open; as many as hoists unless said")] = None,
+    plant: Annotated[Path | None, typer.Option(help="a plant file instead of a generated one")] = None,
+    first_port: Annotated[int, typer.Option(min=1024, max=60000, help="port of the first simulated hoist")] = 20001,
+    seed: Annotated[int, typer.Option(help="of plant and jobs")] = 1,
+) -> None:
+    """Drive simulated hoists, to the byte, in other processes: deadlines missed, and CPU by part."""
+    from app.cli.hoists.report import missed, report
+    from app.cli.hoists.run import Asked, measure
+    from app.cli.running import on_loop
+
+    with plainly():
+        found_plant = _plant(plant, vehicles, seed)
+        count = len(found_plant.hoists)
+        asked = Asked(minutes * 60, settle, processes, first_port, count if jobs is None else jobs, seed)
+
+        async def run() -> int:
+            found = await measure(found_plant, asked)
+            for line in report(found):
+                print(line, flush=True)
+            return 1 if missed(found) else 0
+
+        code = on_loop(run())
+    raise typer.Exit(code)
+
+
+def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
+    if file is not None:
+        from app.cli.running import plant_of
+
+        return plant_of(file)
+    return generated(vehicles, seed)
+
+
+def generated(vehicles: int, seed: int) -> Plant:
+    """Return a fab with so many hoists, and carriers at half of its ports."""
+    from app.plant.fab import generate, populate
+
+    return populate(generate(_shape(vehicles), seed).plant, vehicles, seed, FULL)
+
+
+def _shape(vehicles: int) -> Shape:
+    """Return a fab that grows with its fleet: 25 hoists a bay, as 1,000 have in the fab of TRAFFIC section 1."""
+    from app.plant.fab import Shape
+
+    usual = Shape()
+    bays = max(4, 2 * round(vehicles * usual.bays / FLEET / 2))
+    share = bays / usual.bays
+    return Shape(
+        f"fab-{vehicles}",
+        bays=bays,
+        shortcuts=round(usual.shortcuts * share),
+        pairs=round(usual.pairs * share),
+        turnarounds=min(round(usual.turnarounds * share), bays // 4),
+    )
