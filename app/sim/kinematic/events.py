@@ -408,21 +408,42 @@ def nudge(net: Network, s: State, vehicle: int) -> None:
 @compiled
 def set_off(s: State, rules: Rules, vehicle: int, now: float) -> None:
     """Let the vehicle drive to the next barcode of its grant, so that it can stop at the last one."""
+    s.began[vehicle] = now + (rules.restart if s.doing[vehicle] == STANDING else 0.0)
+    s.initial[vehicle], s.rest[vehicle] = s.pace[vehicle], s.way[vehicle, 0]
+    s.doing[vehicle] = DRIVING
+    steer(s, rules, vehicle)
+
+
+@compiled
+def steer(s: State, rules: Rules, vehicle: int) -> None:
+    """Plan the drive over what is left of the way to the next barcode, from ``initial`` speed at ``began``."""
     braking, stop = 2 * rules.braking, 0.0
-    n = s.granted[vehicle]
-    for k in range(n - 1, 0, -1):
+    for k in range(s.granted[vehicle] - 1, 0, -1):
         stop = min(min(s.limit[vehicle, k], s.limit[vehicle, k - 1]), sqrt(stop * stop + braking * s.way[vehicle, k]))
-    pace, way, limit = s.pace[vehicle], s.way[vehicle, 0], s.limit[vehicle, 0]
+    pace, way, limit = s.initial[vehicle], s.rest[vehicle], s.limit[vehicle, 0]
     leave = min(stop, sqrt(pace * pace + 2 * rules.acceleration * way))
     up, down = rules.acceleration, rules.braking
     peak = sqrt((2 * up * down * way + down * pace * pace + up * leave * leave) / (up + down))
     peak = max(min(limit, peak), max(pace, leave))
     ramps = (peak * peak - pace * pace) / (2 * up) + (peak * peak - leave * leave) / (2 * down)
-    time = (peak - pace) / up + (peak - leave) / down + max(0.0, way - ramps) / peak
-    delay = rules.restart if s.doing[vehicle] == STANDING else 0.0
-    s.doing[vehicle] = DRIVING
-    s.pace[vehicle] = leave
-    schedule(s, vehicle, now + delay + time)
+    time = (peak - pace) / up + (peak - leave) / down + max(0.0, way - ramps) / max(peak, 1.0)
+    s.pace[vehicle], s.peak[vehicle] = leave, peak
+    schedule(s, vehicle, s.began[vehicle] + time)
+
+
+@compiled
+def carry_on(s: State, rules: Rules, vehicle: int, now: float) -> None:
+    """A driving vehicle is granted more: it need not brake for its old end, unless it does already (an XMOVE too late)."""
+    leave, peak, pace = s.pace[vehicle], s.peak[vehicle], s.initial[vehicle]
+    heard = now + rules.hearing
+    if heard >= s.due[vehicle] - (peak - leave) / rules.braking:
+        return
+    past = max(0.0, heard - s.began[vehicle])
+    rise = min(past, (peak - pace) / rules.acceleration)
+    s.rest[vehicle] -= pace * rise + rules.acceleration * rise * rise / 2 + peak * (past - rise)
+    s.initial[vehicle] = pace + rules.acceleration * rise
+    s.began[vehicle] = max(heard, s.began[vehicle])
+    steer(s, rules, vehicle)
 
 
 @compiled
@@ -497,10 +518,13 @@ def go_on(net: Network, s: State, rules: Rules, now: float) -> None:
         if doing == STANDING and s.at[vehicle] == s.goal[vehicle] and s.granted[vehicle] == 0:
             reach(s, rules, vehicle, now)
             continue
+        before = s.granted[vehicle]
         if s.left[vehicle] < need(net, s, rules, vehicle):
             extend(net, s, rules, vehicle, now)
         if doing == STANDING and s.granted[vehicle] > 0:
             set_off(s, rules, vehicle, now)
+        elif doing == DRIVING and s.granted[vehicle] > before:
+            carry_on(s, rules, vehicle, now)
 
 
 @compiled

@@ -34,7 +34,8 @@ class Plan:
     restart: float = 0.1
     patience: float = 0.0
     reaction: float = 0.2
-    more: float = 2000.0
+    hearing: float = 0.05
+    more: float = 1000.0
     active: int = 0
     """At most so many vehicles are at work at a time; 0: all."""
 
@@ -53,7 +54,7 @@ class Fab:
         self.net = plan.network
         self.ways = survey(self.net)
         self.state = still(plan, len(starts))
-        self.rules = Rules(float(spec.acceleration), float(spec.braking), how.reaction, 1000.0, how.more, how.dwell, how.restart, how.admission, how.smoothing, how.patience)
+        self.rules = Rules(float(spec.acceleration), float(spec.braking), how.reaction, how.hearing, 1000.0, how.more, how.dwell, how.restart, how.admission, how.smoothing, how.patience)
         self.ports = Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
         self.at_port = np.array(self.ports.barcodes)
         self.jobs: list[Job] = []      # waiting or unpicked

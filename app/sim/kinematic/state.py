@@ -26,6 +26,8 @@ class Rules(NamedTuple):
     braking: float
     reaction: float
     """From a barcode read to the longer grant in the vehicle."""
+    hearing: float
+    """From a grant to a vehicle that drives until it has it."""
     edge: float
     """About the way from a barcode to the next, mm."""
     more: float
@@ -58,6 +60,11 @@ class State(NamedTuple):
     at: Whole
     goal: Whole
     pace: Real
+    """Speed at the next barcode; where it stands, 0."""
+    began: Real
+    initial: Real
+    rest: Real
+    peak: Real
     doing: Whole
     due: Real
     ahead: Whole
@@ -105,7 +112,8 @@ def still(plan: Map, vehicles: int) -> State:
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
         observed=np.zeros(buffers), passes=row(buffers), watch_first=row(buffers, -1), meter=row(buffers, -1), meter_room=row(1),
-        at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),
+        at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles), initial=np.zeros(vehicles),
+        rest=np.zeros(vehicles), peak=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),
         ahead=np.zeros((vehicles, AHEAD), dtype=np.int64), way=np.zeros((vehicles, AHEAD)), limit=np.zeros((vehicles, AHEAD)),
         granted=row(vehicles), left=np.zeros(vehicles),
         plan=np.zeros((vehicles, PLAN), dtype=np.int64), planned=row(vehicles),
