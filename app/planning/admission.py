@@ -22,9 +22,10 @@ ADMITTED, FULL, CIRCLE = 0, 1, 2
 class Lines(NamedTuple):
     """Buffers and the vehicles standing in line in them.
 
-    Per buffer: ``capacity`` and ``load`` in slots, ``head``, ``tail``, ``mark`` (scratch); ``out_at`` (one longer) and ``outs`` list the
-    buffers that can come next. Per vehicle: ``slot``, ``want``, and its neighbours in line, ``before`` (nearer to the exit) and ``behind``.
-    ``looked`` are the buffers that the last refusal came by (scratch), ``seen`` has how many, and a running mark.
+    Per buffer: ``capacity`` and ``load`` in slots, ``head``, ``tail``, ``mark`` (scratch); ``out_at`` (one longer) and ``outs``
+    list the buffers that can come next. Per vehicle: ``slot``, ``want``, and its neighbours in line, ``before`` (nearer to the
+    exit) and ``behind``. ``looked`` are the buffers that the last refusal came by (scratch), ``seen`` has how many, and
+    a running mark.
     """
 
     capacity: Row

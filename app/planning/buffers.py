@@ -18,9 +18,9 @@ class Buffers:
     A buffer is a chain of barcodes without a branch: a barcode after a merge opens one, a barcode before a diverge closes one,
     and every barcode of one-way track lies in exactly one. ``of`` has the buffer of each barcode (-1: two-way floor, which has
     none), ``place`` its index in ``chains``, ``stop`` whether a vehicle may wait there: it is in no no-stop zone and keeps no
-    other branch from passing (``Track.conflicts``). ``capacity`` is how many vehicles of ``length`` can wait in the buffer whole,
-    one behind the other. ``transit`` buffers hold fewer than two: they are crossed in one go to one of ``outs``, the buffers where
-    a vehicle may wait next, and are never waited in.
+    other branch from passing (``Track.conflicts``). ``capacity`` is how many vehicles of ``length`` can wait in the buffer
+    whole, one behind the other. ``transit`` buffers hold fewer than two: they are crossed in one go to one of ``outs``, the
+    buffers where a vehicle may wait next, and are never waited in.
     """
 
     def __init__(self, track: Track, length: Millimetres) -> None:

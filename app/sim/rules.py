@@ -152,7 +152,7 @@ def _connected(rng: Random, size: int) -> list[list[int]]:
     """Return the outs of a random strongly connected network: a ring, and as many other ways again."""
     order = list(range(size))
     rng.shuffle(order)
-    outs = [[] for _ in range(size)]
+    outs: list[list[int]] = [[] for _ in range(size)]
     for here, after in zip(order, [*order[1:], order[0]], strict=True):
         outs[here].append(after)
     for _ in range(rng.randint(1, size)):

@@ -1,25 +1,34 @@
 """Compiles the fast plant where numba is installed; without it the same functions run as they stand."""
 
 from collections.abc import Callable
-from typing import Any, TypeVar
+from importlib.util import find_spec
+from typing import Any, TypeVar, cast
 
 from app.planning import admission
 
-try:
-    from numba import njit
-    from numba.extending import register_jitable
-except ImportError:
-    njit = None
-
 Function = TypeVar("Function", bound=Callable[..., Any])
-COMPILED = njit is not None
+COMPILED = find_spec("numba") is not None
 """Whether the fast plant is compiled."""
 
-if COMPILED:
+
+def _as_it_is(function: Function) -> Function:
+    return function
+
+
+def _compiler() -> Callable[[Any], Any]:
+    if not COMPILED:
+        return _as_it_is
+    from numba import njit
+    from numba.extending import register_jitable
+
     for rule in (admission.comes_back, admission.admits, admission.may_want, admission.leave, admission.enter):
         register_jitable(rule)
+    return cast("Callable[[Any], Any]", njit)
+
+
+_compile = _compiler()
 
 
 def compiled(function: Function) -> Function:
     """Return the function compiled when it is first called, or as it is where numba is not installed."""
-    return function if njit is None else njit(function)
+    return cast("Function", _compile(function))

@@ -83,7 +83,7 @@ def unschedule_first(s: State) -> int:
         s.heap[0] = s.heap[s.size[0]]
         s.place[s.heap[0]] = 0
         _sink(s, 0)
-    return vehicle
+    return int(vehicle)
 
 
 # -- who waits for what --------------------------------------------------------------------------------------------------
@@ -213,7 +213,7 @@ def want_beyond(net: Network, s: State, vehicle: int, buffer: int) -> int:
         if here < 0:
             return ANY
         if not net.transit[here] or here == goal:
-            return here
+            return int(here)
     return ANY
 
 
@@ -265,7 +265,7 @@ def obstacle(s: State, vehicle: int, n: int) -> int:
     for i in range(n):
         barcode = s.scratch[i]
         if s.closed[barcode] or (s.owner[barcode] >= 0 and s.owner[barcode] != vehicle):
-            return barcode
+            return int(barcode)
     return -1
 
 
@@ -280,7 +280,7 @@ def metered(s: State, rules: Rules, vehicle: int, buffer: int, now: float) -> bo
         return False
     if s.meter_room[meter] > 0:
         return False
-    return s.since[vehicle] < 0 or now < s.since[vehicle] + rules.patience
+    return bool(s.since[vehicle] < 0 or now < s.since[vehicle] + rules.patience)
 
 
 @compiled
@@ -301,14 +301,14 @@ def take_slot(net: Network, s: State, vehicle: int, buffer: int) -> None:
 
 @compiled
 def need(net: Network, s: State, rules: Rules, vehicle: int) -> float:
-    """Return how much must be granted so that the vehicle need not brake before its next barcode but one, mm (TRAFFIC section 2)."""
+    """Return how much must be granted so that the vehicle need not brake up to its next barcode, mm (TRAFFIC section 2)."""
     pace, fastest = s.pace[vehicle], net.speed[s.at[vehicle]]
     if s.granted[vehicle] > 0:
         fastest = s.limit[vehicle, 0]
     elif fastest == 0.0:
         fastest = 3000.0
     pace = max(pace, min(fastest, sqrt(pace * pace + 2 * rules.acceleration * rules.edge)))
-    return pace * pace / (2 * rules.braking) + pace * rules.reaction + rules.edge
+    return float(pace * pace / (2 * rules.braking) + pace * rules.reaction + rules.edge)
 
 
 @compiled
@@ -513,7 +513,7 @@ def go_on(net: Network, s: State, rules: Rules, now: float) -> None:
         s.size[1] = (s.size[1] + 1) % len(s.queue)
         s.queued[vehicle] = 0
         doing = s.doing[vehicle]
-        if doing == DWELLING or doing == BROKEN:
+        if doing in (DWELLING, BROKEN):
             continue
         if doing == STANDING and s.at[vehicle] == s.goal[vehicle] and s.granted[vehicle] == 0:
             reach(s, rules, vehicle, now)

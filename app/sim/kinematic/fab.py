@@ -1,200 +1,226 @@
 """A fab at work in the fast plant: transfers come, are assigned, and are carried; ways follow the traffic."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import partial
 from random import Random
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
+from numpy.typing import NDArray
 
 from app.domain.layout import VehicleSpec
-from app.domain.units import Barcode
+from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY, enter
+from app.planning.dispatch import Indices, Jobs, Plan, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
 from app.sim.kinematic.events import run, send
-from app.sim.kinematic.network import Map, Whole
-from app.sim.kinematic.state import DELIVERED, FETCHING, IDLE, LOADED, Rules, still
 from app.sim.kinematic.load import Ports
+from app.sim.kinematic.network import Map, Real
+from app.sim.kinematic.state import DWELLING, FETCHING, IDLE, Rules, still
 from app.sim.kinematic.ways import free_flow, refresh, survey
+
+TICK = 1.0
+"""Seconds between two looks of dispatch. Our choice."""
+FORGET = 0.02
+"""Share by which an observed traverse time falls back to free flow at each reweighing: an old jam is tried again. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
-    """What rules a run keeps to. Times in seconds."""
+class Plant:
+    """What a run keeps to. Times in seconds, ways in mm; all values are our choice where no specification gives them.
+
+    ``admission``: the look-ahead of TRAFFIC section 3; without it the track itself is all that is asked for. ``reweigh``: how
+    often ways are thought over by the traffic (0: never, static shortest ways): by the observed traverse times (``smoothing``:
+    the weight of the newest) and ``queue_penalty`` seconds for each vehicle in a buffer. ``dispatch``: assignment, nearest or
+    random; ``backlog`` transfers wait at any time. ``patience``: a soft meter is ignored after so long; 0: there are none.
+    """
 
     admission: bool = True
-    congestion: bool = True
+    reweigh: float = 5.0
+    smoothing: float = 0.02
+    queue_penalty: float = 3.0
     dispatch: str = "assignment"
     backlog: int = 200
-    tick: float = 1.0
     rethink: float = 5.0
-    reweigh: float = 10.0
-    queue_penalty: float = 0.0
-    smoothing: float = 0.2
     dwell: float = 10.0
     restart: float = 0.1
-    patience: float = 0.0
     reaction: float = 0.2
     hearing: float = 0.05
     more: float = 1000.0
-    active: int = 0
-    """At most so many vehicles are at work at a time; 0: all."""
+    patience: float = 0.0
 
 
 @dataclass(slots=True)
-class Job:
+class Transfer:
+    """A transfer between two ports, by number. ``vehicle``: who is on its way to fetch it, -1: nobody."""
+
     source: int
     destination: int
     created: float
     vehicle: int = -1
 
 
+@dataclass(frozen=True, slots=True)
+class Delivered:
+    """A transfer that has been carried. Times in seconds."""
+
+    created: float
+    at: float
+
+
 class Fab:
-    def __init__(self, plan: Map, spec: VehicleSpec, ports: Sequence[Barcode], starts: Sequence[Barcode], seed: int, how: Plan) -> None:
-        self.map, self.how = plan, how
-        self.net = plan.network
+    """A fleet with a backlog of transfers. The same arguments give the same run."""
+
+    def __init__(
+        self, plan: Map, spec: VehicleSpec, ports: Sequence[Barcode], starts: Sequence[Barcode], seed: int, how: Plant
+    ) -> None:
+        self.map, self.how, self.net = plan, how, plan.network
         self.ways = survey(self.net)
         self.state = still(plan, len(starts))
-        self.rules = Rules(float(spec.acceleration), float(spec.braking), how.reaction, how.hearing, 1000.0, how.more, how.dwell, how.restart, how.admission, how.smoothing, how.patience)
+        self.rules = Rules(
+            acceleration=float(spec.acceleration),
+            braking=float(spec.braking),
+            reaction=how.reaction,
+            hearing=how.hearing,
+            edge=1000.0,
+            more=how.more,
+            dwell=how.dwell,
+            restart=how.restart,
+            admission=how.admission,
+            smoothing=how.smoothing,
+            patience=how.patience,
+        )
         self.ports = Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
-        self.at_port = np.array(self.ports.barcodes)
-        self.jobs: list[Job] = []      # waiting or unpicked
-        self.of: list[Job | None] = [None] * len(starts)
-        self.now = 0.0
-        self.free = free_flow(self.net)
-        self.state.observed[:] = self.free
-        self._place(starts)
-        self._next_think = self._next_weigh = 0.0
-        self.delivered: list[tuple[float, float]] = []
+        self.waiting: list[Transfer] = []
+        """Transfers that are not picked up, the oldest first."""
+        self.delivered: list[Delivered] = []
+        self.now = Seconds(0.0)
         self.rows = 0
-        self.rng = Random(f"{seed}/rule")
-
-    def _place(self, starts):
-        s = self.state
-        at = [self.map.number[b] for b in starts]
-        for v, b in enumerate(at):
-            s.at[v], s.owner[b] = b, v
-        for v in sorted(range(len(at)), key=lambda v: -at[v]):
-            enter(s.lines, v, int(self.net.buffer[at[v]]), ANY)
+        """Rows of next hops made so far."""
+        self._of: list[Transfer | None] = [None] * len(starts)
+        self._free = free_flow(self.net)
+        self._rule: Rule = self._rule_of(seed)
+        self._next_thought = self._next_weighing = 0.0
+        self._turn = 0
+        self.state.observed[:] = self._free
+        self._place([plan.number[b] for b in starts])
 
     def run(self, seconds: float) -> None:
+        """Let time pass."""
         end = self.now + seconds
         while self.now < end:
-            self._fill()
+            self._order()
             self._weigh()
             self._dispatch()
-            self.now += self.how.tick
+            self.now = Seconds(min(end, self.now + TICK))
             done = run(self.net, self.state, self.rules, self.now)
             for code in self.state.finished[:done].tolist():
-                self._finish(code >> 1, code & 1)
+                self._finish(code >> 1, put_down=bool(code & 1))
 
-    def _finish(self, vehicle: int, put_down: int) -> None:
-        job = self.of[vehicle]
+    @property
+    def stuck(self) -> int:
+        """How many vehicles wait for track or for room."""
+        return int((self.state.since >= 0).sum())
+
+    def _rule_of(self, seed: int) -> Rule:
+        if self.how.dispatch == "random":
+            return at_random(np.random.default_rng(seed))
+        return nearest_first_come if self.how.dispatch == "nearest" else self._assignment
+
+    def _assignment(self, vehicles: Vehicles, jobs: Jobs, times: Times) -> Plan:
+        self._turn += 1
+        return dispatch(vehicles, jobs, times, turn=self._turn)
+
+    def _place(self, starts: list[int]) -> None:
+        s = self.state
+        for vehicle, barcode in enumerate(starts):
+            s.at[vehicle], s.owner[barcode] = barcode, vehicle
+        for vehicle in sorted(range(len(starts)), key=lambda v: -starts[v]):
+            enter(s.lines, vehicle, int(self.net.buffer[starts[vehicle]]), ANY)
+
+    def _finish(self, vehicle: int, *, put_down: bool) -> None:
+        transfer = self._of[vehicle]
+        if transfer is None:
+            raise LookupError(f"vehicle {vehicle} has handled a carrier without a transfer")
         if put_down:
-            self.ports.filled(job.destination)
-            self.delivered.append((job.created, self.now))
-            self.of[vehicle] = None
+            self.ports.filled(transfer.destination)
+            self.delivered.append(Delivered(transfer.created, self.now))
+            self._of[vehicle] = None
         else:
-            self.ports.emptied(job.source)
-            self.jobs.remove(job)
+            self.ports.emptied(transfer.source)
+            self.waiting.remove(transfer)
 
-    def _fill(self) -> None:
-        waiting = sum(job.vehicle < 0 for job in self.jobs)
-        while waiting < self.how.backlog and (drawn := self.ports.draw()):
-            self.jobs.append(Job(*drawn, self.now))
-            waiting += 1
+    def _order(self) -> None:
+        missing = self.how.backlog - sum(transfer.vehicle < 0 for transfer in self.waiting)
+        while missing > 0 and (drawn := self.ports.draw()):
+            self.waiting.append(Transfer(*drawn, self.now))
+            missing -= 1
 
     def _weigh(self) -> None:
-        if not self.how.congestion or self.now < self._next_weigh:
+        if not self.how.reweigh or self.now < self._next_weighing:
             return
-        self._next_weigh = self.now + self.how.reweigh
-        s, w = self.state, self.ways
-        w.weight[:] = np.maximum(self.free, s.observed) + self.how.queue_penalty * s.lines.load
-        # what has not been driven lately is believed to be free again
-        s.observed[:] += 0.02 * (self.free - s.observed)
-        w.version[0] += 1
-        goals = np.unique(self.net.buffer[s.goal[s.goal >= 0]])
-        self.rows += refresh(self.net, w, s.hop, goals)
+        self._next_weighing = self.now + self.how.reweigh
+        s, ways = self.state, self.ways
+        ways.weight[:] = np.maximum(self._free, s.observed) + self.how.queue_penalty * np.asarray(s.lines.load)
+        s.observed[:] += FORGET * (self._free - s.observed)
+        ways.version[0] += 1
+        self._know(np.unique(self.net.buffer[s.goal[s.goal >= 0]]))
+
+    def _know(self, goals: "NDArray[np.int64]") -> None:
+        self.rows += refresh(self.ways, self.state.hop, goals)
 
     def _dispatch(self) -> None:
-        s = self.state
-        rethink = self.now >= self._next_think and self.how.dispatch == "assignment"
-        idle = s.phase == IDLE
-        vehicles = np.flatnonzero(idle)
-        if self.how.active:
-            room = self.how.active - int((~idle).sum())
-            vehicles = vehicles[:max(0, room)]
-        if rethink:
-            self._next_think = self.now + self.how.rethink
-            vehicles = np.concatenate([vehicles, np.flatnonzero(s.phase == FETCHING)])
-            vehicles = vehicles[s.doing[vehicles] != 2]
-            jobs = [j for j in self.jobs if j.vehicle < 0 or s.doing[j.vehicle] != 2]
-        else:
-            jobs = [j for j in self.jobs if j.vehicle < 0]
+        s, thinks = self.state, self.now >= self._next_thought
+        may = s.phase == IDLE
+        if thinks:
+            self._next_thought = self.now + self.how.rethink
+            may |= (s.phase == FETCHING) & (s.doing != DWELLING)
+        vehicles = np.flatnonzero(may)
+        jobs = [t for t in self.waiting if t.vehicle < 0 or may[t.vehicle]]
         if not len(vehicles) or not jobs:
             return
-        times = self._times(vehicles, jobs)
-        if self.how.dispatch == "random":
-            pairs = list(enumerate(self.rng.sample(range(len(jobs)), min(len(jobs), len(vehicles)))))
-        elif self.how.dispatch == "nearest":
-            pairs, taken = [], set()
-            for j in range(len(jobs)):
-                order = np.argsort(times[:, j])
-                v = next((int(v) for v in order if int(v) not in taken), None)
-                if v is None:
-                    break
-                taken.add(v)
-                pairs.append((v, j))
-        else:
-            age = np.array([self.now - j.created for j in jobs])
-            cost = times - (3600 * age / (3600 + age))[None, :]
-            if rethink:
-                bound = np.array([j.vehicle for j in jobs])
-                mine = bound[None, :] == vehicles[:, None]
-                has = (s.phase[vehicles] == FETCHING)[:, None] | (bound >= 0)[None, :]
-                cost += 30.0 * (has & ~mine)
-            rows, cols = linear_sum_assignment(cost)
-            pairs = list(zip(rows.tolist(), cols.tolist()))
-        self._assign(vehicles, jobs, pairs, rethink)
+        column = {id(t): i for i, t in enumerate(jobs)}
+        on = np.array([column.get(id(self._of[v]), -1) for v in vehicles.tolist()], dtype=np.intp)
+        still_soon = np.zeros(len(vehicles), np.bool_)
+        plan = self._rule(
+            Vehicles(np.zeros(len(vehicles)), on, still_soon),
+            Jobs.waiting(np.array([self.now - t.created for t in jobs])),
+            partial(self._times, vehicles, np.array([self.ports.barcodes[t.source] for t in jobs])),
+        )
+        chosen = [int(vehicles[row]) if row >= 0 else -1 for row in plan.vehicle.tolist()]
+        self._carry_out(jobs, chosen)
 
-    def _assign(self, vehicles, jobs, pairs, rethink):
-        s = self.state
-        given = {}
-        for r, c in pairs:
-            given[int(vehicles[r])] = jobs[c]
-        if rethink:
-            for v in vehicles.tolist():
-                old = self.of[v]
-                if old is not None and given.get(v) is not old:
-                    old.vehicle = -1
-                    self.of[v] = None
-            for v in vehicles.tolist():
-                if v not in given and s.phase[v] == FETCHING:
-                    s.phase[v] = IDLE
-                    s.goal[v] = -1
-                    s.lines.want[v] = ANY
-        for v, job in given.items():
-            if self.of[v] is job:
+    def _carry_out(self, jobs: list[Transfer], chosen: list[int]) -> None:
+        changed = [(t, v) for t, v in zip(jobs, chosen, strict=True) if t.vehicle != v]
+        for transfer, _ in changed:
+            if transfer.vehicle >= 0:
+                self._of[transfer.vehicle] = None
+        left = {t.vehicle for t, _ in changed if t.vehicle >= 0} - {v for _, v in changed}
+        for vehicle in sorted(left):
+            self.state.phase[vehicle], self.state.goal[vehicle] = IDLE, -1
+            self.state.lines.want[vehicle] = ANY
+        for transfer, vehicle in changed:
+            transfer.vehicle = vehicle
+            if vehicle < 0:
                 continue
-            job.vehicle = v
-            self.of[v] = job
-            s.destination[v] = self.ports.barcodes[job.destination]
-            source = self.ports.barcodes[job.source]
-            self.rows += refresh(self.net, self.ways, s.hop, np.array([self.net.buffer[source], self.net.buffer[s.destination[v]]]))
-            send(self.net, s, self.rules, v, source, FETCHING)
+            self._of[vehicle] = transfer
+            source, destination = self.ports.barcodes[transfer.source], self.ports.barcodes[transfer.destination]
+            self.state.destination[vehicle] = destination
+            self._know(np.array([self.net.buffer[source], self.net.buffer[destination]]))
+            send(self.net, self.state, self.rules, vehicle, source, FETCHING)
 
-    def _times(self, vehicles, jobs):
-        s, net, w = self.state, self.net, self.ways
-        n = s.granted[vehicles]
-        at = np.where(n > 0, s.ahead[vehicles, np.maximum(n - 1, 0)], s.at[vehicles])
-        goals = np.array([self.ports.barcodes[j.source] for j in jobs])
-        gb, vb = net.buffer[goals], net.buffer[at]
-        self.rows += refresh(net, w, s.hop, np.unique(gb))
-        far = w.far[gb][:, vb].T - w.reach[at][:, None] + w.reach[goals][None, :]
-        # own buffer: ahead is direct, behind is once round
-        same = vb[:, None] == gb[None, :]
-        behind = same & (goals[None, :] < at[:, None])
+    def _times(
+        self, vehicles: "NDArray[np.intp]", sources: "NDArray[np.int64]", rows: Indices, columns: Indices
+    ) -> Real:
+        """Return the seconds from where each vehicle can turn to each source, by the weights of the moment."""
+        s, net, ways = self.state, self.net, self.ways
+        some, goals = vehicles[rows], sources[columns]
+        granted = s.granted[some]
+        at = np.where(granted > 0, s.ahead[some, np.maximum(granted - 1, 0)], s.at[some])
+        goal_buffers, buffers = net.buffer[goals], net.buffer[at]
+        self._know(np.unique(goal_buffers))
+        far: Real = ways.far[goal_buffers][:, buffers].T - ways.reach[at][:, None] + ways.reach[goals][None, :]
+        behind = (buffers[:, None] == goal_buffers[None, :]) & (goals[None, :] < at[:, None])
         if behind.any():
-            nxt = s.hop[gb, gb]
-            round_ = w.weight[gb] + w.far[gb, nxt]
-            far = far + behind * round_[None, :]
+            around = s.hop[goal_buffers, goal_buffers]
+            far = far + behind * (ways.weight[goal_buffers] + ways.far[goal_buffers, around])[None, :]
         return far

@@ -1,5 +1,6 @@
 """The track of a fab as arrays: barcodes numbered buffer by buffer in order of driving."""
 
+from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -17,8 +18,8 @@ Real: TypeAlias = "NDArray[np.float64]"
 
 class Network(NamedTuple):
     """Per barcode: its buffer, whether a vehicle may wait there, and to the next one of the same buffer the way (mm) and the
-    speed (mm/s). Per buffer: first and last barcode, whether it is only crossed, its way and its free-flow time from its first barcode
-    on to a next buffer's first; ``next_at`` (one longer) into ``next_to`` with the way and speed of each connection.
+    speed (mm/s). Per buffer: first and last barcode, whether it is only crossed; ``next_at`` (one longer) into ``next_to`` with
+    the way and speed of each connection.
     """
 
     buffer: Whole
@@ -52,7 +53,7 @@ def draw(track: Track, spec: VehicleSpec) -> Map:
     number = {barcode: i for i, barcode in enumerate(names)}
     gap, speed, inside = np.zeros(len(names)), np.zeros(len(names)), np.zeros(len(buffers))
     for buffer, chain in enumerate(buffers.chains):
-        for a, b in zip(chain, chain[1:], strict=False):
+        for a, b in pairwise(chain):
             edge = track.edge(a, b)
             gap[number[a]], speed[number[a]] = edge.length, edge_speed(edge, spec)
             inside[buffer] += edge.length / speed[number[a]]

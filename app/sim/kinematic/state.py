@@ -44,9 +44,10 @@ class Rules(NamedTuple):
 
 
 class State(NamedTuple):
-    """Per barcode: who holds it, whether it is closed, who waits for it first. Per buffer: observed traverse time and who watches it
-    first; its meter. Per vehicle: where it is, its goal (-1: none), speed, what it is doing until when, its grant (``ahead`` barcodes with
-    the way to each and the speed on it, ``granted`` of them, ``left`` mm), the buffers it has decided to cross next (``plan``).
+    """Per barcode: who holds it, whether it is closed, who waits for it first. Per buffer: observed traverse time, how many
+    have passed, who watches it first, its meter. Per vehicle: where it is, its goal (-1: none), what it is doing until when, its
+    grant (``ahead`` barcodes with the way to each and the speed on it, ``granted`` of them, ``left`` mm), the buffers that it
+    has decided to cross next (``plan``).
     """
 
     owner: Whole
@@ -111,8 +112,10 @@ def still(plan: Map, vehicles: int) -> State:
     arrays = lines(plan.buffers, vehicles)
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
-        observed=np.zeros(buffers), passes=row(buffers), watch_first=row(buffers, -1), meter=row(buffers, -1), meter_room=row(1),
-        at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles), initial=np.zeros(vehicles),
+        observed=np.zeros(buffers), passes=row(buffers), watch_first=row(buffers, -1),
+        meter=row(buffers, -1), meter_room=row(1),
+        at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles),
+        initial=np.zeros(vehicles),
         rest=np.zeros(vehicles), peak=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),
         ahead=np.zeros((vehicles, AHEAD), dtype=np.int64), way=np.zeros((vehicles, AHEAD)), limit=np.zeros((vehicles, AHEAD)),
         granted=row(vehicles), left=np.zeros(vehicles),
@@ -121,7 +124,8 @@ def still(plan: Map, vehicles: int) -> State:
         waits_for=row(vehicles, -1), waits_next=row(vehicles, -1), waits_before=row(vehicles, -1),
         watches=np.zeros((vehicles, WATCHED), dtype=np.int64), watching=row(vehicles),
         watch_next=row(vehicles * WATCHED, -1), watch_before=row(vehicles * WATCHED, -1),
-        destination=row(vehicles, -1), finished=row(2 * vehicles), clock=np.zeros(1), queue=row(4 * vehicles + 8), queued=row(vehicles),
+        destination=row(vehicles, -1), finished=row(2 * vehicles), clock=np.zeros(1),
+        queue=row(4 * vehicles + 8), queued=row(vehicles),
         heap=row(vehicles + 1), place=row(vehicles, -1), size=row(3), counts=row(8), scratch=row(4 * AHEAD),
         hop=np.full((buffers, buffers), -1, dtype=np.int64),
         lines=Lines(*(np.array(r, dtype=np.int64) for r in arrays)),  # type: ignore[arg-type]

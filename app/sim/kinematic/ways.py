@@ -9,9 +9,9 @@ from app.sim.kinematic.network import Network, Real, Whole
 
 
 class Ways(NamedTuple):
-    """Per buffer: ``weight``, seconds from its first barcode to a next one's; ``before_at`` (one longer) into ``before``, the buffers that
-    lead to it; ``made``, the version of its row. ``far`` has a row per goal: seconds from each buffer's first barcode to the goal's first.
-    ``version`` of the weights. ``reach`` are seconds from a barcode's buffer's first barcode to it at full speed.
+    """Per buffer: ``weight``, seconds from its first barcode to a next one's; ``before_at`` (one longer) into ``before``, the
+    buffers that lead to it; ``made``, the version of its row. ``far`` has a row per goal: seconds from each buffer's first
+    barcode to the goal's first. ``version`` of the weights. ``reach``: seconds to a barcode from its buffer's first.
     """
 
     weight: Real
@@ -60,70 +60,73 @@ def free_flow(net: Network) -> Real:
 
 
 @compiled
-def grow(net: Network, ways: Ways, goal: int, hop: Whole) -> None:
-    """Make the row of a goal: Dijkstra's algorithm backwards from it."""
-    far = ways.far[goal]
+def _sink(far: Real, heap: Whole, place: Whole, size: int) -> None:
+    """Put the buffer at ``heap[size]`` where the nearest was, and let it sink."""
+    last, at = heap[size], 0
+    while True:
+        below = 2 * at + 1
+        if below >= size:
+            break
+        if below + 1 < size and far[heap[below + 1]] < far[heap[below]]:
+            below += 1
+        if far[heap[below]] >= far[last]:
+            break
+        heap[at] = heap[below]
+        place[heap[at]] = at
+        at = below
+    heap[at] = last
+    place[last] = at
+
+
+@compiled
+def _rise(far: Real, heap: Whole, place: Whole, buffer: int, at: int) -> None:
+    """Let a buffer at that place of the heap, or new there, rise."""
+    while at > 0:
+        above = (at - 1) // 2
+        if far[heap[above]] <= far[buffer]:
+            break
+        heap[at] = heap[above]
+        place[heap[at]] = at
+        at = above
+    heap[at] = buffer
+    place[buffer] = at
+
+
+@compiled
+def grow(ways: Ways, goal: int, hop: Whole) -> None:
+    """Make the row of a goal: Dijkstra's algorithm backwards from it. From the goal itself the way leads once round."""
+    far, heap, place = ways.far[goal], ways.heap, ways.place
     far[:] = np.inf
     hop[:] = -1
-    ways.place[:] = -1
-    heap, place = ways.heap, ways.place
-    far[goal] = 0.0
-    heap[0], place[goal], size = goal, 0, 1
-    again = np.inf
+    place[:] = -1
+    far[goal], heap[0], place[goal], size, around = 0.0, goal, 0, 1, np.inf
     while size > 0:
         here = heap[0]
         size -= 1
         if size > 0:
-            last = heap[size]
-            at, due = 0, far[last]
-            while True:
-                below = 2 * at + 1
-                if below >= size:
-                    break
-                if below + 1 < size and far[heap[below + 1]] < far[heap[below]]:
-                    below += 1
-                if far[heap[below]] >= due:
-                    break
-                heap[at] = heap[below]
-                place[heap[at]] = at
-                at = below
-            heap[at] = last
-            place[last] = at
+            _sink(far, heap, place, size)
         place[here] = -2
         for i in range(ways.before_at[here], ways.before_at[here + 1]):
             other = ways.before[i]
             time = far[here] + ways.weight[other]
             if other == goal:
-                if time < again:
-                    again = time
-                    hop[goal] = here
-                continue
-            if place[other] == -2 or time >= far[other]:
-                continue
-            far[other] = time
-            hop[other] = here
-            at = place[other]
-            if at < 0:
-                at = size
-                size += 1
-            while at > 0:
-                above = (at - 1) // 2
-                if far[heap[above]] <= time:
-                    break
-                heap[at] = heap[above]
-                place[heap[at]] = at
-                at = above
-            heap[at] = other
-            place[other] = at
+                if time < around:
+                    around, hop[goal] = time, here
+            elif place[other] != -2 and time < far[other]:
+                far[other], hop[other] = time, here
+                if place[other] < 0:
+                    place[other] = size
+                    size += 1
+                _rise(far, heap, place, other, place[other])
     ways.made[goal] = ways.version[0]
 
 
 @compiled
-def refresh(net: Network, ways: Ways, hops: Whole, goals: Whole) -> int:
+def refresh(ways: Ways, hops: Whole, goals: Whole) -> int:
     """Make the rows of these goals where they are older than the weights; return how many were made."""
     made = 0
     for goal in goals:
         if ways.made[goal] != ways.version[0]:
-            grow(net, ways, goal, hops[goal])
+            grow(ways, goal, hops[goal])
             made += 1
     return made

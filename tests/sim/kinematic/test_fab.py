@@ -1,0 +1,108 @@
+"""The fast plant: nobody meets, nobody locks up, every carrier is in one place, and the same seed gives the same run."""
+
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.domain.layout import Plant as Layout
+from app.plant.fab import SIZES, generate, populate
+from app.planning.track import BOOK_VEHICLE, Track
+from app.sim.kinematic.fab import Fab, Plant
+from app.sim.kinematic.network import Map, draw
+from app.sim.kinematic.state import DWELLING, STANDING
+from app.sim.kinematic.ways import grow, survey
+
+HOIST = replace(BOOK_VEHICLE, length=950)
+
+
+@pytest.fixture(scope="module")
+def layout() -> Layout:
+    return generate(SIZES["1k"], 1).plant
+
+
+@pytest.fixture(scope="module")
+def plan(layout: Layout) -> Map:
+    return draw(Track(layout), HOIST)
+
+
+def fab(layout: Layout, plan: Map, vehicles: int, how: Plant) -> Fab:
+    starts = [vehicle.start for vehicle in populate(layout, vehicles, 1, 0.5).vehicles]
+    ports = list(dict.fromkeys(station.barcode for station in layout.stations))
+    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], 1, how)
+
+
+def test_every_barcode_has_one_holder_and_every_vehicle_holds_where_it_is_and_its_grant(
+    layout: Layout, plan: Map
+) -> None:
+    run = fab(layout, plan, 60, Plant(backlog=50))
+    for _ in range(20):
+        run.run(15)
+        s = run.state
+        held = Counter(s.owner[s.owner >= 0].tolist())
+        for vehicle in range(60):
+            ahead = s.ahead[vehicle, : s.granted[vehicle]].tolist()
+            assert {int(s.owner[b]) for b in (int(s.at[vehicle]), *ahead)} == {vehicle}
+            assert held[vehicle] == 1 + len(ahead)
+
+
+def test_lines_hold_every_vehicle_once_and_no_buffer_more_than_its_slots(layout: Layout, plan: Map) -> None:
+    run = fab(layout, plan, 100, Plant(backlog=50))
+    for _ in range(10):
+        run.run(30)
+        lines = run.state.lines
+        assert Counter(lines.slot)[-1] == 0
+        for buffer, load in enumerate(lines.load):
+            line, vehicle = [], lines.head[buffer]
+            while vehicle >= 0:
+                line.append(vehicle)
+                vehicle = lines.behind[vehicle]
+            assert len(line) == load <= lines.capacity[buffer]
+            assert all(lines.slot[v] == buffer for v in line)
+
+
+def test_a_crowded_fab_goes_on_delivering_with_the_rule_and_stands_still_without(layout: Layout, plan: Map) -> None:
+    """250 hoists on 1,100 barcodes: far more than the fab is for."""
+    found = {}
+    for rule in (True, False):
+        run = fab(layout, plan, 250, Plant(admission=rule, backlog=50))
+        run.run(1_500)
+        before = len(run.delivered)
+        run.run(300)
+        found[rule] = len(run.delivered) - before
+    assert found[True] > 0
+    assert found[False] == 0
+
+
+def test_transfers_end_where_they_were_ordered_to(layout: Layout, plan: Map) -> None:
+    run = fab(layout, plan, 20, Plant(backlog=20))
+    run.run(900)
+
+    assert len(run.delivered) > 50
+    assert all(d.created <= d.at for d in run.delivered)
+    resting = (run.state.doing == STANDING) | (run.state.doing == DWELLING)
+    assert (run.state.pace[resting] == 0).all()
+
+
+def test_the_same_seed_gives_the_same_run(layout: Layout, plan: Map) -> None:
+    runs = [fab(layout, plan, 40, Plant(backlog=30)) for _ in range(2)]
+    for run in runs:
+        run.run(400)
+
+    assert runs[0].delivered == runs[1].delivered
+    assert runs[0].state.counts.tolist() == runs[1].state.counts.tolist()
+
+
+def test_next_hops_lead_to_the_goal_in_the_time_they_say(plan: Map) -> None:
+    net, ways = plan.network, survey(plan.network)
+    hop = np.full(len(net.first), -1, dtype=np.int64)
+    for goal in (0, 40, 99):
+        grow(ways, goal, hop)
+        for start in range(0, len(net.first), 7):
+            here, time, steps = start, 0.0, 0
+            while here != goal:
+                time += ways.weight[here]
+                here, steps = int(hop[here]), steps + 1
+                assert steps <= len(net.first)
+            assert time == pytest.approx(float(ways.far[goal, start]))
