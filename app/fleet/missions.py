@@ -49,10 +49,12 @@ class Missions:
         if not vehicle.fit or vehicle.handling:
             return
         self._resume(vehicle)
-        if vehicle.errand and vehicle.errand.purpose is Purpose.BACK_OUT:
-            if not self._motion.arrived(vehicle):
+        if vehicle.errand and vehicle.errand.purpose in {Purpose.BACK_OUT, Purpose.GIVE_WAY}:
+            if self._motion.arrived(vehicle):
+                # It may be asked to give way again from here, also with a job that it cannot go on with.
+                self._motion.drop(vehicle)
+            elif vehicle.errand.purpose is Purpose.BACK_OUT:
                 return
-            self._motion.drop(vehicle)
         if vehicle.drive:
             self._redirect(vehicle)
             return
