@@ -8,6 +8,8 @@ from hypothesis import settings
 
 from tests.ordering import spread, weight
 
+# Compiling takes longer than any test of what is compiled: tests run the same functions as they stand.
+os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
 # A loaded machine makes an example slow, not wrong.
 settings.register_profile("hoistway", deadline=None)
 settings.load_profile("hoistway")

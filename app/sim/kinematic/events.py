@@ -183,12 +183,29 @@ def release(s: State, barcode: int) -> None:
 
 
 @compiled
+def hop_to(net: Network, s: State, goal: int, here: int) -> int:
+    """Return the next buffer toward a goal's; where the table has no row for it, as for one that is pushed on, the goal is near."""
+    known = s.hop[goal, here]
+    if known >= 0:
+        return int(known)
+    for c in range(net.next_at[here], net.next_at[here + 1]):
+        after = net.next_to[c]
+        if after == goal:
+            return int(goal)
+        if net.transit[after]:
+            for d in range(net.next_at[after], net.next_at[after + 1]):
+                if net.next_to[d] == goal:
+                    return int(after)
+    return -1
+
+
+@compiled
 def decide(net: Network, s: State, vehicle: int, buffer: int) -> None:
     """Decide which buffers the vehicle crosses next from this one, up to one where it may wait: by the table, to its goal."""
     n, here = 0, buffer
     goal = net.buffer[s.goal[vehicle]]
     while n < PLAN:
-        after = s.hop[goal, here]
+        after = hop_to(net, s, goal, here)
         if after < 0:
             break
         s.plan[vehicle, n] = after
@@ -209,7 +226,7 @@ def want_beyond(net: Network, s: State, vehicle: int, buffer: int) -> int:
         return ANY
     here = buffer
     for _ in range(PLAN):
-        here = s.hop[goal, here]
+        here = hop_to(net, s, goal, here)
         if here < 0:
             return ANY
         if not net.transit[here] or here == goal:
@@ -476,15 +493,23 @@ def arrive(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
         s.pace[vehicle] = 0.0
         s.doing[vehicle] = STANDING
         if here == s.goal[vehicle]:
-            reach(s, rules, vehicle, now)
+            reach(net, s, rules, vehicle, now)
 
 
 @compiled
-def reach(s: State, rules: Rules, vehicle: int, now: float) -> None:
+def give_way(net: Network, s: State, vehicle: int) -> None:
+    """A vehicle that has nothing to do stands: it goes on at once if somebody waits for its place or for room in its buffer."""
+    if s.waits_first[s.at[vehicle]] >= 0 or s.watch_first[net.buffer[s.at[vehicle]]] >= 0:
+        nudge(net, s, vehicle)
+
+
+@compiled
+def reach(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> None:
     """The vehicle stands at its goal."""
     if s.phase[vehicle] == IDLE:
         s.goal[vehicle] = -1
         s.since[vehicle] = -1.0
+        give_way(net, s, vehicle)
         return
     s.doing[vehicle] = DWELLING
     s.dwelled[vehicle] += rules.dwell
@@ -516,7 +541,7 @@ def go_on(net: Network, s: State, rules: Rules, now: float) -> None:
         if doing in (DWELLING, BROKEN):
             continue
         if doing == STANDING and s.at[vehicle] == s.goal[vehicle] and s.granted[vehicle] == 0:
-            reach(s, rules, vehicle, now)
+            reach(net, s, rules, vehicle, now)
             continue
         before = s.granted[vehicle]
         if s.left[vehicle] < need(net, s, rules, vehicle):
@@ -551,6 +576,7 @@ def run(net: Network, s: State, rules: Rules, until: float) -> int:
                 s.phase[vehicle] = IDLE
                 s.goal[vehicle] = -1
                 s.lines.want[vehicle] = ANY
+                give_way(net, s, vehicle)
             else:
                 send(net, s, rules, vehicle, s.destination[vehicle], LOADED)
         go_on(net, s, rules, now)
