@@ -31,12 +31,16 @@ RETHINK_EVERY = Seconds(1.0)
 """Assignments once made are thought over at most so often; new jobs and idle vehicles wait for nothing (our choice)."""
 RETHOUGHT = 100
 """So many of them at once, in turn (our choice: about 1 ms)."""
-MOST_URGENT = 200
-"""So many queued jobs are looked at each time, the most urgent; of the others as many, in turn (our choice: about 1 ms)."""
-SAID_AT_ONCE = 100
+MOST_URGENT = 150
+"""So many queued jobs are looked at each time, the most urgent (our choice: about 1 ms)."""
+IN_TURN = 100
+"""And so many of those behind them, in turn: what keeps many urgent ones from beginning keeps no other (our choice)."""
+SAID_AT_ONCE = 50
 """So many jobs say at once that they wait for something else now; the others say it the next time (our choice: about 1 ms)."""
 GIVEN_AT_ONCE = 10
 """So many idle vehicles get their job at once; those left get it in the next ticks (our choice: about 3 ms)."""
+IN_ONE_GO = 100
+"""With more vehicles, looking at the jobs, planning, and giving are ticks of their own (our choice)."""
 
 
 class Dispatch:
@@ -56,16 +60,18 @@ class Dispatch:
         self._words = 0
         self._pending: deque[tuple[VehicleNow, Job, int]] = deque()
         self._choices: Choices | None = None
+        self._looked: tuple[list[Job], dict[JobId, float]] | None = None
 
     @property
     def pending(self) -> bool:
         """Whether ``go_on`` has something to do: decided, but not carried out yet."""
-        return bool(self._pending)
+        return self._looked is not None or bool(self._pending)
 
     def run(self) -> None:
         """Assign what can be assigned now; a job that cannot begin says why."""
         books = self._books
         self._pending.clear()
+        self._looked = None
         self._words = SAID_AT_ONCE
         queued = self._to_be_looked_at()
         if books.controller.state is not ControllerState.AUTO:
@@ -77,11 +83,15 @@ class Dispatch:
             holder = books.vehicles.get(VehicleId(job.source))
             if holder and holder.available:
                 self._assign(holder, job)
-        awaited = self._fetch([job for job in ready if job.source in books.specs], coming)
-        self._explain(ready, coming, awaited)
+        self._looked = ready, coming
+        if len(books.vehicles) <= IN_ONE_GO:
+            self._plan()
 
     def go_on(self) -> None:
-        """Give some more of the idle vehicles what ``run`` decided for them, if it still can be so."""
+        """Do the next piece of what ``run`` began: the plan, then idle vehicles get their jobs, some at a time, if they still can."""
+        if self._looked is not None:
+            self._plan()
+            return
         books, choices = self._books, self._choices
         for _ in range(min(GIVEN_AT_ONCE, len(self._pending))):
             vehicle, job, column = self._pending.popleft()
@@ -91,16 +101,26 @@ class Dispatch:
         if not self._pending:
             self._choices = None
 
+    def _plan(self) -> None:
+        """Assign the jobs that were found able to begin, as far as they are still as they were."""
+        if self._looked is None:
+            return
+        (ready, coming), self._looked = self._looked, None
+        queued = self._books.backlog.queued
+        ready = [job for job in ready if queued.get(job.id) is job]
+        awaited = self._fetch([job for job in ready if job.source in self._books.specs], coming)
+        self._explain(ready, coming, awaited)
+
     def _to_be_looked_at(self) -> list[Job]:
         """Return the most urgent jobs of the queue, and some of those behind them in turn; by urgency."""
         backlog = self._books.backlog
         count = len(backlog.queued)
-        if count <= 2 * MOST_URGENT:
+        if count <= MOST_URGENT + IN_TURN:
             return backlog.urgent(0, count)
         if self._queue_from >= count:
             self._queue_from = MOST_URGENT
-        begin, self._queue_from = self._queue_from, self._queue_from + MOST_URGENT
-        return backlog.urgent(0, MOST_URGENT) + backlog.urgent(begin, MOST_URGENT)
+        begin, self._queue_from = self._queue_from, self._queue_from + IN_TURN
+        return backlog.urgent(0, MOST_URGENT) + backlog.urgent(begin, IN_TURN)
 
     def loaded(self, vehicle: VehicleNow) -> bool:
         """Whether the vehicle has a FOUP aboard, by its own word or by our books."""
@@ -259,7 +279,7 @@ class Dispatch:
         books = self._books
         self._choices = choices = Choices(books, asked, plan, self._engaged)
         new: list[tuple[VehicleNow, Job, Choice, str]] = []
-        room = GIVEN_AT_ONCE
+        room = GIVEN_AT_ONCE if len(books.vehicles) <= IN_ONE_GO else 0
         for column, row in enumerate(plan.vehicle.tolist()):
             if row == NOBODY or asked.prospects[row].soon:
                 continue
