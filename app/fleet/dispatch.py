@@ -88,7 +88,7 @@ class Dispatch:
             self._plan()
 
     def go_on(self) -> None:
-        """Do the next piece of what ``run`` began: the plan, then idle vehicles get their jobs, some at a time, if they still can."""
+        """Do the next piece of what ``run`` began: the plan, then idle vehicles get their jobs, some at a time."""
         if self._looked is not None:
             self._plan()
             return
