@@ -103,7 +103,9 @@ def tick(vehicles: int, jobs: int, per_fetch: int = 3) -> tuple[Callable[[], flo
 def thinking(vehicles: int, jobs: int, ticks: int = 200) -> list[float]:
     """Return the CPU milliseconds of a fleet's ticks from the moment at which its idle vehicles see so many jobs."""
     plant, kept, draw = generated(vehicles, 1), MemoryLedger().load(), random.Random(1)
-    fleet = Fleet(plant, kept, CmdIds(kept.epoch), Seconds(0), Timestamp(1e9), lambda _: LinkView(True, 0.0, ""))
+    fleet = Fleet(
+        plant, kept, CmdIds(kept.epoch), Seconds(0), Timestamp(1e9), lambda _: LinkView(up=True, since=0.0, reason="")
+    )
     for spec in plant.vehicles:
         fleet.handle(LinkUp(spec.id), Seconds(0))
     now = 0.0
@@ -114,7 +116,7 @@ def thinking(vehicles: int, jobs: int, ticks: int = 200) -> list[float]:
         for spec in plant.vehicles:
             assert spec.start is not None
             status = VehicleStatus(words(), spec.start, 0)
-            fleet.handle(Reported(spec.id, status, True, Seconds(now)), Seconds(now))
+            fleet.handle(Reported(spec.id, status, polled=True, asked_at=Seconds(now)), Seconds(now))
     full = [station for station, record in fleet.books.stations.items() if record.present]
     empty = [station for station, record in fleet.books.stations.items() if not record.present]
     for n in range(jobs):
