@@ -1,12 +1,11 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
-from app.domain.job import Job, JobEvent, JobState
+from app.domain.job import Job, JobEvent
 from app.domain.layout import Plant, Station, StationKind
 from app.domain.links import LinkSend
 from app.domain.records import (
@@ -30,6 +29,7 @@ from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
 from app.domain.why import Why
+from app.fleet.backlog import Backlog
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
@@ -95,11 +95,9 @@ class Books:
         self.vehicles = self._vehicles(kept)
         self.jobs: dict[JobId, Job] = {job.id: job for job in kept.jobs}
         self.ended: dict[JobId, Job] = {}
-        self.queued: dict[JobId, Job] = {job.id: job for job in kept.jobs if job.state is JobState.QUEUED}
-        """The jobs that no vehicle has, as they are now."""
-        self.jobs_changed = bool(self.queued)
+        self.backlog = Backlog(kept.jobs)
+        self.jobs_changed = bool(self.backlog.queued)
         """Whether there is something that dispatch can use: a job without a vehicle, a station that such a job waits for."""
-        self._queued_at = Counter(place for job in self.queued.values() for place in _ends(job))
         self.whys: dict[JobId, Why] = {why.job: why for why in kept.whys}
         """Of jobs not ended."""
         self.by_key: dict[str, JobId] = {j.idempotency_key: j.id for j in kept.jobs if j.idempotency_key}
@@ -187,6 +185,7 @@ class Books:
 
     def save_job(self, job: Job) -> Job:
         """Keep and show a job. An ended one leaves the live ones."""
+        before = self.jobs.get(job.id)
         if job.state.terminal:
             self.jobs.pop(job.id, None)
             self.ended[job.id] = job
@@ -198,31 +197,21 @@ class Books:
             self.jobs[job.id] = job
         if job.idempotency_key:
             self.by_key[job.idempotency_key] = job.id
-        self._note_queue(job)
+        self.jobs_changed |= self.backlog.note(before, job)
         self.effects.records.append(job)
-        self._follow(job)
+        self._follow(before, job)
         self.show(Topic.JOBS, job.id, None if job.state.terminal else view_of_job(job))
         return job
 
-    def _note_queue(self, job: Job) -> None:
-        """Keep the queue, and say to dispatch what it can use."""
-        before = self.queued.get(job.id)
-        if before is not None:
-            self._queued_at.subtract(_ends(before))
-        if job.state is JobState.QUEUED:
-            self.queued[job.id] = job
-            self._queued_at.update(_ends(job))
-            self.jobs_changed |= before is None
-        elif before is not None:
-            del self.queued[job.id]
-
-    def _follow(self, job: Job) -> None:
-        """Keep what the job waits for with its why-record."""
-        known = self.whys.get(job.id)
-        if known is not None or job.reason:
-            why = (known or Why(job.order, job.id)).waiting(job.reason, self.utc)
-            if why is not known:
-                self.keep_why(why)
+    def _follow(self, before: Job | None, job: Job) -> None:
+        """Keep what the job waits for with its why-record: from the second word on, since the first is the job's own."""
+        kept = self.whys.get(job.id)
+        known = kept or Why(job.order, job.id)
+        if kept is None and before is not None and before.reason:
+            known = known.waiting(before.reason, before.created)
+        why = known if before is None else known.waiting(job.reason, self.utc)
+        if why is not kept and why.waits:
+            self.keep_why(why)
         if job.state.terminal:
             self.whys.pop(job.id, None)
 
@@ -332,7 +321,7 @@ class Books:
         """Keep and show what is believed of a station."""
         self.stations[record.station] = record
         self.stations_changed[record.station] = None
-        self.jobs_changed |= self._queued_at[record.station] > 0
+        self.jobs_changed |= self.backlog.waits_at(record.station)
         self.effects.records.append(record)
         self.show_station(record.station)
 
@@ -432,8 +421,3 @@ class Books:
     def wake(self, vehicle: VehicleId) -> None:
         """Note that a vehicle should look again whether it can go on."""
         self.woken[vehicle] = self.changed[vehicle] = None
-
-
-def _ends(job: Job) -> Iterable[str]:
-    """Return the places that keep a job from beginning while they are not ready."""
-    return (job.source, job.destination, *job.fallbacks)

@@ -1,6 +1,7 @@
 """Why this vehicle: what an assignment was chosen by, in words and figures that are kept with the job (DOMAIN section 6)."""
 
 from collections.abc import Callable
+from functools import cached_property
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from app.domain.why import Candidate, Choice
 from app.fleet.books import Books
 from app.fleet.prospects import Asked
 from app.fleet.vehicle import VehicleNow
-from app.planning.dispatch import NOBODY, RULES, Indices, Plan, worth_of_waiting
+from app.planning.dispatch import NOBODY, RULES, Floats, Indices, Plan, worth_of_waiting
 
 CANDIDATES_NAMED = 5
 """So many vehicles that could do the job are named with an assignment (our choice)."""
@@ -89,16 +90,23 @@ class Choices:
             return f"keeps {does.id}" if kept else f"does {does.id}"
         return "is farther" if arrival >= seconds else "would have had to be switched for too little"
 
+    @cached_property
+    def _left(self) -> tuple[list[VehicleNow], Floats]:
+        """The vehicles that were not thought of, with where they are."""
+        books = self._books
+        thought = {prospect.vehicle.id for prospect in self._asked.prospects}
+        left = [v for v in books.vehicles.values() if v.id not in thought and v.barcode in books.track]
+        points = [books.track.point(v.barcode) for v in left if v.barcode is not None]
+        return left, np.array([[p.x, p.y] for p in points], np.float64).reshape(len(points), 2)
+
     def _others(self, job: Job) -> list[Candidate]:
         """Return the nearest vehicles that were not thought of, by the way as the crow flies, with the reason and the drive."""
         books, source = self._books, self._books.specs[StationId(job.source)].barcode
-        goal = books.track.point(source)
-        thought = {prospect.vehicle.id for prospect in self._asked.prospects}
-        left = [v for v in books.vehicles.values() if v.id not in thought and v.barcode in books.track]
+        left, places = self._left
         if not left:
             return []
-        points = [books.track.point(v.barcode) for v in left if v.barcode is not None]
-        away = np.array([[p.x - goal.x, p.y - goal.y] for p in points], np.float64)
+        goal = books.track.point(source)
+        away = places - (goal.x, goal.y)
         nearest: Indices = np.argsort((away**2).sum(axis=1), kind="stable")[:OTHERS_NAMED]
         found = []
         for at in nearest.tolist():

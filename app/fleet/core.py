@@ -33,7 +33,7 @@ from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
 from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
-from app.fleet.looks import Looks
+from app.fleet.looks import LOOKS_AT_ONCE, Looks
 from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.objections import objection
@@ -156,17 +156,25 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at)
+        at_once = self.books.now if self._dispatch.pending else Seconds(inf)
+        return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at, at_once)
 
     def tick(self, now: Seconds) -> None:
         """Time has passed."""
         self.books.now = now
         self.drives.tick()
-        self._look()
-        if now < self._next_thought:
-            if self.books.woken:
-                self._go_on()
+        all_seen = self._look()
+        if all_seen and now >= self._next_thought:
+            self._think()
             return
+        if all_seen and self._dispatch.pending:
+            self._dispatch.go_on()
+        if self.books.woken:
+            self._go_on()
+
+    def _think(self) -> None:
+        """See to all that waits."""
+        now = self.books.now
         self._next_thought, self._last_thought = Seconds(now + THINK_EVERY), now
         self.teaching.tick()
         self.devices.tick()
@@ -174,13 +182,15 @@ class Fleet:
         self._dispatch.run()
         self._go_on(all_devices=True)
 
-    def _look(self) -> None:
-        """Look at the vehicles whose time has come, though nothing was heard of them."""
-        for name in self._looks.due(self.books.now):
+    def _look(self) -> bool:
+        """Look at the vehicles whose time has come, though nothing was heard of them; return whether that was all of them."""
+        due = self._looks.due(self.books.now)
+        for name in due:
             vehicle = self.books.vehicles[name]
             self.alarms.tick(vehicle)
             self._mind_job(vehicle)
             self.books.wake(name)
+        return len(due) < LOOKS_AT_ONCE
 
     def _mind_job(self, vehicle: VehicleNow) -> None:
         """A job does not wait for a vehicle that cannot go on without saying so."""
@@ -299,7 +309,7 @@ class Fleet:
                 self._free.discard(name)
             elif name not in self._free:
                 self._free.add(name)
-                books.jobs_changed |= bool(books.queued)
+                books.jobs_changed |= bool(books.backlog.queued)
         if self.devices.all:
             self.doors.concern(changed)
             self.buffers.concern(changed)

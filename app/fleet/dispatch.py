@@ -1,5 +1,6 @@
 """Which vehicle does which job: one assignment over all vehicles that carry nothing and all jobs not picked up (DOMAIN 6)."""
 
+from collections import deque
 from dataclasses import replace
 
 from app.domain.errors import Refusal
@@ -8,10 +9,18 @@ from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.records import ControllerState
 from app.domain.units import Seconds
 from app.domain.why import Choice, Why
+from app.fleet.backlog import rank_of
 from app.fleet.books import Books
 from app.fleet.choices import Choices
 from app.fleet.missions import Missions
-from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer
+from app.fleet.obstacles import (
+    against_fetching,
+    against_picking_up,
+    against_putting_down,
+    bringer,
+    brought_first,
+    in_line,
+)
 from app.fleet.prospects import Asked, Prospects
 from app.fleet.servants import Servants
 from app.fleet.targets import target_for
@@ -20,6 +29,18 @@ from app.planning.dispatch import NOBODY, RULES, Plan, dispatch
 
 RETHINK_EVERY = Seconds(1.0)
 """Assignments once made are thought over at most so often; new jobs and idle vehicles wait for nothing (our choice)."""
+RETHOUGHT = 100
+"""So many of them at once, in turn (our choice: about 1 ms)."""
+MOST_URGENT = 150
+"""So many queued jobs are looked at each time, the most urgent (our choice: about 1 ms)."""
+IN_TURN = 100
+"""And so many of those behind them, in turn: what keeps many urgent ones from beginning keeps no other (our choice)."""
+SAID_AT_ONCE = 50
+"""So many jobs say at once that they wait for something else now; the others say it the next time (our choice: about 1 ms)."""
+GIVEN_AT_ONCE = 10
+"""So many idle vehicles get their job at once; those left get it in the next ticks (our choice: about 3 ms)."""
+IN_ONE_GO = 100
+"""With more vehicles, looking at the jobs, planning, and giving are ticks of their own (our choice)."""
 
 
 class Dispatch:
@@ -30,15 +51,29 @@ class Dispatch:
         self._missions = missions
         self._servants = Servants(books)
         self._prospects = Prospects(books)
+        self._names = tuple(books.vehicles)
         self._rows = {name: row for row, name in enumerate(books.vehicles)}
         self._rethink_at = books.now
         self._turn = 0
+        self._engaged_from = 0
+        self._queue_from = MOST_URGENT
+        self._words = 0
+        self._pending: deque[tuple[VehicleNow, Job, int]] = deque()
+        self._choices: Choices | None = None
+        self._looked: tuple[list[Job], dict[JobId, float]] | None = None
+
+    @property
+    def pending(self) -> bool:
+        """Whether ``go_on`` has something to do: decided, but not carried out yet."""
+        return self._looked is not None or bool(self._pending)
 
     def run(self) -> None:
         """Assign what can be assigned now; a job that cannot begin says why."""
         books = self._books
-        queued = [job for job in books.jobs.values() if job.state is JobState.QUEUED]
-        queued.sort(key=lambda job: (-job.priority, job.order))
+        self._pending.clear()
+        self._looked = None
+        self._words = SAID_AT_ONCE
+        queued = self._to_be_looked_at()
         if books.controller.state is not ControllerState.AUTO:
             for job in queued:
                 self._say(job, f"the controller is {books.controller.state.value}")
@@ -48,8 +83,44 @@ class Dispatch:
             holder = books.vehicles.get(VehicleId(job.source))
             if holder and holder.available:
                 self._assign(holder, job)
-        awaited = self._fetch([job for job in ready if job.source in books.specs], coming)
+        self._looked = ready, coming
+        if len(books.vehicles) <= IN_ONE_GO:
+            self._plan()
+
+    def go_on(self) -> None:
+        """Do the next piece of what ``run`` began: the plan, then idle vehicles get their jobs, some at a time."""
+        if self._looked is not None:
+            self._plan()
+            return
+        books, choices = self._books, self._choices
+        for _ in range(min(GIVEN_AT_ONCE, len(self._pending))):
+            vehicle, job, column = self._pending.popleft()
+            can = vehicle.available and not self.loaded(vehicle) and books.controller.state is ControllerState.AUTO
+            if choices is not None and can and books.backlog.queued.get(job.id) is job:
+                self._assign(vehicle, job, choices.named(column), choices.of(column))
+        if not self._pending:
+            self._choices = None
+
+    def _plan(self) -> None:
+        """Assign the jobs that were found able to begin, as far as they are still as they were."""
+        if self._looked is None:
+            return
+        (ready, coming), self._looked = self._looked, None
+        queued = self._books.backlog.queued
+        ready = [job for job in ready if queued.get(job.id) is job]
+        awaited = self._fetch([job for job in ready if job.source in self._books.specs], coming)
         self._explain(ready, coming, awaited)
+
+    def _to_be_looked_at(self) -> list[Job]:
+        """Return the most urgent jobs of the queue, and some of those behind them in turn; by urgency."""
+        backlog = self._books.backlog
+        count = len(backlog.queued)
+        if count <= MOST_URGENT + IN_TURN:
+            return backlog.urgent(0, count)
+        if self._queue_from >= count:
+            self._queue_from = MOST_URGENT
+        begin, self._queue_from = self._queue_from, self._queue_from + IN_TURN
+        return backlog.urgent(0, MOST_URGENT) + backlog.urgent(begin, IN_TURN)
 
     def loaded(self, vehicle: VehicleNow) -> bool:
         """Whether the vehicle has a FOUP aboard, by its own word or by our books."""
@@ -64,22 +135,18 @@ class Dispatch:
         """
         if not queued:
             return [], {}
-        live = self._books.jobs.values()
-        active = [job for job in live if job.state is not JobState.QUEUED]
-        served = {job.destination for job in active}
+        active = self._books.backlog.under_way.values()
         sources: set[str] = {job.source for job in active if job.leg in {Leg.TO_SOURCE, Leg.ACQUIRING}}
         emptied: set[str] = {job.source for job in active if job.leg is Leg.ACQUIRING}
-        destinations = {job.destination: job for job in active}
-        bringing: dict[str, Job] = {}
-        for job in sorted(live, key=lambda job: -job.order):
-            bringing[job.destination] = job
+        destinations: dict[str, Job] = {job.destination: job for job in active}
+        served = set(destinations)
         ready, coming = [], {}
         for job in queued:
-            first = self._first_at_source(job, bringing)
+            first = "" if job.source in self._books.vehicles else brought_first(self._books, job.source, job.order)
             expected = self._expected(job) if first and job.source in served else None
-            why = self._taken(job, sources, destinations)
+            why = first if first and expected is None else self._taken(job, sources, destinations)
             if not why and expected is None:
-                why = first or against_picking_up(self._books, job)
+                why = against_picking_up(self._books, job)
             elif not why:
                 why = against_fetching(self._books, job)
             why = why or self._blocked(job, emptied) or self._hopeless(job)
@@ -93,23 +160,17 @@ class Dispatch:
             ready.append(job)
         return ready, coming
 
-    def _taken(self, job: Job, sources: set[str], destinations: dict[StationId, Job]) -> str:
+    def _taken(self, job: Job, sources: set[str], destinations: dict[str, Job]) -> str:
         """Return which other job comes first at one of its ends."""
-        if job.destination in destinations:
-            return f"{job.destination} is the destination of {destinations[job.destination].id} already"
+        holder = destinations.get(job.destination)
+        if holder is not None:
+            before = 2 if holder.state is JobState.QUEUED else 1
+            if self._books.backlog.behind(job.destination, rank_of(job), before):
+                return in_line(job.destination)
+            return f"{job.destination} is the destination of {holder.id} already"
         if job.source in sources:
             return f"another job is being fetched from {job.source}"
         return ""
-
-    def _first_at_source(self, job: Job, bringing: dict[str, Job]) -> str:
-        """Return which job brings the carrier first. ``bringing``: the earliest job to each destination."""
-        first = bringing.get(job.source)
-        known = job.source in self._books.stations and self._books.stations[StationId(job.source)].present
-        return (
-            f"{first.id} brings a carrier to {job.source} first"
-            if first and first.order < job.order and not known
-            else ""
-        )
 
     def _expected(self, job: Job) -> float | None:
         """Return the seconds until the job's carrier is at its source, if it is on its way there; None: nobody knows."""
@@ -140,14 +201,20 @@ class Dispatch:
         return "" if job.destination in emptied or elsewhere else blocked
 
     def _say(self, job: Job, why: str) -> None:
-        if job.reason != why:
+        if job.reason == why:
+            return
+        if self._words:
+            self._words -= 1
             self._books.save_job(replace(job, reason=why))
+        else:
+            self._books.jobs_changed = True
 
     def _explain(self, ready: list[Job], coming: dict[JobId, float], awaited: dict[JobId, VehicleId]) -> None:
         """Jobs that could begin and got no vehicle say so."""
+        given = {job.id for _, job, _ in self._pending}
         for job in ready:
-            now = self._books.jobs.get(job.id)
-            if now and now.state is JobState.QUEUED:
+            now = self._books.backlog.queued.get(job.id)
+            if now and now.id not in given:
                 self._say(now, self._why_queued(now, coming, awaited))
 
     def _why_queued(self, job: Job, coming: dict[JobId, float], awaited: dict[JobId, VehicleId]) -> str:
@@ -193,7 +260,7 @@ class Dispatch:
         Returns the jobs that are kept for a vehicle that will soon be free.
         """
         books = self._books
-        idle = [v for v in books.vehicles.values() if v.available and not self.loaded(v)]
+        idle = [v for v in books.vehicles.values() if v.job is None and v.available and not self.loaded(v)]
         engaged = self._engaged_ones()
         jobs = queued + [books.jobs[v.job] for v in engaged if v.job]
         prospects = [self._prospects.of(vehicle) for vehicle in idle + engaged]
@@ -210,13 +277,18 @@ class Dispatch:
     def _carry_out(self, asked: Asked, plan: Plan) -> None:
         """Give the plan's jobs to vehicles that did not have them; those that had them give them back first."""
         books = self._books
-        choices = Choices(books, asked, plan, self._engaged)
-        new = []
+        self._choices = choices = Choices(books, asked, plan, self._engaged)
+        new: list[tuple[VehicleNow, Job, Choice, str]] = []
+        room = GIVEN_AT_ONCE if len(books.vehicles) <= IN_ONE_GO else 0
         for column, row in enumerate(plan.vehicle.tolist()):
             if row == NOBODY or asked.prospects[row].soon:
                 continue
             vehicle, job = asked.prospects[row].vehicle, asked.jobs[column]
-            if job.vehicle != vehicle.id:
+            fresh = vehicle.job is None and job.vehicle is None
+            if fresh and not room:
+                self._pending.append((vehicle, job, column))
+            elif job.vehicle != vehicle.id:
+                room -= fresh
                 new.append((vehicle, job, choices.of(column), choices.named(column)))
         for vehicle, job, _, _ in new:
             self._missions.give_back(vehicle, f"{vehicle.id} does {job.id} first")
@@ -226,17 +298,30 @@ class Dispatch:
             self._assign(vehicle, books.jobs[job.id], named, choice)
 
     def _engaged_ones(self) -> list[VehicleNow]:
-        """Return the vehicles whose assignment is thought over now: none if that was just done."""
-        if self._books.now < self._rethink_at:
+        """Return the vehicles whose assignment is thought over now, some in turn: none if that was just done."""
+        books = self._books
+        if books.now < self._rethink_at:
             return []
-        self._rethink_at = Seconds(self._books.now + RETHINK_EVERY)
+        share = min(1.0, RETHOUGHT / max(len(books.vehicles), 1))
+        self._rethink_at = Seconds(books.now + RETHINK_EVERY * share)
         self._turn += 1
-        return [v for v in self._books.vehicles.values() if self._can_switch(v)]
+        found: list[VehicleNow] = []
+        names, begin = self._names, self._engaged_from
+        for at in range(len(names)):
+            vehicle = books.vehicles[names[(begin + at) % len(names)]]
+            if self._can_switch(vehicle):
+                if len(found) == RETHOUGHT:
+                    self._engaged_from = (begin + at) % len(names)
+                    break
+                found.append(vehicle)
+        else:
+            self._engaged_from = 0
+        return sorted(found, key=lambda vehicle: self._rows[vehicle.id])
 
     def _can_switch(self, vehicle: VehicleNow) -> bool:
         """Whether the vehicle is only on its way to fetch a carrier."""
         job = self._books.job_of(vehicle)
-        return job is not None and job.state is JobState.WAITING and vehicle.fit and not vehicle.handling
+        return job is not None and job.state is JobState.WAITING and not vehicle.handling and vehicle.fit
 
     def _able(self, vehicle: VehicleNow, job: Job) -> bool:
         """Whether this vehicle may and can serve both ends."""

@@ -8,9 +8,11 @@ from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.layout import StationKind
 from app.domain.requests import AbortJob, Accepted, CancelJob, ChangeJob, CreateJob, Reply
 from app.domain.view import Topic
+from app.fleet.backlog import Rank
 from app.fleet.books import Books
 from app.fleet.kinds import between_kinds
 from app.fleet.missions import Missions
+from app.fleet.obstacles import brought_first, in_line
 from app.fleet.plant_orders import unfit_name
 from app.fleet.targets import no_dest, no_offset
 
@@ -49,8 +51,9 @@ class Jobs:
         if refusal := self._fault(request):
             return refusal
         order = self._books.new_order()
+        name = request.job or JobId(f"{OUR_NAMES}{order}")
         job = Job(
-            id=request.job or JobId(f"{OUR_NAMES}{order}"),
+            id=name,
             order=order,
             carrier=request.carrier or self._carrier_aboard(request.source),
             source=StationId(request.source),
@@ -62,9 +65,19 @@ class Jobs:
             idempotency_key=request.idempotency_key,
             wish=request.vehicle,
             fallbacks=request.fallbacks,
+            reason=self._first_reason(request, (-request.priority, order, name)),
         )
         self._books.save_job(job)
         return Accepted(Topic.JOBS, job.id, created=True)
+
+    def _first_reason(self, request: CreateJob, rank: Rank) -> str:
+        """Return what a new job will wait for, where that is plain: kept with the job, it need not be kept again."""
+        backlog = self._books.backlog
+        first = backlog.earliest_to(request.source)
+        queued = first is not None and first[1] in backlog.queued
+        if queued and (why := brought_first(self._books, request.source, rank[1])):
+            return why
+        return in_line(request.destination) if backlog.behind(request.destination, rank, 2) else ""
 
     def _known(self, request: CreateJob) -> Job | None:
         books = self._books

@@ -1,15 +1,13 @@
 """What stands against picking up or putting down now, as a clause for people; empty if nothing does (DOMAIN section 2)."""
 
 from app.domain.ids import JobId, StationId, VehicleId
-from app.domain.job import Job, Leg
+from app.domain.job import Job
 from app.domain.layout import StationKind
 from app.domain.records import Provenance, StationRecord
 from app.fleet.books import Books
 
 PLACED_COUNTS_FOR = 3600.0
 """Seconds after which "we placed it there" says nothing about a port any more: equipment takes carriers unseen (our choice)."""
-
-_BRINGING = frozenset({Leg.TO_DESTINATION, Leg.DEPOSITING})
 
 
 def against_picking_up(books: Books, job: Job) -> str:
@@ -44,11 +42,24 @@ def against_fetching(books: Books, job: Job) -> str:
 
 def bringer(books: Books, job: Job) -> Job | None:
     """Return the job under way whose vehicle brings the carrier to this job's source, if there is one: hosts order ahead."""
-    for other in books.jobs.values():
-        if other.destination == job.source and other.order < job.order and other.leg in _BRINGING:
+    for other in books.backlog.bringing(job.source):
+        if other.order < job.order:
             another = job.carrier and other.carrier and job.carrier != other.carrier
             return None if another else other
     return None
+
+
+def brought_first(books: Books, source: str, order: int) -> str:
+    """Return which earlier job brings a carrier to a source first, where none is known to stand there."""
+    first = books.backlog.earliest_to(source)
+    if first is None or first[0] >= order or books.stations[StationId(source)].present:
+        return ""
+    return f"{first[1]} brings a carrier to {source} first"
+
+
+def in_line(destination: StationId) -> str:
+    """Return why a job waits that has several others to its destination before it: words that stay true as they go."""
+    return f"other jobs to {destination} come first"
 
 
 def _against_taking_over(books: Books, job: Job) -> str:

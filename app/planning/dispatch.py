@@ -43,8 +43,8 @@ class Rules:
 RULES = Rules()
 MOST_JOBS = 500
 """So many jobs are looked at in one assignment, the most urgent and oldest first (TRAFFIC section 6)."""
-MOST_PAIRS = 300_000
-"""So many pairs of vehicle and job are weighed at once; more come with the next tick (our choice: about 5 ms)."""
+MOST_PAIRS = 40_000
+"""So many pairs of vehicle and job are weighed at once; more come with the next tick (our choice: about 4 ms)."""
 STEEPEST = 3600.0
 """Our choice: the age in seconds after which waiting counts no more than it does then."""
 SHORTER_SIDE = 300

@@ -1,5 +1,7 @@
 """Who does which job: the time of one assignment, and what the rule is worth under a backlog, on an empty fab without jams."""
 
+import gc
+import random
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -10,8 +12,18 @@ from itertools import count
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from app.cli.bench import generated
+from app.domain.events import LinkUp, Reported
+from app.domain.ids import Actor, CmdIds, JobId
+from app.domain.requests import CreateJob
+from app.domain.units import Seconds, Timestamp
+from app.domain.vehicle import VehicleStatus
+from app.domain.view import LinkView
+from app.fleet import Fleet
 from app.planning.dispatch import Floats, Indices, Jobs, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
+from app.sim.memory import MemoryLedger
 from tests.bench.measuring import Row, in_turn
+from tests.fleet.script import words
 
 BAYS = 40
 PORTS = 25
@@ -88,6 +100,40 @@ def tick(vehicles: int, jobs: int, per_fetch: int = 3) -> tuple[Callable[[], flo
     return partial(_cpu, partial(linear_sum_assignment, costs)), partial(_cpu, partial(dispatch, fleet, asked, whole))
 
 
+def thinking(vehicles: int, jobs: int, ticks: int = 200) -> list[float]:
+    """Return the CPU milliseconds of a fleet's ticks from the moment at which its idle vehicles see so many jobs."""
+    plant, kept, draw = generated(vehicles, 1), MemoryLedger().load(), random.Random(1)
+    fleet = Fleet(
+        plant, kept, CmdIds(kept.epoch), Seconds(0), Timestamp(1e9), lambda _: LinkView(up=True, since=0.0, reason="")
+    )
+    for spec in plant.vehicles:
+        fleet.handle(LinkUp(spec.id), Seconds(0))
+    now = 0.0
+    for now in (1.5, 3.0, 4.5):
+        while fleet.deadline <= now:
+            fleet.tick(Seconds(now))
+            fleet.take()
+        for spec in plant.vehicles:
+            assert spec.start is not None
+            status = VehicleStatus(words(), spec.start, 0)
+            fleet.handle(Reported(spec.id, status, polled=True, asked_at=Seconds(now)), Seconds(now))
+    full = [station for station, record in fleet.books.stations.items() if record.present]
+    empty = [station for station, record in fleet.books.stations.items() if not record.present]
+    for n in range(jobs):
+        source, destination = draw.choice(full), draw.choice(empty)
+        fleet.ask(CreateJob(Actor("bench"), JobId(f"J{n}"), source, destination, None, 50, "0"), n, Seconds(now))
+    fleet.take()
+    gc.collect()
+    gc.freeze()
+    took = []
+    for _ in range(ticks):
+        now = max(now + 0.001, fleet.deadline)
+        took.append(_cpu(partial(fleet.tick, Seconds(now))))
+        fleet.take()
+    gc.unfreeze()
+    return took
+
+
 def _cpu(call: Callable[[], object]) -> float:
     began = time.thread_time_ns()
     call()
@@ -108,6 +154,12 @@ def rows() -> Iterator[Row]:
             f"one assignment, {vehicles:,} vehicles x {jobs:,} jobs; floor: bare linear_sum_assignment",
             our_time, floor, None, "ms CPU/tick", None, note=note,
         )  # fmt: skip
+    took = thinking(1000, 3000)
+    yield Row(
+        "longest tick of a fleet, 1,000 idle vehicles and 3,000 jobs; floor: what the loop may be held, 5 ms",
+        max(took), 5.0, None, "ms CPU", 1.0,
+        note=f"mean of {len(took)} ticks {sum(took) / len(took):.2f} ms",
+    )  # fmt: skip
     table = fab(np.random.default_rng(0))
     by_chance = at_random(np.random.default_rng(3))
     ours_, first, chance = (shift(rule, table, 400, 200) for rule in (dispatch, nearest_first_come, by_chance))

@@ -266,7 +266,8 @@ def test_where_not_all_assignments_can_be_thought_over_each_has_its_turn() -> No
     count = 3 * SHORTER_SIDE
     on = {n: n for n in range(count)}
     seen: set[int] = set()
-    for turn in range(3):
+    weighed = len(considered(fleet(count, on=on), jobs(count))[0])
+    for turn in range(-(-count // weighed)):
         rows, _ = considered(fleet(count, on=on), jobs(count), turn)
         seen |= set(rows.tolist())
     assert len(seen) == count
