@@ -57,6 +57,28 @@ def hoists(
     raise typer.Exit(code)
 
 
+@commands.command()
+def rules(
+    networks: Annotated[int, typer.Option(min=1, help="random networks for each rule")] = 1000,
+    steps: Annotated[int, typer.Option(min=1, help="steps of each network")] = 2000,
+) -> None:
+    """Try the rule of admission on random networks of queues, and what is left of it without one of its parts."""
+    from app.sim.rules import Rule, check
+
+    failed = False
+    for rule in Rule:
+        found = [check(seed, rule, steps) for seed in range(networks)]
+        locked = sum(outcome.locked for outcome in found)
+        looked = sum(outcome.looked for outcome in found) / networks
+        print(
+            f"{rule:12} {locked:6} of {networks} networks locked up, {sum(o.moves for o in found):9,} moves, "
+            f"{sum(o.refusals for o in found):9,} refusals over {looked:.2f} buffers each",
+            flush=True,
+        )
+        failed |= rule is Rule.LOOK_AHEAD and locked > 0
+    raise typer.Exit(1 if failed else 0)
+
+
 def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
     if file is not None:
         from app.cli.running import plant_of

@@ -184,7 +184,7 @@ def release(s: State, barcode: int) -> None:
 
 @compiled
 def hop_to(net: Network, s: State, goal: int, here: int) -> int:
-    """Return the next buffer toward a goal's; where the table has no row for it, as for one that is pushed on, the goal is near."""
+    """Return the next buffer toward a goal's. Where the table has no row for that one, a vehicle is pushed there from nearby."""
     known = s.hop[goal, here]
     if known >= 0:
         return int(known)
