@@ -19,7 +19,7 @@ from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
 from app.fleet.kinds import serves
 from app.fleet.motion import Motion
-from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer
+from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer, brought_first
 from app.fleet.recovery import Recovery
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
@@ -124,7 +124,7 @@ class Missions:
 
         A vehicle that is there before the carrier stands by: whoever brings it must get past (``Courtesy``).
         """
-        obstacle = against_picking_up(self._books, job)
+        obstacle = against_picking_up(self._books, job) or brought_first(self._books, job.source, job.order)
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith(STANDS_BY) else job
         first = None if against_fetching(self._books, job) else bringer(self._books, job)

@@ -494,6 +494,8 @@ def arrive(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
         s.doing[vehicle] = STANDING
         if here == s.goal[vehicle]:
             reach(net, s, rules, vehicle, now)
+        else:
+            give_way(net, s, vehicle)
 
 
 @compiled
@@ -514,6 +516,17 @@ def reach(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> Non
     s.doing[vehicle] = DWELLING
     s.dwelled[vehicle] += rules.dwell
     schedule(s, vehicle, now + rules.dwell)
+
+
+@compiled
+def take_off(net: Network, s: State, vehicle: int) -> None:
+    """A vehicle that was on its way to fetch a carrier has nothing to do any more: it runs to the end of its grant."""
+    s.phase[vehicle], s.goal[vehicle] = IDLE, -1
+    s.lines.want[vehicle] = ANY
+    s.planned[vehicle] = 0
+    forget_waits(s, vehicle)
+    s.since[vehicle] = -1.0
+    give_way(net, s, vehicle)
 
 
 @compiled

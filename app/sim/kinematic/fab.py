@@ -12,7 +12,7 @@ from app.domain.layout import VehicleSpec
 from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY, enter
 from app.planning.dispatch import Indices, Jobs, Plan, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
-from app.sim.kinematic.events import run, send
+from app.sim.kinematic.events import run, send, take_off
 from app.sim.kinematic.load import Ports
 from app.sim.kinematic.network import Map, Real
 from app.sim.kinematic.state import DWELLING, FETCHING, IDLE, Rules, still
@@ -196,8 +196,7 @@ class Fab:
                 self._of[transfer.vehicle] = None
         left = {t.vehicle for t, _ in changed if t.vehicle >= 0} - {v for _, v in changed}
         for vehicle in sorted(left):
-            self.state.phase[vehicle], self.state.goal[vehicle] = IDLE, -1
-            self.state.lines.want[vehicle] = ANY
+            take_off(self.net, self.state, vehicle)
         for transfer, vehicle in changed:
             transfer.vehicle = vehicle
             if vehicle < 0:
