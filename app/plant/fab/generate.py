@@ -36,8 +36,9 @@ def generate(shape: Shape, seed: int) -> Fab:
     """Return the fab of this shape; the seed varies depths of bays and where shortcuts, ports and side buffers are.
 
     No two edges meet on the plan but at a common barcode, every edge is longer than a vehicle of 0.95 m, and every barcode
-    can be reached from every other. ``clearance`` is 0: a vehicle covers its own barcode alone, rails lie 1.2 m apart or
-    more, and where branches are nearer than that they belong to one merge or diverge, whose barcode has one holder.
+    can be reached from every other. ``clearance`` is 0: a vehicle covers its own barcode alone, and rails lie 1.2 m apart or
+    more except where branches part or join. Nearest to another rail are the barcode half way of a lane change (0.75 m from
+    both lanes; nobody waits there) and the first and last of a ramp (0.8 m). Our choice.
     """
     random = Random(seed)
     drawing = Drawing()

@@ -25,7 +25,7 @@ def populate(plant: Plant, vehicles: int, seed: int, carriers: float | int = 0) 
     """Return the plant with so many hoists, evenly spread, and with carriers at ports drawn by chance.
 
     ``carriers`` is how many, or, as a float, the share of ports that are full. A vehicle starts where it neither stands in
-    a merge or diverge nor fills a buffer: each keeps its first barcode free.
+    a merge or diverge nor fills a buffer: each keeps its first barcode free, so nobody starts half way of a lane change.
     Raises: ValueError: there is no room for so many.
     """
     random = Random(seed)

@@ -30,7 +30,7 @@ class Shape:
     depth: int = 79
     spread: float = 0.15
     shortcuts: int = 386
-    pairs: int = 74
+    pairs: int = 114
     turnarounds: int = 10
     column: int = 15
     pitch: Millimetres = Millimetres(1020)
@@ -62,15 +62,16 @@ class Shape:
     def buffers(self) -> int:
         """Chains of barcodes between merges and diverges (TRAFFIC section 1).
 
-        A diverge opens two and a merge one, but a merge that follows a diverge at once opens none of its own.
+        A diverge opens two and a merge one, but a merge that follows a diverge at once opens none of its own: so it is inside
+        a pair. A lane change is a buffer itself, of one barcode, for one vehicle only.
         """
-        return 3 * self.diverges - self.bays * LANE_CHANGES - 2 * self.pairs
+        return 3 * self.diverges - 2 * self.pairs
 
 
 SIZES: dict[str, Shape] = {
-    "1k": Shape("fab-1k", bays=4, shortcuts=38, pairs=7, turnarounds=1),
+    "1k": Shape("fab-1k", bays=4, shortcuts=38, pairs=11, turnarounds=1),
     "10k": Shape(),
-    "50k": Shape("fab-50k", bays=80, depth=281, shortcuts=180, pairs=30, turnarounds=20),
-    "50k-dense": Shape("fab-50k-dense", bays=100, depth=169, shortcuts=2215, pairs=375, turnarounds=25),
+    "50k": Shape("fab-50k", bays=80, depth=281, shortcuts=160, pairs=80, turnarounds=20),
+    "50k-dense": Shape("fab-50k-dense", bays=100, depth=169, shortcuts=2215, pairs=475, turnarounds=25),
 }
 """The sizes of issue and benchmarks by the name that ``hoistway fab --size`` takes."""

@@ -18,7 +18,11 @@ LEAD = 4
 WAY_IN, WAY_OUT = 0, 7
 """Where in its column, in barcodes, a bay leaves the outer lane and comes back to it."""
 TO_INNER, TO_OUTER, SLANT = 8, 12, 2
-"""Where in its column a lane change begins, and how many barcodes further it ends."""
+"""Where in its column a lane change begins, and how many barcodes further it ends.
+
+It has one barcode half way, where whoever crosses gives the lane that it leaves free before it comes to the other: room to
+cross, but not to queue.
+"""
 TURN_IN = 8
 """Where in its column a turnaround comes to an inner lane: it has left the other one just opposite."""
 
@@ -90,8 +94,10 @@ def _lanes(drawing: Drawing, shape: Shape, direction: Direction) -> Lanes:
     drawing.straight(outer)
     for column in range(shape.columns):
         first = column_start(shape, column)
-        drawing.curve([outer[first + TO_INNER], inner[first + TO_INNER + SLANT]])
-        drawing.curve([inner[first + TO_OUTER], outer[first + TO_OUTER + SLANT]])
+        for lane, other, place in ((outer, inner, TO_INNER), (inner, outer, TO_OUTER)):
+            half = (first + place) * shape.pitch + SLANT * shape.pitch // 2
+            between_lanes = drawing.place([direction.at(half, INNER_ASIDE + shape.lane_gap // 2)])
+            drawing.curve([lane[first + place], *between_lanes, other[first + place + SLANT]])
     return Lanes(direction, inner, outer, outer_aside)
 
 

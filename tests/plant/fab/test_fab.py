@@ -11,10 +11,14 @@ import pytest
 
 from app.domain.layout import Plant, StationKind
 from app.domain.units import Millimetres
+from app.planning.buffers import Buffers
 from app.planning.clearance import crossing_edges
 from app.planning.track import Track
 from app.plant import read
 from app.plant.fab import SIZES, Fab, Shape, chains, generate, populate, statistics, write
+from app.plant.fab.populate import VEHICLE_LENGTH
+from app.plant.fab.shape import LANE_CHANGES
+from app.plant.fab.spine import INNER_ASIDE
 
 SMALL = generate(SIZES["1k"], 1)
 
@@ -62,10 +66,22 @@ def test_another_seed_is_another_fab_of_the_same_mean_path(standard: Fab, seed: 
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_every_barcode_can_be_reached_and_no_buffer_has_room_for_one_vehicle_only(seed: int) -> None:
-    figures = statistics(generate(SIZES["1k"], seed).plant)
+def test_every_barcode_can_be_reached_and_the_buffers_for_one_vehicle_only_are_the_lane_changes(seed: int) -> None:
+    shape = SIZES["1k"]
+    plant = generate(shape, seed).plant
+    figures = statistics(plant)
     assert figures.parts == 1
-    assert figures.single == 0
+    half_way = {point.barcode for point in plant.points if abs(point.y) == INNER_ASIDE + shape.lane_gap // 2}
+    assert {chain for chain in chains(plant) if len(chain) == 1} == {(barcode,) for barcode in half_way}
+    assert figures.single == len(half_way) == shape.bays * LANE_CHANGES
+
+
+def test_a_lane_change_is_crossed_in_one_go_and_every_other_buffer_may_be_waited_in(standard: Fab) -> None:
+    buffers = Buffers(Track(standard.plant), VEHICLE_LENGTH)
+    crossed = [chain for chain, transit in zip(buffers.chains, buffers.transit, strict=True) if transit]
+    assert crossed == [chain for chain in buffers.chains if len(chain) == 1]
+    assert len(crossed) == 80
+    assert min(c for c, transit in zip(buffers.capacity, buffers.transit, strict=True) if not transit) == 2
 
 
 def test_no_two_edges_meet_but_at_a_common_barcode(standard: Fab) -> None:
@@ -171,17 +187,17 @@ def test_each_vehicle_has_an_address_and_a_number_of_its_own() -> None:
     assert sorted(vehicle.dev_id for vehicle in vehicles) == list(range(1, len(vehicles) + 1))
 
 
-@pytest.mark.parametrize(("carriers", "count"), [(0.5, 246), (7, 7), (0.0, 0), (1.0, 491)])
+@pytest.mark.parametrize(("carriers", "count"), [(0.5, 246), (7, 7), (0.0, 0), (1.0, 492)])
 def test_carriers_are_a_number_or_a_share_of_the_ports(carriers: float | int, count: int) -> None:
     plant = populate(SMALL.plant, 0, 1, carriers)
     ports = {station.id for station in plant.stations if station.kind is StationKind.PORT}
-    assert len(ports) == 491
+    assert len(ports) == 492
     assert len({station for _, station in plant.carriers} & ports) == len(plant.carriers) == count
 
 
 def test_more_carriers_than_ports_are_refused() -> None:
-    with pytest.raises(ValueError, match="492 carriers do not fit 491 ports"):
-        populate(SMALL.plant, 0, 1, 492)
+    with pytest.raises(ValueError, match="493 carriers do not fit 492 ports"):
+        populate(SMALL.plant, 0, 1, 493)
 
 
 @pytest.mark.parametrize(
