@@ -38,3 +38,10 @@ def covered(books: Books, vehicle: VehicleNow, barcode: Barcode) -> dict[Barcode
     near = books.track.reach(barcode, length) - {barcode}
     around = dict.fromkeys(sorted(b for b in near if books.traffic.holders(b) <= {vehicle.id}), length)
     return {barcode: Millimetres(0)} | around | behind
+
+
+def maybe_covered(books: Books, vehicle: VehicleNow, barcode: Barcode) -> frozenset[Barcode]:
+    """Return what it covers there only if it came backwards, or has turned: an AGV by a way that is not known."""
+    if not vehicle.is_agv or vehicle.toward:
+        return frozenset()
+    return frozenset(vehicle.trail) - books.track.distances_behind(barcode, vehicle.spec.length).keys()

@@ -114,6 +114,8 @@ class Missions:
             return
         station = self._head_for(vehicle, usable, pickup=pickup)
         if station and self._motion.arrived(vehicle) and self._books.controller.state is ControllerState.AUTO:
+            if pickup and self._usable_source(vehicle, usable) is None:  # It was sent to where it stands, ahead of it.
+                return
             if why := self._buffers.lend(vehicle, station):
                 self._wait(usable, why)
             else:

@@ -18,7 +18,7 @@ from app.domain.records import ControllerState, IntentState
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
-from app.fleet.cover import covered, next_tag
+from app.fleet.cover import covered, maybe_covered, next_tag
 from app.fleet.halting import halt
 from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
@@ -63,7 +63,8 @@ class Motion:
         vehicle.ahead, vehicle.rest = [], []
         held = (*reversed(vehicle.trail), *((vehicle.toward,) if vehicle.toward else ()))
         books.traffic.release(vehicle.id, [b for b in before if b not in held])
-        clashes = books.traffic.hold(vehicle.id, held)
+        unsure = frozenset() if len(vehicle.way) > 1 else maybe_covered(books, vehicle, barcode)
+        clashes = books.traffic.hold(vehicle.id, held, unsure)
         self._wake_waiters(before)
         self._set_out_anew(vehicle)
         books.save_vehicle(vehicle, barcode=barcode, held=held)

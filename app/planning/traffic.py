@@ -80,6 +80,7 @@ class Traffic:
         self._held: dict[VehicleId, dict[Barcode, None]] = {}
         self._holders: dict[Barcode, tuple[VehicleId, ...]] = {}
         self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
+        self._maybe: defaultdict[VehicleId, set[Barcode]] = defaultdict(set)
         self._closed: dict[Barcode, str] = {}
         self._blocked: dict[VehicleId, Blocked] = {}
         self._blocked_at: defaultdict[Barcode, dict[VehicleId, None]] = defaultdict(dict)
@@ -153,17 +154,19 @@ class Traffic:
             remaining = tuple(v for v in self._holders.pop(barcode) if v != vehicle)
             if remaining:
                 self._holders[barcode] = remaining
-            for zone in self._track.zones_at(barcode):
-                inside = self._inside[zone.id]
-                inside[vehicle] -= 1
-                if not inside[vehicle]:
-                    del inside[vehicle]
+            if barcode in self._maybe[vehicle]:
+                self._maybe[vehicle].discard(barcode)
+            else:
+                self._count_in_zones(vehicle, barcode, -1)
         if not held:
             self._held.pop(vehicle, None)
 
-    def hold(self, vehicle: VehicleId, barcodes: Iterable[Barcode]) -> AbstractSet[tuple[Barcode, VehicleId]]:
+    def hold(
+        self, vehicle: VehicleId, barcodes: Iterable[Barcode], maybe: AbstractSet[Barcode] = frozenset()
+    ) -> AbstractSet[tuple[Barcode, VehicleId]]:
         """Take these whatever stands against it: the vehicle is there, or may be. Tail first.
 
+        Of these it may merely cover ``maybe``: nobody else gets them, but it is not inside their zones for that.
         Returns the barcodes that another vehicle holds, or holds a conflicting one of, with that vehicle. A barcode
         with two holders is granted to nobody, its holders included, until one releases it.
         """
@@ -171,7 +174,7 @@ class Traffic:
         for barcode in barcodes:
             for near in (barcode, *sorted(self._track.conflicts(barcode))):
                 clashes.update(((barcode, other), None) for other in self._others(vehicle, near))
-            self._take(vehicle, barcode)
+            self._take(vehicle, barcode, maybe=barcode in maybe)
         return clashes.keys()
 
     def clear(self, vehicle: VehicleId) -> None:
@@ -240,16 +243,28 @@ class Traffic:
     def _no_stop_zones(self, barcode: Barcode) -> set[ZoneId]:
         return {zone.id for zone in self._track.zones_at(barcode) if zone.no_stop}
 
-    def _take(self, vehicle: VehicleId, barcode: Barcode) -> None:
+    def _take(self, vehicle: VehicleId, barcode: Barcode, *, maybe: bool = False) -> None:
         held = self._held.setdefault(vehicle, {})
+        unsure = self._maybe[vehicle]
         if barcode in held:
             del held[barcode]
+            if barcode in unsure and not maybe:
+                unsure.discard(barcode)
+                self._count_in_zones(vehicle, barcode, 1)
         else:
             self._holders[barcode] = (*self._holders.get(barcode, ()), vehicle)
-            for zone in self._track.zones_at(barcode):
-                inside = self._inside[zone.id]
-                inside[vehicle] = inside.get(vehicle, 0) + 1
+            if maybe:
+                unsure.add(barcode)
+            else:
+                self._count_in_zones(vehicle, barcode, 1)
         held[barcode] = None
+
+    def _count_in_zones(self, vehicle: VehicleId, barcode: Barcode, more: int) -> None:
+        for zone in self._track.zones_at(barcode):
+            inside = self._inside[zone.id]
+            inside[vehicle] = inside.get(vehicle, 0) + more
+            if not inside[vehicle]:
+                del inside[vehicle]
 
     def _record(self, vehicle: VehicleId, blocked: Blocked | None, *, moved: bool) -> None:
         if (before := self._blocked.get(vehicle)) is not None:

@@ -111,6 +111,20 @@ def test_who_is_inside_a_full_zone_may_go_on_in_it(lay: Lay, zone: MakeZone) -> 
     assert traffic.claim(V1, path("b c"), goal_included=True).blocked is None
 
 
+def test_what_a_vehicle_may_merely_cover_is_nobodys_but_does_not_fill_its_zone(lay: Lay, zone: MakeZone) -> None:
+    """Two AGVs stop before a merge; after a restart each may stick out into it. One must get through."""
+    traffic = Traffic(lay("a b m", "x y m", zones=[zone("b y m", 1)]))
+    traffic.hold(V1, path("b a"), maybe={b("b")})
+    traffic.hold(V2, path("y x"), maybe={b("y")})
+    assert traffic.claim(V3, path("b"), goal_included=True).blocked == Blocked(b("b"), V1, BlockReason.HELD)
+    assert traffic.claim(V1, path("b m"), goal_included=True) == Grant(path("b m"), None)
+    assert traffic.claim(V2, path("y m"), goal_included=True).granted == ()
+    traffic.release(V1, path("a b m"))
+    assert traffic.claim(V2, path("y m"), goal_included=True) == Grant(path("y m"), None)
+    traffic.release(V2, path("x y m"))
+    assert traffic.claim(V1, path("b m"), goal_included=True) == Grant(path("b m"), None)
+
+
 def test_a_grant_does_not_end_inside_a_no_stop_zone(lay: Lay, zone: MakeZone) -> None:
     traffic = Traffic(lay("a b c d", zones=[zone("b c", no_stop=True)]))
     refused = traffic.claim(V1, path("a b c"), goal_included=False)
