@@ -22,8 +22,8 @@ def _compiler() -> Callable[[Any], Any]:
     from numba.extending import register_jitable
 
     for rule in (admission.comes_back, admission.admits, admission.may_want, admission.leave, admission.enter):
-        register_jitable(rule)
-    return cast("Callable[[Any], Any]", njit)
+        register_jitable(_nrt=False)(rule)
+    return cast("Callable[[Any], Any]", njit(_nrt=False))
 
 
 _compile = _compiler()
