@@ -4,7 +4,6 @@ from dataclasses import fields
 
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
-from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
     Accepted,

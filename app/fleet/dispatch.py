@@ -8,6 +8,8 @@ from collections import deque
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from app.domain.ids import JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.records import ControllerState
@@ -22,7 +24,7 @@ from app.fleet.prospects import Asked, Prospect, Prospects
 from app.fleet.reasons import Reasons
 from app.fleet.servants import Servants
 from app.fleet.vehicle import VehicleNow
-from app.planning.dispatch import NOBODY, RULES, Plan, assigned, weighed
+from app.planning.dispatch import NOBODY, RULES, Floats, Plan, assigned, considered, unassigned
 
 RETHINK_EVERY = Seconds(1.0)
 """Assignments once made are thought over at most so often; new jobs and idle vehicles wait for nothing (our choice)."""
@@ -183,8 +185,13 @@ class Dispatch:
             yield
             asked = Asked(books, self._servants, self._rows, prospects, jobs, look.coming)
             yield
-            plan = weighed(asked.fleet, asked.waiting, asked.times, self._turn)
-            yield
+            rows, columns = considered(asked.fleet, asked.waiting, self._turn)
+            driven: list[Floats] = []
+            for begin in range(0, len(rows) if len(columns) else 0, SEEN_AT_ONCE):
+                driven.append(asked.times(rows[begin : begin + SEEN_AT_ONCE], columns))
+                yield
+            table = np.concatenate(driven) if driven else None
+            plan = unassigned(asked.fleet, asked.waiting, (rows, columns), table)
             assigned(plan, asked.fleet, asked.waiting, RULES)
             self._carry_out(asked, plan)
             there = [(job, int(row)) for job, row in zip(jobs, plan.vehicle, strict=True) if row != NOBODY]

@@ -120,10 +120,15 @@ def dispatch(vehicles: Vehicles, jobs: Jobs, times: Times, rules: Rules = RULES,
 def weighed(vehicles: Vehicles, jobs: Jobs, times: Times, turn: int = 0) -> Plan:
     """Return the plan in which all keep what they have, but those that ``assigned`` may change have nothing yet."""
     rows, columns = considered(vehicles, jobs, turn)
-    arrival = times(rows, columns) + vehicles.offset[rows][:, None] if len(rows) and len(columns) else np.empty((0, 0))
+    return unassigned(vehicles, jobs, (rows, columns), times(rows, columns) if len(rows) and len(columns) else None)
+
+
+def unassigned(vehicles: Vehicles, jobs: Jobs, block: tuple[Indices, Indices], driven: Floats | None) -> Plan:
+    """Return the same for rows and columns ``considered`` and their table of times; None: there are no pairs."""
+    rows, columns = block
     vehicle = _holders(vehicles, len(jobs.age))
     vehicle[columns] = NOBODY
-    return Plan(vehicle, rows, columns, arrival)
+    return Plan(vehicle, rows, columns, np.empty((0, 0)) if driven is None else driven + vehicles.offset[rows][:, None])
 
 
 def assigned(plan: Plan, vehicles: Vehicles, jobs: Jobs, rules: Rules = RULES) -> None:
