@@ -22,8 +22,8 @@ from app.fleet.cover import covered, maybe_covered, next_tag
 from app.fleet.halting import halt
 from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
+from app.planning.blocking import Blocked, BlockReason
 from app.planning.kinematics import braking_distance, driving_time, elements
-from app.planning.traffic import Blocked, BlockReason
 from app.planning.ways import free_way
 
 REACTION = Seconds(0.5)
@@ -172,6 +172,7 @@ class Motion:
         vehicle.errand, vehicle.rest, vehicle.waiting = None, [], ""
         self._books.traffic.forget(vehicle.id)
         self.shrink_ahead(vehicle)
+        self._wake_waiters(())
         self._books.touch(vehicle)
 
     def arrived(self, vehicle: VehicleNow) -> bool:
@@ -270,7 +271,7 @@ class Motion:
         wanted: list[Barcode] = []
         shut: Blocked | None = None
         for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
-            enough = held >= horizon and not track.no_stop(last if not wanted else wanted[-1])
+            enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
@@ -282,7 +283,9 @@ class Motion:
             if shut:
                 self._books.traffic.forget(vehicle.id)
             return shut
-        grant = self._books.traffic.claim(vehicle.id, wanted, len(wanted) == len(vehicle.rest))
+        beyond = vehicle.rest[len(wanted) :]
+        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond)
+        self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]
         return grant.blocked if shut is None or (grant.blocked and grant.blocked.by) else shut
