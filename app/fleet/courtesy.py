@@ -163,7 +163,7 @@ class Courtesy:
             def ends(place: Barcode, way: set[Barcode] = way, harmless: bool = harmless) -> bool:
                 return (books.track.may_rest(place) or not harmless) and self._off(place, way, length, other)
 
-            if found := self._motion.free_way(other, ends):
+            if found := self._motion.detours.free_way(other, ends):
                 self._motion.send(other, Errand(found[-1], StopAction.STOP, purpose), found)
                 books.wake(other.id)
                 return True

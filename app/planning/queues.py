@@ -100,8 +100,16 @@ class Queues:
         return self._names[number] if number >= 0 else None
 
     def want_after(self, buffer: int, way: Iterable[Barcode]) -> int:
-        """Return the buffer in which a vehicle waits next on its way from this one; ANY: its way ends before one."""
-        return next((b for b in map(self.waits_in, way) if b not in {-1, buffer}), ANY)
+        """Return the buffer in which a vehicle waits next on its way on in this one; ANY: its way ends before one.
+
+        On a ring it may be the same again.
+        """
+        return next((b for at in way if (b := self.waits_in(at)) >= 0 and (b != buffer or self.opens(at))), ANY)
+
+    def opens(self, barcode: Barcode) -> bool:
+        """Return whether a buffer begins with this barcode."""
+        buffer = self.buffers.at(barcode)
+        return buffer >= 0 and self.buffers.chains[buffer][0] == barcode
 
     # -- what vehicles ask --------------------------------------------------------------------------------------------
 
@@ -174,8 +182,8 @@ class Queues:
     def _place(self, buffer: int, held: Sequence[Barcode]) -> int:
         """Return how far ahead in a buffer a vehicle reaches; one that holds nothing there has gone on from it."""
         b = self.buffers
-        places = [b.place[b.index[barcode]] for barcode in held if b.at(barcode) == buffer]
-        return max(places, default=len(b.chains[buffer]))
+        places = (b.place[b.index[barcode]] for barcode in reversed(held) if b.at(barcode) == buffer)
+        return next(places, len(b.chains[buffer]))
 
     def take_out(self, vehicle: VehicleId) -> None:
         """The vehicle stands nowhere any more."""

@@ -98,6 +98,12 @@ class Traffic:
         """Return whether a grant that is not for a goal may end here."""
         return not self._track.no_stop(barcode) and (self.queues is None or self.queues.may_end(barcode))
 
+    def strays(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
+        """Return whether this way leads elsewhere than where the vehicle is committed to wait next, after a refused change."""
+        if self.queues is None or (slot := self.queues.slot(vehicle)) < 0:
+            return False
+        return self.queues.want(vehicle) not in {ANY, self.queues.want_after(slot, way)}
+
     def _commit(self, queues: Queues, vehicle: VehicleId, wanted: Sequence[Barcode], beyond: Sequence[Barcode]) -> None:
         """Let the vehicle want the buffer that it will wait in after the one it has a slot of."""
         if (slot := queues.slot(vehicle)) >= 0:
@@ -122,20 +128,21 @@ class Traffic:
             )
             if not stands and not at_goal:
                 continue
-            if self.queues is not None and (refused := self._enter(self.queues, vehicle, free, i, beyond)):
+            way_on = chain(free[i + 1 :], beyond)
+            if self.queues is not None and (refused := self._enter(self.queues, vehicle, free[end : i + 1], way_on)):
                 return end, refused
             end = i + 1
         return end, None
 
     def _enter(
-        self, queues: Queues, vehicle: VehicleId, free: Sequence[Barcode], i: int, beyond: Sequence[Barcode]
+        self, queues: Queues, vehicle: VehicleId, part: Sequence[Barcode], beyond: Iterable[Barcode]
     ) -> Blocked | None:
-        """Take the slot that the vehicle needs to stand at ``free[i]``; return what keeps it from that."""
-        buffer = queues.waits_in(free[i])
-        if buffer < 0 or buffer == queues.slot(vehicle):
+        """Take the slot that the vehicle needs to stand at the end of this part of its way; return what keeps it from that."""
+        buffer = queues.waits_in(part[-1])
+        if buffer < 0 or (buffer == queues.slot(vehicle) and not any(map(queues.opens, part))):
             return None
-        want = queues.want_after(buffer, chain(free[i + 1 :], beyond))
-        entry = next(b for b in free if queues.waits_in(b) == buffer)
+        entry = next(b for b in part if queues.waits_in(b) == buffer)
+        want = queues.want_after(buffer, beyond)
         if (refused := queues.refusal(vehicle, entry, buffer, want)) is None:
             queues.enter(vehicle, buffer, want)
         return refused
