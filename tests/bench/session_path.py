@@ -74,10 +74,10 @@ def found(server: list[str | Path], load: Load, place: Place = ANYWHERE) -> Foun
     words = [load.connections, 0, load.settle, 0.7, load.measure, load.way, load.rate]
     with (
         _on(place.load),
-        child(compiled("vehicles"), *words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as vehicles,
+        child(compiled("vehicles"), *map(str, words), stdin=subprocess.PIPE, stdout=subprocess.PIPE) as vehicles,
     ):
         port = line_of(vehicles.stdout).strip()
-        with _on(place.server), child(*server, port, load.connections, load.poll) as process:
+        with _on(place.server), child(*server, port, str(load.connections), str(load.poll)) as process:
             assert vehicles.stdin is not None
             vehicles.stdin.write(f"{process.pid}\n")
             vehicles.stdin.close()
