@@ -78,7 +78,7 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
-        self.traffic = Traffic(self.track)
+        self.traffic = Traffic(self.track, admission=True)
         self.cmd_ids = cmd_ids
         self.now = now
         self.started = utc

@@ -12,7 +12,7 @@ from app.fleet.books import Books
 from app.fleet.motion import Motion
 from app.fleet.rollcall import named
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
-from app.planning.traffic import Blocked, BlockReason
+from app.planning.blocking import Blocked, BlockReason
 
 PARK_BONUS = 20.0
 """A parking place may be so many seconds farther than the nearest other place (our choice)."""
@@ -64,9 +64,18 @@ class Courtesy:
         }.get(blocked.why)
         if blocked.why is BlockReason.DOOR:
             return f"{vehicle.id} waits at {vehicle.barcode} for door {blocked.note}"
+        if blocked.why in {BlockReason.FULL, BlockReason.CIRCLE}:
+            return f"{vehicle.id} waits at {vehicle.barcode}{self._of_queue(blocked)}"
         if what is None or blocked.by is None:
             return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
         return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self._doing(blocked.by)}"
+
+    def _of_queue(self, blocked: Blocked) -> str:
+        """Return what keeps a vehicle from the queue that begins at a barcode, as the end of a sentence."""
+        first = f"; first goes {self._doing(blocked.by)}" if blocked.by else ""
+        if blocked.why is BlockReason.FULL:
+            return f": no slot is free in the queue from {blocked.at} on{first}"
+        return f": the last slot in the queue from {blocked.at} on could close a circle of full queues{first}"
 
     def _doing(self, name: VehicleId) -> str:
         """Return a vehicle with what it is doing, as the end of a sentence."""
@@ -154,7 +163,7 @@ class Courtesy:
             def ends(place: Barcode, way: set[Barcode] = way, harmless: bool = harmless) -> bool:
                 return (books.track.may_rest(place) or not harmless) and self._off(place, way, length, other)
 
-            if found := self._motion.free_way(other, ends):
+            if found := self._motion.detours.free_way(other, ends):
                 self._motion.send(other, Errand(found[-1], StopAction.STOP, purpose), found)
                 books.wake(other.id)
                 return True

@@ -20,6 +20,7 @@ from app.domain.records import DoorPosition
 from app.domain.units import Barcode, Seconds
 from app.fleet.books import SYSTEM, Books
 from app.fleet.devices import DeviceNow, Devices
+from app.fleet.horizon import can_stop_before, on_its_way
 from app.fleet.motion import Motion
 from app.fleet.passages import Passages
 from app.fleet.vehicle import VehicleNow
@@ -61,7 +62,7 @@ class Doors:
     def _ahead_of(self, vehicle: VehicleNow) -> tuple[DeviceId, ...]:
         if vehicle.errand is None or vehicle.handling is not None or not self._motion.may_drive(vehicle):
             return ()
-        edges = self._motion.on_its_way(vehicle, OPENS_WITHIN)
+        edges = on_its_way(self._books, vehicle, OPENS_WITHIN)
         doors = (self._passages.door_at(start, end) for start, end in edges)
         return tuple(dict.fromkeys(door.id for door in doors if door is not None))
 
@@ -179,7 +180,7 @@ class Doors:
         """Stop a vehicle before a passage; False: it is too late for that, or it cannot be told."""
         if vehicle.drive and vehicle.drive.recalled:
             return True
-        if vehicle.drive and not self._motion.can_stop_before(vehicle, before):
+        if vehicle.drive and not can_stop_before(self._books, vehicle, before):
             return False
         self._motion.recall(vehicle, why)
         return vehicle.drive is None or vehicle.drive.recalled

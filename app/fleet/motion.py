@@ -4,7 +4,6 @@ A vehicle moves only on what it holds. MOVE goes to the end of what is held; bef
 XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
 """
 
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 
@@ -15,19 +14,18 @@ from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
 from app.domain.records import ControllerState, IntentState
-from app.domain.units import Barcode, Millimetres, Seconds
+from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
 from app.fleet.cover import covered, maybe_covered, next_tag
+from app.fleet.detours import Detours
 from app.fleet.halting import halt
+from app.fleet.horizon import horizon
 from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
+from app.planning.blocking import Blocked, BlockReason
 from app.planning.kinematics import braking_distance, driving_time, elements
-from app.planning.traffic import Blocked, BlockReason
-from app.planning.ways import free_way
 
-REACTION = Seconds(0.5)
-"""From a barcode read to the XMOVE in the vehicle: link both ways, our commit, its next cycle (our choice, TRAFFIC 2)."""
 LAST_SEQ = 60_000
 """A path that has come this far is not extended any more; a fresh MOVE begins at SEQ 0 (PROTOCOLS I48)."""
 
@@ -42,6 +40,7 @@ class Motion:
     def __init__(self, books: Books, passages: Passages) -> None:
         self._books = books
         self.passages = passages
+        self.detours = Detours(books)
 
     # -- where it is --------------------------------------------------------------------------------------------------
 
@@ -172,6 +171,7 @@ class Motion:
         vehicle.errand, vehicle.rest, vehicle.waiting = None, [], ""
         self._books.traffic.forget(vehicle.id)
         self.shrink_ahead(vehicle)
+        self._wake_waiters(())
         self._books.touch(vehicle)
 
     def arrived(self, vehicle: VehicleNow) -> bool:
@@ -200,34 +200,6 @@ class Motion:
             return None if self.arrived(vehicle) else self._start(vehicle)
         return self._extend(vehicle, vehicle.drive)
 
-    def on_its_way(self, vehicle: VehicleNow, time: Seconds) -> list[tuple[Barcode, Barcode]]:
-        """Return the pieces of track before a vehicle, as far as it claims ahead and drives within ``time`` besides.
-
-        A no-stop zone is granted as a whole, however long it is.
-        """
-        if vehicle.barcode is None:
-            return []
-        _, high = self._horizon(vehicle)
-        left, found = high + vehicle.spec.max_speed * time, []
-        for start, end in pairwise([vehicle.barcode, *vehicle.ahead, *vehicle.rest]):
-            if left < 0 and not self._books.track.no_stop(start):
-                break
-            found.append((start, end))
-            left -= self._books.track.edge(start, end).length
-        return found
-
-    def can_stop_before(self, vehicle: VehicleNow, barcode: Barcode) -> bool:
-        """Whether a vehicle that is told to stop now stands before this barcode on its path, or at it.
-
-        It may be as far as the next barcode by now, at full speed, and the order takes its time.
-        """
-        if vehicle.barcode is None or barcode not in vehicle.ahead:
-            return False
-        between = vehicle.ahead[: vehicle.ahead.index(barcode) + 1]
-        room = self._books.track.distance(between)
-        spec = vehicle.spec
-        return room >= braking_distance(spec.max_speed, spec) + int(spec.max_speed * REACTION)
-
     def recall(self, vehicle: VehicleNow, why: str) -> None:
         """Take back what a vehicle is granted ahead: one that stands plans anew, one that drives is stopped first.
 
@@ -248,16 +220,6 @@ class Motion:
         except NoRoute:
             self.drop(vehicle)
 
-    def _horizon(self, vehicle: VehicleNow) -> tuple[Millimetres, Millimetres]:
-        """Return (extend when less than this is left, claim up to this): braking, reaction, one edge (TRAFFIC section 2)."""
-        spec = vehicle.spec
-        edge = 0
-        if vehicle.barcode is not None:
-            nexts = [*vehicle.ahead, *vehicle.rest][:1]
-            edge = self._books.track.edge(vehicle.barcode, nexts[0]).length if nexts else 0
-        low = braking_distance(spec.max_speed, spec) + int(spec.max_speed * REACTION) + edge
-        return Millimetres(low), Millimetres(2 * low)
-
     def _claim(self, vehicle: VehicleNow, horizon: Millimetres) -> Blocked | None:
         """Claim along the rest of the way so that about ``horizon`` lies ahead; move what is granted to ``ahead``."""
         track = self._books.track
@@ -270,7 +232,7 @@ class Motion:
         wanted: list[Barcode] = []
         shut: Blocked | None = None
         for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
-            enough = held >= horizon and not track.no_stop(last if not wanted else wanted[-1])
+            enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
@@ -282,7 +244,9 @@ class Motion:
             if shut:
                 self._books.traffic.forget(vehicle.id)
             return shut
-        grant = self._books.traffic.claim(vehicle.id, wanted, len(wanted) == len(vehicle.rest))
+        beyond = vehicle.rest[len(wanted) :]
+        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond)
+        self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]
         return grant.blocked if shut is None or (grant.blocked and grant.blocked.by) else shut
@@ -294,9 +258,11 @@ class Motion:
         errand, here = vehicle.errand, vehicle.barcode
         if errand is None or here is None:
             return None
-        _, high = self._horizon(vehicle)
+        _, high = horizon(self._books, vehicle)
         blocked = self._claim(vehicle, high)
-        if not vehicle.ahead and vehicle.rest and self._detour(vehicle, errand.goal):
+        if not vehicle.ahead and vehicle.rest and self.detours.over_free_track(vehicle, errand.goal):
+            blocked = self._claim(vehicle, high)
+        if not vehicle.ahead and blocked and self.detours.as_committed(vehicle, errand.goal):
             blocked = self._claim(vehicle, high)
         if not vehicle.ahead and vehicle.rest:
             return blocked
@@ -319,20 +285,6 @@ class Motion:
         vehicle.waiting = ""
         return blocked
 
-    def _detour(self, vehicle: VehicleNow, goal: Barcode) -> bool:
-        """Lead a blocked AGV to its goal over track that is free now, if there is such a way (our choice; floors are small)."""
-        way = self.free_way(vehicle, lambda barcode: barcode == goal) if vehicle.is_agv and not vehicle.toward else None
-        if way is not None:
-            vehicle.rest = list(way[1:])
-        return way is not None
-
-    def free_way(self, vehicle: VehicleNow, ends: Callable[[Barcode], bool]) -> tuple[Barcode, ...] | None:
-        """Return the shortest way for a standing vehicle over track that it would be granted; None: there is none."""
-        traffic = self._books.traffic
-        if vehicle.barcode is None:
-            return None
-        return free_way(self._books.track, vehicle.barcode, ends, lambda b: traffic.obstacle(vehicle.id, b) is None)
-
     def _display(self, job: Job | None) -> tuple[str, str, str]:
         """Return FOUP ID, SOURCE and DESTINATION for the vehicle's display."""
         if job is None:
@@ -351,7 +303,7 @@ class Motion:
         track = self._books.track
         ending = [here, *vehicle.ahead]
         left = track.distance(ending)
-        low, high = self._horizon(vehicle)
+        low, high = horizon(self._books, vehicle)
         too_late = left <= braking_distance(vehicle.spec.max_speed, vehicle.spec)
         if drive.end.barcode != ending[-1] or left > low or not vehicle.rest or drive.end.seq > LAST_SEQ:
             return None

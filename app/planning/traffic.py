@@ -3,69 +3,20 @@
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
-from enum import StrEnum
-from itertools import count
+from itertools import chain, count
 from types import MappingProxyType
 
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.layout import Zone
 from app.domain.units import Barcode
+from app.planning.admission import ANY
+from app.planning.blocking import Blocked, BlockReason, Grant, TrafficView
 from app.planning.deadlock import Needs, deadlocks
+from app.planning.queues import Queues
 from app.planning.track import Track
 
-
-class BlockReason(StrEnum):
-    """Why a barcode was not granted."""
-
-    HELD = "held"
-    """Another vehicle holds it."""
-    CONFLICT = "conflict"
-    """Another vehicle holds a barcode that excludes it (``Track.conflicts``)."""
-    ZONE = "zone"
-    """As many other vehicles as it can take hold track in a zone it lies in."""
-    CLOSED = "closed"
-    """It is closed for new claims."""
-    NO_STOP = "no_stop"
-    """What was wanted ends inside a no-stop zone, and not at a goal. Want more."""
-    DOOR = "door"
-    """A door leads there that is not known to be open. Traffic knows no doors: who claims says this."""
-
-
-@dataclass(frozen=True, slots=True)
-class Blocked:
-    """A refusal: the barcode that could not be granted and what stands against it.
-
-    ``by`` is the vehicle waited for, the longest in the zone for ZONE, None for CLOSED, NO_STOP and DOOR. ``zone`` goes with
-    ZONE and NO_STOP, ``note`` (why it is closed) with CLOSED and DOOR.
-    """
-
-    at: Barcode
-    by: VehicleId | None
-    why: BlockReason
-    zone: ZoneId | None = None
-    note: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Grant:
-    """The prefix of what was wanted that the vehicle now holds, and what ended it: None if all was granted.
-
-    A prefix trimmed for a no-stop zone is blocked by what stands beyond it.
-    """
-
-    granted: tuple[Barcode, ...]
-    blocked: Blocked | None
-
-
-@dataclass(frozen=True, slots=True)
-class TrafficView:
-    """All of it at one moment, for the read model."""
-
-    held: dict[VehicleId, tuple[Barcode, ...]]
-    blocked: dict[VehicleId, Blocked]
-    closed: dict[Barcode, str]
-    cycles: tuple[tuple[VehicleId, ...], ...]
+OF_BUFFERS = frozenset((BlockReason.FULL, BlockReason.CIRCLE))
+"""Refusals that hang on the lines in buffers, not on a barcode."""
 
 
 class Traffic:
@@ -73,10 +24,14 @@ class Traffic:
 
     What a vehicle holds is a set: a barcode taken twice is given back by one ``release``. Sets given back go round in
     an order that is the same in every run. A barcode that is not on the track may be held too; nothing conflicts with it.
+
+    With ``admission`` a grant into a buffer of one-way track takes a slot of it by the rule of ``planning.admission``, and
+    ends only where a vehicle can wait. ``queues`` are the lines in these buffers, None without.
     """
 
-    def __init__(self, track: Track) -> None:
+    def __init__(self, track: Track, *, admission: bool = False) -> None:
         self._track = track
+        self.queues = Queues(track) if admission else None
         self._held: dict[VehicleId, dict[Barcode, None]] = {}
         self._holders: dict[Barcode, tuple[VehicleId, ...]] = {}
         self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
@@ -106,29 +61,91 @@ class Traffic:
         """Return who holds the barcode: more than one only after ``hold``."""
         return frozenset(self._holders.get(barcode, ()))
 
-    def claim(self, vehicle: VehicleId, wanted: Sequence[Barcode], goal_included: bool) -> Grant:
+    def claim(
+        self, vehicle: VehicleId, wanted: Sequence[Barcode], goal_included: bool, *, beyond: Sequence[Barcode] = ()
+    ) -> Grant:
         """Grant as much of ``wanted`` as may be had, from its start, in order of driving.
 
         A barcode may be had if no other vehicle holds it or a conflicting one, every zone at it has room, and it is not
         closed. The grant does not end inside a no-stop zone, unless at the goal (``goal_included``: ``wanted[-1]`` is
         it) or in a no-stop zone that what the vehicle took last lies in already.
+
+        With admission it does not end in a transit buffer or where it keeps another branch from passing either, and each buffer
+        in which it could wait needs a slot. ``beyond`` is the way to its goal after ``wanted``: which buffer it will wait in next
+        is committed, granted or not; where that could close a circle, it stays committed to the one before.
         """
+        if self.queues is not None:
+            self._commit(self.queues, vehicle, wanted, beyond)
         free: list[Barcode] = []
         blocked = None
         for barcode in wanted:
             if (blocked := self.obstacle(vehicle, barcode)) is not None:
                 break
             free.append(barcode)
-        if blocked is not None or not goal_included:
-            end = self._stopping_place(vehicle, free)
-            if blocked is None and end < len(free):
-                zone = next(zone.id for zone in self._track.zones_at(free[-1]) if zone.no_stop)
-                blocked = Blocked(free[end], None, BlockReason.NO_STOP, zone)
-            del free[end:]
+        end, refused = self._stopping_place(vehicle, free, beyond, goal_included=blocked is None and goal_included)
+        if refused is not None:
+            blocked = refused
+        elif blocked is None and end < len(free):
+            zone = next((zone.id for zone in self._track.zones_at(free[-1]) if zone.no_stop), None)
+            blocked = Blocked(free[end], None, BlockReason.NO_STOP, zone)
+        del free[end:]
         for barcode in free:
             self._take(vehicle, barcode)
         self._record(vehicle, blocked, moved=bool(free))
         return Grant(tuple(free), blocked)
+
+    def may_end(self, barcode: Barcode) -> bool:
+        """Return whether a grant that is not for a goal may end here."""
+        return not self._track.no_stop(barcode) and (self.queues is None or self.queues.may_end(barcode))
+
+    def strays(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
+        """Return whether this way leads elsewhere than where the vehicle is committed to wait next, after a refused change."""
+        if self.queues is None or (slot := self.queues.slot(vehicle)) < 0:
+            return False
+        return self.queues.want(vehicle) not in {ANY, self.queues.want_after(slot, way)}
+
+    def _commit(self, queues: Queues, vehicle: VehicleId, wanted: Sequence[Barcode], beyond: Sequence[Barcode]) -> None:
+        """Let the vehicle want the buffer that it will wait in after the one it has a slot of."""
+        if (slot := queues.slot(vehicle)) >= 0:
+            queues.commit(vehicle, queues.want_after(slot, chain(wanted, beyond)))
+
+    def _stopping_place(
+        self, vehicle: VehicleId, free: Sequence[Barcode], beyond: Sequence[Barcode], *, goal_included: bool
+    ) -> tuple[int, Blocked | None]:
+        """Return how many of ``free`` may be granted so that the vehicle can stop at the last one, with slots taken.
+
+        Besides, what keeps it from a slot farther ahead.
+        """
+        last = next(reversed(self._held.get(vehicle, {})), None)
+        within = self._no_stop_zones(last) if last is not None else set()
+        creeps = self.queues is not None and last is not None and not self.queues.may_end(last)
+        end = 0
+        for i, barcode in enumerate(free):
+            creeps = creeps and self.queues is not None and not self.queues.may_end(barcode)
+            at_goal = goal_included and i == len(free) - 1
+            stands = self._no_stop_zones(barcode) <= within and (
+                creeps or self.queues is None or self.queues.may_end(barcode)
+            )
+            if not stands and not at_goal:
+                continue
+            way_on = chain(free[i + 1 :], beyond)
+            if self.queues is not None and (refused := self._enter(self.queues, vehicle, free[end : i + 1], way_on)):
+                return end, refused
+            end = i + 1
+        return end, None
+
+    def _enter(
+        self, queues: Queues, vehicle: VehicleId, part: Sequence[Barcode], beyond: Iterable[Barcode]
+    ) -> Blocked | None:
+        """Take the slot that the vehicle needs to stand at the end of this part of its way; return what keeps it from that."""
+        buffer = queues.waits_in(part[-1])
+        if buffer < 0 or (buffer == queues.slot(vehicle) and not any(map(queues.opens, part))):
+            return None
+        entry = next(b for b in part if queues.waits_in(b) == buffer)
+        want = queues.want_after(buffer, beyond)
+        if (refused := queues.refusal(vehicle, entry, buffer, want)) is None:
+            queues.enter(vehicle, buffer, want)
+        return refused
 
     def obstacle(self, vehicle: VehicleId, barcode: Barcode) -> Blocked | None:
         """Return what keeps the vehicle from being granted this barcode; None if nothing does."""
@@ -160,6 +177,8 @@ class Traffic:
                 self._count_in_zones(vehicle, barcode, -1)
         if not held:
             self._held.pop(vehicle, None)
+        if self.queues is not None:
+            self.queues.put(vehicle, self.held)
 
     def hold(
         self, vehicle: VehicleId, barcodes: Iterable[Barcode], maybe: AbstractSet[Barcode] = frozenset()
@@ -175,6 +194,8 @@ class Traffic:
             for near in (barcode, *sorted(self._track.conflicts(barcode))):
                 clashes.update(((barcode, other), None) for other in self._others(vehicle, near))
             self._take(vehicle, barcode, maybe=barcode in maybe)
+        if self.queues is not None:
+            self.queues.put(vehicle, self.held)
         return clashes.keys()
 
     def clear(self, vehicle: VehicleId) -> None:
@@ -183,8 +204,10 @@ class Traffic:
         self.forget(vehicle)
 
     def forget(self, vehicle: VehicleId) -> None:
-        """Drop the vehicle's last refusal: it wants nothing any more."""
+        """Drop the vehicle's last refusal: it wants nothing any more, so that it may go anywhere next."""
         self._record(vehicle, None, moved=True)
+        if self.queues is not None:
+            self.queues.commit(vehicle, ANY)
 
     def close(self, barcodes: Iterable[Barcode], why: str) -> None:
         """Grant these to nobody from now on; who holds them keeps them."""
@@ -198,9 +221,10 @@ class Traffic:
     def waiters(self, barcodes: Iterable[Barcode]) -> AbstractSet[VehicleId]:
         """Return who should claim again after these barcodes came free, the longest wait first.
 
-        They are the vehicles whose last refusal concerns one of them, a conflicting one or a zone it lies in.
+        They are the vehicles whose last refusal concerns one of them, a conflicting one or a zone it lies in; and those that
+        wait for a buffer of which a slot was given back, or whose head wants something else, since ``waiters`` was asked last.
         """
-        found: dict[VehicleId, None] = {}
+        found: dict[VehicleId, None] = dict.fromkeys(self.queues.concerned()) if self.queues is not None else {}
         for barcode in barcodes:
             for near in (barcode, *self._track.conflicts(barcode)):
                 found.update(self._blocked_at.get(near, {}))
@@ -215,7 +239,7 @@ class Traffic:
         everyone in the zone is; one that waits for an opening or for a longer claim of its own is not. Where cycles
         share vehicles, one is given. Each starts with its smallest id.
         """
-        needs = {v: groups for v, b in self._blocked.items() if (groups := self._needs(v, b.at))}
+        needs = {v: groups for v, b in self._blocked.items() if (groups := self._needs(v, b))}
         return deadlocks(needs)
 
     def snapshot(self) -> TrafficView:
@@ -230,15 +254,6 @@ class Traffic:
         """Return the other vehicles inside if they fill the zone; else none."""
         others = [other for other in self._inside[zone.id] if other != vehicle]
         return others if len(others) >= zone.capacity else []
-
-    def _stopping_place(self, vehicle: VehicleId, free: Sequence[Barcode]) -> int:
-        """Return how many of ``free`` may be granted so that the vehicle can stop at the last one."""
-        end = len(free)
-        last = next(reversed(self._held.get(vehicle, {})), None)
-        within = self._no_stop_zones(last) if last is not None else set()
-        while end and not self._no_stop_zones(free[end - 1]) <= within:
-            end -= 1
-        return end
 
     def _no_stop_zones(self, barcode: Barcode) -> set[ZoneId]:
         return {zone.id for zone in self._track.zones_at(barcode) if zone.no_stop}
@@ -268,21 +283,32 @@ class Traffic:
 
     def _record(self, vehicle: VehicleId, blocked: Blocked | None, *, moved: bool) -> None:
         if (before := self._blocked.get(vehicle)) is not None:
-            self._blocked_at[before.at].pop(vehicle)
-            if before.zone is not None:
-                self._blocked_zone[before.zone].pop(vehicle)
+            self._unwatch(vehicle, before)
         if blocked is None:
             self._blocked.pop(vehicle, None)
             self._turn.pop(vehicle, None)
             return
         self._blocked[vehicle] = blocked
-        self._blocked_at[blocked.at][vehicle] = None
+        if self.queues is not None and blocked.why in OF_BUFFERS:
+            self.queues.watch(vehicle)
+        else:
+            self._blocked_at[blocked.at][vehicle] = None
         if blocked.zone is not None:
             self._blocked_zone[blocked.zone][vehicle] = None
         if moved or before is None:
             self._turn[vehicle] = next(self._turns)
 
-    def _needs(self, vehicle: VehicleId, barcode: Barcode) -> Needs:
+    def _unwatch(self, vehicle: VehicleId, before: Blocked) -> None:
+        self._blocked_at[before.at].pop(vehicle, None)
+        if before.zone is not None:
+            self._blocked_zone[before.zone].pop(vehicle)
+        if self.queues is not None:
+            self.queues.unwatch(vehicle)
+
+    def _needs(self, vehicle: VehicleId, blocked: Blocked) -> Needs:
+        barcode = blocked.at
+        if self.queues is not None and blocked.why in OF_BUFFERS:
+            return self.queues.needs(vehicle)
         if barcode in self._closed:
             return []
         holders = (

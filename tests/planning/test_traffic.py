@@ -6,8 +6,9 @@ import pytest
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.layout import Zone
 from app.domain.units import Barcode
+from app.planning.blocking import Blocked, BlockReason, Grant
 from app.planning.track import Track
-from app.planning.traffic import Blocked, BlockReason, Grant, Traffic
+from app.planning.traffic import Traffic
 
 Lay: TypeAlias = Callable[..., Track]
 MakeZone: TypeAlias = Callable[..., Zone]

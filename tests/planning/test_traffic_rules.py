@@ -6,8 +6,9 @@ from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.layout import Edge, Plant, Point, Zone
 from app.domain.units import Barcode, Millimetres
+from app.planning.blocking import Blocked, BlockReason
 from app.planning.track import Track
-from app.planning.traffic import Blocked, BlockReason, Traffic
+from app.planning.traffic import Traffic
 
 SPOTS = {
     "a": (0, 0),

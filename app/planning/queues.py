@@ -1,0 +1,231 @@
+"""The lines before the exits of a track's buffers: who has a slot where, and who hangs on whom (TRAFFIC section 3).
+
+``planning.admission`` has the rule over numbers; here vehicles and barcodes have their names.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
+
+from app.domain.ids import VehicleId
+from app.domain.layout import VehicleKind
+from app.domain.units import Barcode, Millimetres
+from app.planning.admission import ADMITTED, ANY, CIRCLE, admits, enter, leave, lines, may_want
+from app.planning.blocking import Blocked, BlockReason
+from app.planning.buffers import LONGEST_PASS, Buffers, Row
+from app.planning.track import BOOK_VEHICLE, Track
+
+
+class Queues:
+    """The buffers of a track with the vehicles in line in each.
+
+    A vehicle has the slot of the farthest buffer that it may wait in and is granted track in. A goal in a transit buffer, and
+    two-way floor, need none: whoever goes there keeps the slot it has. ``stirred`` are the buffers that a vehicle has left, or
+    whose head wants something else, since they were last taken.
+    """
+
+    def __init__(self, track: Track) -> None:
+        hoists = [v for v in track.plant.vehicles if v.kind is not VehicleKind.AGV]
+        self.buffers = Buffers(track, max((v.length for v in hoists), default=BOOK_VEHICLE.length))
+        self._track = track
+        self._lines = lines(self.buffers, 0)
+        self._numbers: dict[VehicleId, int] = {}
+        self._names: list[VehicleId] = []
+        self._ends = self._find_ends()
+        self.stirred: dict[int, None] = {}
+        self._asked: dict[VehicleId, tuple[int, int]] = {}
+        self._watched: dict[VehicleId, tuple[int, ...]] = {}
+        self._watchers: defaultdict[int, dict[VehicleId, None]] = defaultdict(dict)
+
+    def _find_ends(self) -> Row:
+        """Return for each barcode whether a grant may end there: where one may wait, or where no such place is near enough."""
+        b = self.buffers
+        ends = [int(of < 0 or (stop and not b.transit[of])) for of, stop in zip(b.of, b.stop, strict=True)]
+        for barcode, index in b.index.items():
+            if not ends[index] and not self._leads_out(barcode, ends):
+                ends[index] = 2
+        return [min(1, end) for end in ends]
+
+    def _leads_out(self, start: Barcode, ends: Row) -> bool:
+        """Whether every way from here comes to a place to wait within LONGEST_PASS."""
+        queue: list[tuple[Barcode, int]] = [(start, 0)]
+        seen = {start}
+        while queue:
+            here, way = queue.pop()
+            after = self._track.successors(here)
+            if not after or way > LONGEST_PASS:
+                return False
+            for barcode in after:
+                if barcode not in seen and ends[self.buffers.index[barcode]] != 1:
+                    seen.add(barcode)
+                    queue.append((barcode, Millimetres(way + self._track.edge(here, barcode).length)))
+        return True
+
+    # -- where vehicles are in line -----------------------------------------------------------------------------------
+
+    def may_end(self, barcode: Barcode) -> bool:
+        """Return whether a grant that is not for a goal may end here."""
+        index = self.buffers.index.get(barcode)
+        return index is None or bool(self._ends[index])
+
+    def waits_in(self, barcode: Barcode) -> int:
+        """Return the buffer whose slot is needed to stand here; -1: none is."""
+        buffer = self.buffers.at(barcode)
+        return -1 if buffer < 0 or self.buffers.transit[buffer] else buffer
+
+    def slot(self, vehicle: VehicleId) -> int:
+        """Return the buffer that the vehicle has a slot of; -1: of none."""
+        number = self._numbers.get(vehicle)
+        return -1 if number is None else self._lines.slot[number]
+
+    def want(self, vehicle: VehicleId) -> int:
+        """Return the buffer that the vehicle is committed to wait in next; ANY: whichever."""
+        number = self._numbers.get(vehicle)
+        return ANY if number is None else self._lines.want[number]
+
+    def load(self, buffer: int) -> int:
+        """Return how many slots of a buffer are taken."""
+        return self._lines.load[buffer]
+
+    def line(self, buffer: int) -> tuple[VehicleId, ...]:
+        """Return the vehicles in line in a buffer, its head first."""
+        found, number = [], self._lines.head[buffer]
+        while number >= 0:
+            found.append(self._names[number])
+            number = self._lines.behind[number]
+        return tuple(found)
+
+    def head(self, buffer: int) -> VehicleId | None:
+        """Return who must leave a buffer first."""
+        number = self._lines.head[buffer]
+        return self._names[number] if number >= 0 else None
+
+    def want_after(self, buffer: int, way: Iterable[Barcode]) -> int:
+        """Return the buffer in which a vehicle waits next on its way on in this one; ANY: its way ends before one.
+
+        On a ring it may be the same again.
+        """
+        return next((b for at in way if (b := self.waits_in(at)) >= 0 and (b != buffer or self.opens(at))), ANY)
+
+    def opens(self, barcode: Barcode) -> bool:
+        """Return whether a buffer begins with this barcode."""
+        buffer = self.buffers.at(barcode)
+        return buffer >= 0 and self.buffers.chains[buffer][0] == barcode
+
+    # -- what vehicles ask --------------------------------------------------------------------------------------------
+
+    def ask(self, vehicle: VehicleId, buffer: int, want: int) -> BlockReason | None:
+        """Return why the vehicle may not take a slot of this buffer; None: it may, or has it."""
+        answer = admits(self._lines, self._number(vehicle), buffer, want)
+        if answer == ADMITTED:
+            return None
+        return BlockReason.CIRCLE if answer == CIRCLE else BlockReason.FULL
+
+    def refusal(self, vehicle: VehicleId, at: Barcode, buffer: int, want: int) -> Blocked | None:
+        """Ask, and name who must go first: the head of the full buffer, or whose turn it is to take the last slot."""
+        why = self.ask(vehicle, buffer, want)
+        if why is None:
+            return None
+        self._asked[vehicle] = (buffer, want)
+        by = self.head(buffer) if why is BlockReason.FULL else self._who_closes(buffer)
+        return Blocked(at, by if by != vehicle else None, why)
+
+    def _who_closes(self, buffer: int) -> VehicleId | None:
+        """Return the head that the last slot of a buffer is kept for: the circle that was found last ends with it."""
+        s = self._lines
+        for here in reversed(s.looked[: s.seen[0]]):
+            head = s.head[here]
+            if head >= 0 and (s.want[head] == buffer or (s.want[head] == ANY and buffer in self.buffers.outs[here])):
+                return self._names[head]
+        return self.head(buffer)
+
+    def enter(self, vehicle: VehicleId, buffer: int, want: int) -> None:
+        """Give the vehicle a slot of this buffer, last in line, and back the one it has."""
+        number = self._number(vehicle)
+        before = self._lines.slot[number]
+        enter(self._lines, number, buffer, want)
+        if before >= 0:
+            self.stirred[before] = None
+
+    def commit(self, vehicle: VehicleId, want: int) -> bool:
+        """Let the vehicle want this next, unless a circle closed by it: then it stays with what it wanted. Return whether so."""
+        number = self._number(vehicle)
+        s = self._lines
+        if s.want[number] == want:
+            return True
+        if not may_want(s, number, want):
+            return False
+        s.want[number] = want
+        if (buffer := s.slot[number]) >= 0 and s.head[buffer] == number:
+            self.stirred[buffer] = None
+        return True
+
+    def put(self, vehicle: VehicleId, held_by: Callable[[VehicleId], Sequence[Barcode]]) -> None:
+        """The vehicle holds something else now, whatever stands against it: its slot is where it can wait farthest ahead.
+
+        ``held_by`` tells what a vehicle holds, tail first. It comes into line by its place in the buffer.
+        """
+        held = held_by(vehicle)
+        if not held:
+            self.take_out(vehicle)
+            return
+        front = next((b for b in reversed(held) if self.waits_in(b) >= 0), None)
+        if front is None or (buffer := self.waits_in(front)) == self.slot(vehicle):
+            return
+        place = self._place(buffer, held)
+        behind = [other for other in self.line(buffer) if self._place(buffer, held_by(other)) < place]
+        self.enter(vehicle, buffer, ANY)
+        for other in behind:
+            number = self._numbers[other]
+            enter(self._lines, number, buffer, self._lines.want[number])
+        self.stirred[buffer] = None
+
+    def _place(self, buffer: int, held: Sequence[Barcode]) -> int:
+        """Return how far ahead in a buffer a vehicle reaches; one that holds nothing there has gone on from it."""
+        b = self.buffers
+        places = (b.place[b.index[barcode]] for barcode in reversed(held) if b.at(barcode) == buffer)
+        return next(places, len(b.chains[buffer]))
+
+    def take_out(self, vehicle: VehicleId) -> None:
+        """The vehicle stands nowhere any more."""
+        if (buffer := self.slot(vehicle)) >= 0:
+            leave(self._lines, self._numbers[vehicle])
+            self.stirred[buffer] = None
+
+    # -- who hangs on what --------------------------------------------------------------------------------------------
+
+    def watch(self, vehicle: VehicleId) -> None:
+        """The vehicle waits for one of the buffers that its last refusal came by."""
+        s = self._lines
+        self._watched[vehicle] = tuple(s.looked[: s.seen[0]])
+        for buffer in self._watched[vehicle]:
+            self._watchers[buffer][vehicle] = None
+
+    def unwatch(self, vehicle: VehicleId) -> None:
+        """The vehicle waits for no buffer."""
+        for buffer in self._watched.pop(vehicle, ()):
+            self._watchers[buffer].pop(vehicle)
+
+    def concerned(self) -> list[VehicleId]:
+        """Return who may be answered otherwise now, and forget what was stirred."""
+        found = [vehicle for buffer in self.stirred for vehicle in self._watchers.get(buffer, ())]
+        self.stirred.clear()
+        return found
+
+    def needs(self, vehicle: VehicleId) -> list[list[VehicleId]]:
+        """Return of whom one must go first, for a vehicle that was refused a slot, by what stands against it now."""
+        buffer, want = self._asked[vehicle]
+        why = self.ask(vehicle, buffer, want)
+        if why is None:
+            return []
+        s = self._lines
+        buffers = [buffer] if why is BlockReason.FULL else s.looked[: s.seen[0]]
+        heads = [head for b in buffers if (head := self.head(b)) is not None and head != vehicle]
+        return [heads] if heads else []
+
+    def _number(self, vehicle: VehicleId) -> int:
+        if (number := self._numbers.get(vehicle)) is None:
+            number = self._numbers[vehicle] = len(self._names)
+            self._names.append(vehicle)
+            for row in (self._lines.slot, self._lines.want, self._lines.before, self._lines.behind):
+                row.append(-1)
+        return number

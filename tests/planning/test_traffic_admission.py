@@ -1,0 +1,197 @@
+"""Traffic with admission: a slot of every buffer entered, by the rule, and nobody locks up."""
+
+from collections.abc import Callable
+
+import pytest
+
+from app.domain.ids import VehicleId
+from app.domain.units import Barcode
+from app.planning.admission import ADMITTED, ANY, CIRCLE, FULL, admits, enter, lines
+from app.planning.blocking import BlockReason
+from app.planning.track import Track
+from app.planning.traffic import Traffic
+from tests.planning.yard import Yard
+
+V1, V2, V3, V4, V5 = (VehicleId(f"V{i}") for i in range(1, 6))
+SEEDS = range(40)
+FORK = ("a1 a2 a3 a4 b1 b2 b3 b4", "a4 c1 c2 c3 c4 a1", "b4 a1")
+
+
+def way(text: str) -> list[Barcode]:
+    return [Barcode(b) for b in text.split()]
+
+
+@pytest.fixture
+def fork(lay: Callable[..., Track]) -> Traffic:
+    """Two rings over one way, a1 to a4, four slots each."""
+    return Traffic(lay(*FORK, length=1500), admission=True)
+
+
+def fill(traffic: Traffic, places: str, number: int = 10) -> list[VehicleId]:
+    """Put vehicles down, the first of them farthest ahead."""
+    names = [VehicleId(f"W{number + i}") for i, _ in enumerate(places.split())]
+    for name, place in zip(names, places.split(), strict=True):
+        traffic.hold(name, [Barcode(place)])
+    return names
+
+
+def test_a_full_buffer_is_not_entered_and_its_head_is_named(fork: Traffic) -> None:
+    head, *_ = fill(fork, "b4 b3 b2")
+    fork.claim(V2, way("b1"), goal_included=True)
+    fork.release(V2, ())
+    fork.hold(V1, way("a4"))
+    fork.release(VehicleId("W12"), ())
+    blocked = fork.claim(V1, way("b1"), goal_included=False, beyond=way("b2 b3")).blocked
+    assert blocked is not None
+    assert blocked.why is BlockReason.HELD
+    fork.release(V2, way("b1"))
+    fork.hold(V3, way("b2 b1"))
+    fork.release(V3, way("b1"))
+    blocked = fork.claim(V1, way("b1"), goal_included=True).blocked
+    assert blocked is not None
+    assert (blocked.why, blocked.by, blocked.at) == (BlockReason.FULL, head, "b1")
+
+
+def test_the_slot_is_taken_when_the_grant_is_given_not_when_the_vehicle_arrives(fork: Traffic) -> None:
+    assert fork.queues is not None
+    buffer = fork.queues.buffers.at(Barcode("b1"))
+    fork.hold(V1, way("a3"))
+    fork.claim(V1, way("a4 b1 b2"), goal_included=True)
+    assert fork.queues.slot(V1) == buffer
+    assert fork.queues.load(buffer) == 1
+
+
+def test_what_is_given_back_ahead_gives_the_slot_back(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("a3"))
+    fork.claim(V1, way("a4 b1 b2"), goal_included=True)
+    fork.release(V1, way("a4 b1 b2"))
+    assert fork.queues.slot(V1) == fork.queues.buffers.at(Barcode("a3"))
+    assert fork.queues.load(fork.queues.buffers.at(Barcode("b1"))) == 0
+
+
+def test_vehicles_put_down_come_into_line_by_where_they_stand_in_whatever_order_they_are_put(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("b1"))
+    fork.hold(V2, way("b4"))
+    fork.hold(V3, way("b2"))
+    assert fork.queues.line(fork.queues.buffers.at(Barcode("b1"))) == (V2, V3, V1)
+
+
+def test_more_vehicles_than_slots_may_be_put_down(lay: Callable[..., Track]) -> None:
+    traffic = Traffic(lay("a1 a2 a3 a4 b1 b2", "a4 c1", length=900), admission=True)
+    assert traffic.queues is not None
+    fill(traffic, "a4 a3 a2 a1")
+    buffer = traffic.queues.buffers.at(Barcode("a1"))
+    assert traffic.queues.load(buffer) == 4 > traffic.queues.buffers.capacity[buffer]
+
+
+def test_the_last_slot_is_kept_for_the_head_that_would_close_the_circle_and_it_is_named(fork: Traffic) -> None:
+    """a is full, its head wants b; b has one slot left, and its head wants a: who came from c would close the circle."""
+    blocked = None
+    a_head, *_ = fill(fork, "a4 a3 a2")
+    fork.claim(a_head, (), goal_included=False, beyond=way("b1 b2"))
+    b_head, *_ = fill(fork, "b4 b3 b2 b1", 20)
+    fork.claim(b_head, (), goal_included=False, beyond=way("a1 a2"))
+    fork.hold(V1, way("c4"))
+    blocked = fork.claim(V1, way("a1"), goal_included=False, beyond=way("a2 a3 a4 c1")).blocked
+    assert blocked is not None
+    assert (blocked.why, blocked.by) == (BlockReason.CIRCLE, b_head)
+    assert fork.claim(b_head, way("a1"), goal_included=True).blocked is None, "whose turn it is"
+
+
+def test_who_was_refused_a_slot_is_woken_when_one_is_given_back_and_by_nothing_else(fork: Traffic) -> None:
+    head, *_ = fill(fork, "b4 b3 b2")
+    fork.hold(V2, way("b2"))
+    fork.hold(V1, way("a4"))
+    fork.waiters(())
+    assert fork.claim(V1, way("b1"), goal_included=True).blocked is not None
+    assert V1 not in fork.waiters(way("b1 b2 b3"))
+    fork.claim(head, way("a1"), goal_included=True)
+    assert V1 in fork.waiters(())
+    assert V1 not in fork.waiters(())
+
+
+def test_a_head_keeps_what_it_wanted_where_a_change_could_close_a_circle(fork: Traffic) -> None:
+    head, *_ = fill(fork, "a4 a3 a2 a1")
+    fork.claim(head, (), goal_included=False, beyond=way("c1 c2"))
+    b_head, *_ = fill(fork, "b4 b3 b2 b1", 20)
+    fork.claim(b_head, (), goal_included=False, beyond=way("a1 a2"))
+    assert fork.queues is not None
+    c = fork.queues.buffers.at(Barcode("c1"))
+    fork.claim(head, (), goal_included=False, beyond=way("b1 b2"))
+    assert fork.queues.want(head) == c
+    assert fork.strays(head, way("b1 b2"))
+    assert fork.claim(head, way("c1"), goal_included=True).granted == ("c1",)
+
+
+def test_a_goal_in_a_transit_buffer_asks_for_no_slot_of_it(lay: Callable[..., Track]) -> None:
+    traffic = Traffic(lay("a1 a2 a3 a4 x b1 b2 b3 b4 a1", "a4 c1 c2 c3 x", "b4 c1", length=1500), admission=True)
+    queues = traffic.queues
+    assert queues is not None
+    crossed = queues.buffers.at(Barcode("x"))
+    assert not queues.buffers.transit[crossed] or queues.waits_in(Barcode("x")) == -1
+    track = lay("a1 a2 a3 a4 x b1 b2 b3 b4 a1", "a4 c1 c2 c3 c4 a1", "y1 y2 y3 y4 b1", "b4 y1", length=1500)
+    traffic = Traffic(track, admission=True)
+    queues = traffic.queues
+    assert queues is not None
+    assert queues.waits_in(Barcode("x")) == -1, "one slot: crossed in one go"
+    traffic.hold(V1, way("a4"))
+    fill(traffic, "b4 b3 b2 b1")
+    assert traffic.claim(V1, way("x"), goal_included=False, beyond=way("b1")).granted == ()
+    assert traffic.claim(V1, way("x"), goal_included=True).blocked is None
+    traffic.release(V1, way("a4"))
+    assert queues.slot(V1) == queues.buffers.at(Barcode("a4"))
+
+
+def test_a_grant_ends_beyond_a_transit_buffer_with_a_slot_or_before_it(lay: Callable[..., Track]) -> None:
+    track = lay("a1 a2 a3 a4 x b1 b2 b3 b4 a1", "a4 c1 c2 c3 c4 a1", "y1 y2 y3 y4 b1", "b4 y1", length=1500)
+    traffic = Traffic(track, admission=True)
+    traffic.hold(V1, way("a2"))
+    assert traffic.claim(V1, way("a3 a4 x"), goal_included=False, beyond=way("b1")).granted == ("a3", "a4")
+    assert traffic.claim(V1, way("x b1"), goal_included=False, beyond=way("b2")).granted == ("x", "b1")
+
+
+def test_random_networks_never_lock_up_by_the_rule() -> None:
+    yards = [Yard(seed, admission=True) for seed in SEEDS]
+    assert [seed for seed, yard in zip(SEEDS, yards, strict=True) if yard.run(120)] == []
+    assert sum(yard.moves for yard in yards) > 5_000
+
+
+def test_random_networks_lock_up_without_it() -> None:
+    assert sum(Yard(seed, admission=False).run(120) for seed in SEEDS) > len(SEEDS) // 3
+
+
+def test_every_answer_is_that_of_the_rule() -> None:
+    """One barcode at a time, against lines kept beside."""
+    words = {FULL: BlockReason.FULL, CIRCLE: BlockReason.CIRCLE}
+    given = dict.fromkeys((ADMITTED, *words), 0)
+    for seed in range(25):
+        yard = Yard(seed, admission=True, pitch=1 + seed % 2)
+        queues, buffers = yard.traffic.queues, yard.buffers
+        assert queues is not None
+        names = sorted(yard.at)
+        beside = lines(buffers, len(names))
+        for buffer in range(len(buffers)):
+            for vehicle in queues.line(buffer):
+                enter(beside, names.index(vehicle), buffer, queues.want(vehicle))
+        for _ in range(400):
+            vehicle = yard.rng.choice(names)
+            if not yard.way[vehicle]:
+                yard.way[vehicle] = yard.way_from(yard.at[vehicle])
+            number, after = names.index(vehicle), yard.way[vehicle]
+            if queues.head(queues.slot(vehicle)) == vehicle:
+                yard.traffic.claim(vehicle, (), goal_included=False, beyond=after)
+            beside.want[number] = queues.want(vehicle)
+            buffer = buffers.at(after[0])
+            free = yard.traffic.obstacle(vehicle, after[0]) is None
+            want = next((c for b in after[1:] if (c := buffers.at(b)) != buffer or b == buffers.chains[c][0]), ANY)
+            answer = admits(beside, number, buffer, want)
+            blocked = yard.drive(vehicle, most=1)
+            beside.want[number] = queues.want(vehicle)
+            if free:
+                assert (blocked.why if blocked else None) == words.get(answer)
+                given[answer] += 1
+            if blocked is None and (buffer != beside.slot[number] or yard.at[vehicle] == buffers.chains[buffer][0]):
+                enter(beside, number, buffer, want)
+    assert all(count > 20 for count in given.values()), given
