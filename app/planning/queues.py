@@ -8,11 +8,17 @@ from collections.abc import Callable, Iterable, Sequence
 
 from app.domain.ids import VehicleId
 from app.domain.layout import VehicleKind
-from app.domain.units import Barcode, Millimetres
+from app.domain.units import Barcode, Millimetres, Seconds
 from app.planning.admission import ADMITTED, ANY, CIRCLE, admits, enter, leave, lines, may_want
 from app.planning.blocking import Blocked, BlockReason
 from app.planning.buffers import LONGEST_PASS, Buffers, Row
+from app.planning.metering import Metered, metered
 from app.planning.track import BOOK_VEHICLE, Track
+
+AGE = Seconds(30.0)
+"""Who has waited so long for a slot goes before those that come by another branch (TRAFFIC section 5; our choice)."""
+GIVES_TURN = Seconds(3.0)
+"""A vehicle lets others go first for so long at most, each time (our choice)."""
 
 
 class Queues:
@@ -32,7 +38,11 @@ class Queues:
         self._names: list[VehicleId] = []
         self._ends = self._find_ends()
         self.stirred: dict[int, None] = {}
+        self._meters = metered(track, self.buffers)
         self._asked: dict[VehicleId, tuple[int, int]] = {}
+        self._since: dict[VehicleId, Seconds] = {}
+        self._looked: dict[VehicleId, tuple[int, ...]] = {}
+        self._gave: dict[VehicleId, Seconds] = {}
         self._watched: dict[VehicleId, tuple[int, ...]] = {}
         self._watchers: defaultdict[int, dict[VehicleId, None]] = defaultdict(dict)
 
@@ -120,14 +130,57 @@ class Queues:
             return None
         return BlockReason.CIRCLE if answer == CIRCLE else BlockReason.FULL
 
-    def refusal(self, vehicle: VehicleId, at: Barcode, buffer: int, want: int) -> Blocked | None:
-        """Ask, and name who must go first: the head of the full buffer, or whose turn it is to take the last slot."""
+    def refusal(self, vehicle: VehicleId, at: Barcode, buffer: int, want: int, now: Seconds) -> Blocked | None:
+        """Ask, and name who must go first: the head of the full buffer, or whose turn it is to take the last slot.
+
+        Besides, soft zones and those who have waited very long are minded.
+        """
         why = self.ask(vehicle, buffer, want)
-        if why is None:
+        looked = tuple(self._lines.looked[: self._lines.seen[0]])
+        before = self._asked.get(vehicle)
+        since = self._since.get(vehicle, now) if before is not None and before[0] == buffer else now
+        blocked = None
+        if why is not None:
+            by = self.head(buffer) if why is BlockReason.FULL else self._who_closes(buffer)
+            blocked = Blocked(at, by if by != vehicle else None, why)
+        elif meter := self._meter(vehicle, buffer, now - since):
+            blocked, looked = Blocked(at, None, BlockReason.METER, meter.zone), tuple(sorted(meter.buffers))
+        elif (first := self._before(vehicle, buffer, since, now)) is not None:
+            blocked, looked = Blocked(at, first, BlockReason.TURN), (buffer, self.slot(first))
+        if blocked is not None:
+            self._asked[vehicle], self._since[vehicle], self._looked[vehicle] = (buffer, want), since, looked
+        return blocked
+
+    def _meter(self, vehicle: VehicleId, buffer: int, waited: float) -> Metered | None:
+        """Return the soft zone that has no room for a vehicle from outside that has waited so long."""
+        home = self.slot(vehicle)
+        for meter in self._meters.get(buffer, ()):
+            if home not in meter.buffers and waited < meter.patience and meter.full(self._lines.load):
+                return meter
+        return None
+
+    def _before(self, vehicle: VehicleId, buffer: int, since: Seconds, now: Seconds) -> VehicleId | None:
+        """Return who has waited beyond an age for this buffer on another branch, and longer, and could come in now.
+
+        Nobody gives way for longer than GIVES_TURN: that one may be kept by something else.
+        """
+        home, gave = self.slot(vehicle), self._gave.get(vehicle, now)
+        if now - gave >= GIVES_TURN:
             return None
-        self._asked[vehicle] = (buffer, want)
-        by = self.head(buffer) if why is BlockReason.FULL else self._who_closes(buffer)
-        return Blocked(at, by if by != vehicle else None, why)
+        for other in self._watchers.get(buffer, ()):
+            old = self._since[other]
+            asks, want = self._asked[other]
+            if other == vehicle or asks != buffer or old >= since or now - old < AGE or self.slot(other) in {home, -1}:
+                continue
+            if self.ask(other, buffer, want) is None:
+                self._gave[vehicle] = gave
+                return other
+        return None
+
+    def wait_no_more(self, vehicle: VehicleId) -> None:
+        """The vehicle has come in, or wants to no more: its wait counts no longer."""
+        for kept in (self._asked, self._since, self._looked, self._gave):
+            kept.pop(vehicle, None)
 
     def _who_closes(self, buffer: int) -> VehicleId | None:
         """Return the head that the last slot of a buffer is kept for: the circle that was found last ends with it."""
@@ -195,8 +248,7 @@ class Queues:
 
     def watch(self, vehicle: VehicleId) -> None:
         """The vehicle waits for one of the buffers that its last refusal came by."""
-        s = self._lines
-        self._watched[vehicle] = tuple(s.looked[: s.seen[0]])
+        self._watched[vehicle] = self._looked[vehicle]
         for buffer in self._watched[vehicle]:
             self._watchers[buffer][vehicle] = None
 

@@ -8,15 +8,14 @@ from types import MappingProxyType
 
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.layout import Zone
-from app.domain.units import Barcode
+from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY
-from app.planning.blocking import Blocked, BlockReason, Grant, TrafficView
+from app.planning.blocking import OF_BUFFERS, Blocked, BlockReason, Grant, TrafficView
 from app.planning.deadlock import Needs, deadlocks
 from app.planning.queues import Queues
 from app.planning.track import Track
 
-OF_BUFFERS = frozenset((BlockReason.FULL, BlockReason.CIRCLE))
-"""Refusals that hang on the lines in buffers, not on a barcode."""
+NEVER = Seconds(0.0)
 
 
 class Traffic:
@@ -32,6 +31,7 @@ class Traffic:
     def __init__(self, track: Track, *, admission: bool = False) -> None:
         self._track = track
         self.queues = Queues(track) if admission else None
+        self._now = NEVER
         self._held: dict[VehicleId, dict[Barcode, None]] = {}
         self._holders: dict[Barcode, tuple[VehicleId, ...]] = {}
         self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
@@ -62,7 +62,13 @@ class Traffic:
         return frozenset(self._holders.get(barcode, ()))
 
     def claim(
-        self, vehicle: VehicleId, wanted: Sequence[Barcode], goal_included: bool, *, beyond: Sequence[Barcode] = ()
+        self,
+        vehicle: VehicleId,
+        wanted: Sequence[Barcode],
+        goal_included: bool,
+        *,
+        beyond: Sequence[Barcode] = (),
+        now: Seconds = NEVER,
     ) -> Grant:
         """Grant as much of ``wanted`` as may be had, from its start, in order of driving.
 
@@ -73,7 +79,9 @@ class Traffic:
         With admission it does not end in a transit buffer or where it keeps another branch from passing either, and each buffer
         in which it could wait needs a slot. ``beyond`` is the way to its goal after ``wanted``: which buffer it will wait in next
         is committed, granted or not; where that could close a circle, it stays committed to the one before.
+        ``now`` is for soft zones and for whose turn it is.
         """
+        self._now = now
         if self.queues is not None:
             self._commit(self.queues, vehicle, wanted, beyond)
         free: list[Barcode] = []
@@ -143,8 +151,9 @@ class Traffic:
             return None
         entry = next(b for b in part if queues.waits_in(b) == buffer)
         want = queues.want_after(buffer, beyond)
-        if (refused := queues.refusal(vehicle, entry, buffer, want)) is None:
+        if (refused := queues.refusal(vehicle, entry, buffer, want, self._now)) is None:
             queues.enter(vehicle, buffer, want)
+            queues.wait_no_more(vehicle)
         return refused
 
     def obstacle(self, vehicle: VehicleId, barcode: Barcode) -> Blocked | None:
@@ -207,6 +216,7 @@ class Traffic:
         """Drop the vehicle's last refusal: it wants nothing any more, so that it may go anywhere next."""
         self._record(vehicle, None, moved=True)
         if self.queues is not None:
+            self.queues.wait_no_more(vehicle)
             self.queues.commit(vehicle, ANY)
 
     def close(self, barcodes: Iterable[Barcode], why: str) -> None:
@@ -252,6 +262,8 @@ class Traffic:
 
     def _in_the_way(self, vehicle: VehicleId, zone: Zone) -> list[VehicleId]:
         """Return the other vehicles inside if they fill the zone; else none."""
+        if zone.meter is not None:
+            return []
         others = [other for other in self._inside[zone.id] if other != vehicle]
         return others if len(others) >= zone.capacity else []
 
