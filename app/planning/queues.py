@@ -36,7 +36,10 @@ class Queues:
         self._lines = lines(self.buffers, 0)
         self._numbers: dict[VehicleId, int] = {}
         self._names: list[VehicleId] = []
-        self._ends = self._find_ends()
+        b = self.buffers
+        self._no_end = frozenset(at for (at, i), end in zip(b.index.items(), self._find_ends(), strict=True) if not end)
+        self._waits = {at: b.of[i] for at, i in b.index.items() if b.of[i] >= 0 and not b.transit[b.of[i]]}
+        self._opening = frozenset(chain[0] for chain in b.chains)
         self.stirred: dict[int, None] = {}
         self._meters = metered(track, self.buffers)
         self._asked: dict[VehicleId, tuple[int, int]] = {}
@@ -74,13 +77,11 @@ class Queues:
 
     def may_end(self, barcode: Barcode) -> bool:
         """Return whether a grant that is not for a goal may end here."""
-        index = self.buffers.index.get(barcode)
-        return index is None or bool(self._ends[index])
+        return barcode not in self._no_end
 
     def waits_in(self, barcode: Barcode) -> int:
         """Return the buffer whose slot is needed to stand here; -1: none is."""
-        buffer = self.buffers.at(barcode)
-        return -1 if buffer < 0 or self.buffers.transit[buffer] else buffer
+        return self._waits.get(barcode, -1)
 
     def slot(self, vehicle: VehicleId) -> int:
         """Return the buffer that the vehicle has a slot of; -1: of none."""
@@ -114,12 +115,16 @@ class Queues:
 
         On a ring it may be the same again.
         """
-        return next((b for at in way if (b := self.waits_in(at)) >= 0 and (b != buffer or self.opens(at))), ANY)
+        waits, opening = self._waits, self._opening
+        for at in way:
+            after = waits.get(at, -1)
+            if after >= 0 and (after != buffer or at in opening):
+                return after
+        return ANY
 
-    def opens(self, barcode: Barcode) -> bool:
-        """Return whether a buffer begins with this barcode."""
-        buffer = self.buffers.at(barcode)
-        return buffer >= 0 and self.buffers.chains[buffer][0] == barcode
+    def begins(self, buffer: int, part: Sequence[Barcode]) -> bool:
+        """Return whether this part of a way comes by the beginning of a buffer."""
+        return self.buffers.chains[buffer][0] in part
 
     # -- what vehicles ask --------------------------------------------------------------------------------------------
 
@@ -221,8 +226,8 @@ class Queues:
         if not held:
             self.take_out(vehicle)
             return
-        front = next((b for b in reversed(held) if self.waits_in(b) >= 0), None)
-        if front is None or (buffer := self.waits_in(front)) == self.slot(vehicle):
+        buffer = next((b for at in reversed(held) if (b := self._waits.get(at, -1)) >= 0), -1)
+        if buffer in {-1, self.slot(vehicle)}:
             return
         place = self._place(buffer, held)
         behind = [other for other in self.line(buffer) if self._place(buffer, held_by(other)) < place]

@@ -126,18 +126,18 @@ class Traffic:
         """
         last = next(reversed(self._held.get(vehicle, {})), None)
         within = self._no_stop_zones(last) if last is not None else set()
-        creeps = self.queues is not None and last is not None and not self.queues.may_end(last)
+        queues = self.queues
+        creeps = queues is not None and last is not None and not queues.may_end(last)
         end = 0
         for i, barcode in enumerate(free):
-            creeps = creeps and self.queues is not None and not self.queues.may_end(barcode)
+            ends = queues is None or queues.may_end(barcode)
+            creeps = creeps and not ends
             at_goal = goal_included and i == len(free) - 1
-            stands = self._no_stop_zones(barcode) <= within and (
-                creeps or self.queues is None or self.queues.may_end(barcode)
-            )
+            stands = (creeps or ends) and self._no_stop_zones(barcode) <= within
             if not stands and not at_goal:
                 continue
             way_on = chain(free[i + 1 :], beyond)
-            if self.queues is not None and (refused := self._enter(self.queues, vehicle, free[end : i + 1], way_on)):
+            if queues is not None and (refused := self._enter(queues, vehicle, free[end : i + 1], way_on)):
                 return end, refused
             end = i + 1
         return end, None
@@ -147,7 +147,7 @@ class Traffic:
     ) -> Blocked | None:
         """Take the slot that the vehicle needs to stand at the end of this part of its way; return what keeps it from that."""
         buffer = queues.waits_in(part[-1])
-        if buffer < 0 or (buffer == queues.slot(vehicle) and not any(map(queues.opens, part))):
+        if buffer < 0 or (buffer == queues.slot(vehicle) and not queues.begins(buffer, part)):
             return None
         entry = next(b for b in part if queues.waits_in(b) == buffer)
         want = queues.want_after(buffer, beyond)
