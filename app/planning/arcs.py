@@ -62,9 +62,9 @@ class Arcs:
 
     def at(self, seconds: Floats) -> Floats:
         """Return, aligned with ``over``, the time from the beginning of its arc to each barcode, given each edge's seconds."""
-        summed = np.cumsum(np.append(seconds, 0.0)[self.over])
-        starts = self.begins[:-1]
-        times: Floats = summed - np.repeat(summed[starts], np.diff(self.begins))
+        times: Floats = np.append(seconds, 0.0).take(self.over)
+        np.cumsum(times, out=times)
+        times -= np.repeat(times[self.begins[:-1]], np.diff(self.begins))
         return times
 
 

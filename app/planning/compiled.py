@@ -14,6 +14,8 @@ from app.planning.tables import Floats, Tables
 Cuts: TypeAlias = Mapping[int, Sequence[int]]
 """For each arc that a closed edge lies on, the indices in its path that cannot be reached from the one before."""
 NO_CUTS: Cuts = {}
+Step: TypeAlias = tuple[tuple[Barcode, ...], int, int]
+"""A pair's way without its first barcode, where the row of the fork that it leads to begins, and that fork's first pair."""
 
 
 def is_open(cuts: Cuts, arc: int, start: int, end: int) -> bool:
@@ -36,9 +38,7 @@ class View:
         self._begins = arcs.starts
         self._times = cast("memoryview[float]", tables.seconds.reshape(-1).data)
         self._hop = tables.hop.reshape(-1).data
-        self._first = arcs.pair_first
-        self._heads = arcs.pair_heads
-        self._legs: list[tuple[Barcode, ...]] = [()] * len(self._heads)
+        self._steps: list[Step | None] = [None] * len(arcs.pair_heads)
 
     @property
     def version(self) -> int:
@@ -103,22 +103,27 @@ class View:
         if first_arc >= 0:
             if first_arc in cuts and not is_open(cuts, first_arc, index, len(arcs.paths[first_arc])):
                 return None
-            path += arcs.rest[first_arc][index:]
-        hop, first, heads, legs = self._hop, self._first, self._heads, self._legs
-        while fork != target:
-            pair = first[fork] + hop[fork * size + target]
-            path += legs[pair] or self._leg(pair)
-            fork = heads[pair]
+            path += arcs.rest[first_arc][index:] if index else arcs.rest[first_arc]
+        hop, steps, row, first = self._hop, self._steps, fork * size, arcs.pair_first[fork]
+        end = target * size
+        while row != end:
+            pair = first + hop[row + target]
+            leg, row, first = steps[pair] or self._step(pair)
+            path += leg
         if place:
             path += arcs.rest[last][:place]
         return path
 
-    def _leg(self, pair: int) -> tuple[Barcode, ...]:
-        """Return the barcodes of a pair's way, without the first; kept for the next time."""
+    def _step(self, pair: int) -> Step:
+        """Return the step of a pair; kept for the next time."""
         one, other = self.tables.parts[pair].tolist()
-        leg = self.arcs.rest[one] if other < 0 else self._leg(one) + self._leg(other)
-        self._legs[pair] = leg
-        return leg
+        leg = self.arcs.rest[one] if other < 0 else self._way(one) + self._way(other)
+        head = self.arcs.pair_heads[pair]
+        step = self._steps[pair] = leg, head * self._size, self.arcs.pair_first[head]
+        return step
+
+    def _way(self, pair: int) -> tuple[Barcode, ...]:
+        return (self._steps[pair] or self._step(pair))[0]
 
     def time(self, start: Barcode, goal: Barcode, cuts: Cuts) -> float:
         """Return the seconds of the quickest way; infinite if there is none."""

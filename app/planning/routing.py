@@ -101,10 +101,10 @@ class Router:
         edges = self._arcs.edges
         places = np.fromiter((edges[edge] for edge in seconds), dtype=np.intp, count=len(seconds))
         values = np.fromiter(seconds.values(), dtype=np.float64, count=len(seconds))
-        weights = self._seconds.copy()
-        weights[places] = np.maximum(values, self._free[places])
-        if not np.array_equal(weights, self._seconds):
-            self._seconds = weights
+        values = np.maximum(values, self._free[places])
+        if not np.array_equal(values, self._seconds[places]):
+            self._seconds = self._seconds.copy()
+            self._seconds[places] = values
             self._change()
 
     def weight(self, start: Barcode, end: Barcode) -> float:

@@ -5,7 +5,7 @@ import os
 import platform
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from tests.bench import (
     decoding,
@@ -36,6 +36,9 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "hoists": hoists.rows,
 }
 RESULTS = ROOT / "bench"
+READMES = (ROOT / "README.md", ROOT / "README.ko.md")
+BEGIN, END = "<!-- make bench writes from here -->\n", "<!-- to here -->\n"
+"""Between them stands the table of the last run."""
 
 
 def main(names: list[str]) -> int:
@@ -55,6 +58,15 @@ def main(names: list[str]) -> int:
     if not names:
         _write(found)
     return 0
+
+
+def placed(text: str, rows: Sequence[Row]) -> str:
+    """Return a text with the table between its marks. Raises ValueError: it has none."""
+    before, begin, rest = text.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not (begin and end):
+        raise ValueError(f"no {BEGIN.strip()} … {END.strip()}: there is no place for the table")
+    return f"{before}{BEGIN}{table(rows)}\n{END}{after}"
 
 
 def _write(rows: list[Row]) -> None:
@@ -87,6 +99,8 @@ says otherwise. Absolute numbers are for orientation: neighbours on the machine 
 {notes}
 """
     (RESULTS / "results.md").write_text(text)
+    for readme in READMES:
+        readme.write_text(placed(readme.read_text(), rows))
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from app.cli.bench import generated
 from app.cli.hoists.report import missed
 from app.cli.hoists.run import Asked, measure
 from tests.bench.measuring import Row, compiled
-from tests.bench.session_path import NEW_PLACE, POLL, cpu_per_packet
+from tests.bench.session_path import Load, cpu_per_packet
 
 HOISTS = 1_000
 ASKED = Asked(seconds=20.0, settle=30.0, processes=1, first_port=22_001, jobs=HOISTS)
@@ -17,7 +17,7 @@ def rows() -> Iterator[Row]:
     """Measure under load; the floor receives and acknowledges as many packets in C."""
     found = asyncio.run(measure(generated(HOISTS, 1), ASKED))
     packets = found.controller["lines"]["frames_in"] / found.seconds / HOISTS
-    floor = packets * cpu_per_packet([compiled("floor")], POLL, NEW_PLACE)
+    floor = packets * cpu_per_packet([compiled("floor")], Load())
     yield Row(
         "whole controller, 1,000 hoists under load in other processes; floor: C, the same packets",
         found.per_vehicle_second, floor, None, "µs CPU/vehicle-second", None,

@@ -5,7 +5,7 @@ import random
 import statistics
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import cycle
 from typing import Any
@@ -15,6 +15,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
+from app.domain.units import Barcode
 from app.planning.routing import Router
 from app.planning.tables import Tables, compute
 from app.planning.track import Track
@@ -92,7 +93,7 @@ def _lateness(track: Track, router: Router) -> Row:
 async def _watched(track: Track, router: Router) -> tuple[float, float, int]:
     """Return the p99 of lateness with the planner off and on, in turn, in ms, and how many tables were adopted."""
     draw, made, on = random.Random(1), 0, False
-    edges = list(track.graph.edges)
+    edges, barcodes = list(track.graph.edges), track.barcodes
     weights = cycle([{edge: draw.uniform(1, 60) for edge in draw.sample(edges, 500)} for _ in range(20)])
 
     def want() -> None:
@@ -113,12 +114,12 @@ async def _watched(track: Track, router: Router) -> tuple[float, float, int]:
         for on in (False, True):
             if on:
                 want()
-            late[on].append(await _p99(track, router, draw))
+            late[on].append(await _p99(barcodes, router, draw))
     await replanner.stop()
     return statistics.median(late[False]), statistics.median(late[True]), made
 
 
-async def _p99(track: Track, router: Router, draw: random.Random) -> float:
+async def _p99(barcodes: Sequence[Barcode], router: Router, draw: random.Random) -> float:
     """Return the p99 of how late the loop is, in ms, while it plans a few routes in each beat as a controller does."""
     late: list[float] = []
     end = time.perf_counter() + WATCH  # the loop's own clock counts whole milliseconds
@@ -126,5 +127,5 @@ async def _p99(track: Track, router: Router, draw: random.Random) -> float:
         await asyncio.sleep(BEAT)
         late.append(time.perf_counter() - due)
         for _ in range(5):
-            router.route(*draw.sample(track.barcodes, 2))
+            router.route(*draw.sample(barcodes, 2))
     return float(np.percentile(late, 99)) * 1000

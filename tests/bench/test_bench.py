@@ -1,6 +1,9 @@
 """The benchmarks measure what they say: their C programs speak the protocol. Nothing here looks at a clock."""
 
+import json
+import os
 import socket
+import subprocess
 
 import pytest
 
@@ -8,8 +11,9 @@ from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.dialects import DEFAULT
 from app.protocols.itsc.messages import NOTHING, Code, Enq, Form
 from tests.bench import __main__ as bench
+from tests.bench import session_path
 from tests.bench.decoding import compiled_decoder, declared, packets
-from tests.bench.measuring import Row, Skipped, child, compiled, table
+from tests.bench.measuring import Row, Skipped, child, compiled, line_of, table
 
 PATIENCE = 20.0
 
@@ -64,3 +68,45 @@ def test_the_table_says_which_goals_are_met() -> None:
 def test_an_unknown_benchmark_is_refused_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     assert bench.main(["nothing"]) == 2
     assert "no benchmark nothing; there are session" in capsys.readouterr().err
+
+
+def test_both_readmes_have_a_place_for_the_table_and_keep_all_around_it() -> None:
+    row = Row("a path", 3.0, 2.0, None, "us", 1.8)
+    for readme in bench.READMES:
+        text = readme.read_text()
+        before, after = text.split(bench.BEGIN)[0], text.split(bench.END)[1]
+        assert bench.placed(text, [row]) == f"{before}{bench.BEGIN}{table([row])}\n{bench.END}{after}"
+
+
+def test_a_text_without_marks_is_refused() -> None:
+    with pytest.raises(ValueError, match="no place for the table"):
+        bench.placed("nothing here", [])
+
+
+@pytest.mark.parametrize("rate", ["0", "200"])
+def test_the_load_sends_events_in_a_closed_and_in_an_open_loop_and_counts_what_is_acknowledged(rate: str) -> None:
+    try:
+        floor, load = compiled("floor"), compiled("vehicles")
+    except Skipped as why:
+        pytest.skip(str(why))
+    words = ["3", "0", "0.05", "0.05", "0.3", "0", rate]
+    with child(load, *words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as vehicles:
+        port = line_of(vehicles.stdout).strip()
+        with child(floor, port, "3", "20") as server:
+            assert vehicles.stdin is not None
+            vehicles.stdin.write(f"{server.pid}\n")
+            vehicles.stdin.close()
+            told = json.loads(line_of(vehicles.stdout))
+    assert told["packets"] > 0
+    if rate == "0":
+        assert told["waiting"] == 3
+    else:
+        assert told["waiting"] >= 0
+
+
+def test_a_server_and_its_load_run_where_a_place_says() -> None:
+    for place in session_path.places():
+        assert (place.load is None) == (place.server is None)
+    with session_path._on(min(os.sched_getaffinity(0))):
+        assert os.sched_getaffinity(0) == {min(os.sched_getaffinity(0))}
+    assert len(os.sched_getaffinity(0)) >= len(session_path.places())

@@ -1,9 +1,11 @@
-/* The load of the session path: many vehicles in one process, each with one STATUS event outstanding (a closed loop).
+/* The load of the session path: many vehicles in one process.
  *
- * vehicles CONNECTIONS PID SETTLE WARM MEASURE WAY: listens (the port is the first line of output), waits until all have connected and
+ * vehicles CONNECTIONS PID SETTLE WARM MEASURE WAY RATE: listens (the port is the first line of output), waits until all have connected and
  * been asked, answers polls only for SETTLE seconds, sends events, and after WARM seconds measures for MEASURE seconds:
  * packets acknowledged, and CPU time of process PID by its threads' schedstat. WAY 0: each event brings a new barcode;
- * 1: the vehicle stands and its axes move; 2: no events, only answers to polls. Prints JSON. The PID is read from the first line of input if it is 0.
+ * 1: the vehicle stands and its axes move; 2: no events, only answers to polls. RATE 0: each vehicle has one event outstanding (a closed
+ * loop); otherwise so many events a second from all together, at even distances, whether the last ones are acknowledged or not (an open
+ * loop). Prints JSON; "waiting" are the events not acknowledged at the end. The PID is read from the first line of input if it is 0.
  */
 #include <dirent.h>
 
@@ -16,8 +18,10 @@ typedef struct {
     uint8_t in[4096];
 } Vehicle;
 
-static int way, running, asked;
-static uint64_t acked, answers, cmd_ids = 1ull << 63;
+static int way, running, asked, rate;
+static uint64_t acked, answers, sent, cmd_ids = 1ull << 63;
+static Vehicle *vehicles;
+static int count;
 
 static uint64_t cpu_of(int pid) {
     char path[300];
@@ -61,6 +65,7 @@ static void say(Vehicle *v, uint64_t cmd_id) {
 
 static void event(Vehicle *v) {
     v->step++;
+    sent++;
     v->outstanding = ++cmd_ids;
     say(v, v->outstanding);
 }
@@ -83,7 +88,7 @@ static void take_ack(Vehicle *v, const uint8_t *packet) {
         exit(1);
     }
     acked++;
-    if (v->outstanding && get(packet + 5, 8) == v->outstanding) event(v);
+    if (!rate && v->outstanding && get(packet + 5, 8) == v->outstanding) event(v);
 }
 
 static void received(Vehicle *v) {
@@ -106,19 +111,40 @@ static void received(Vehicle *v) {
     memmove(v->in, v->in + at, (size_t)v->held);
 }
 
-static void serve(int epoll, double until, int enough) {
+/* Send what has fallen due since the last look, of one vehicle after the other: neighbours in time are none in memory. */
+static void due(int clock) {
+    static uint64_t turn;
+    uint64_t ticks;
+    if (read(clock, &ticks, sizeof ticks) != sizeof ticks) return;
+    while (ticks--) event(vehicles + turn++ * 7919 % (uint64_t)count);
+}
+
+static int paced(int epoll) {
+    int clock = timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK);
+    struct itimerspec interval = {{0, 1000000000 / rate}, {0, 1000000000 / rate}};
+    if (clock < 0 || timerfd_settime(clock, 0, &interval, NULL)) die("vehicles: timerfd");
+    watch(epoll, clock, NULL);
+    return clock;
+}
+
+static void serve(int epoll, int clock, double until, int enough) {
     struct epoll_event events[1024];
     while (seconds() < until && !(enough && asked >= enough)) {
         int ready = epoll_wait(epoll, events, 1024, 10);
-        for (int i = 0; i < ready; i++) received(events[i].data.ptr);
+        for (int i = 0; i < ready; i++) {
+            if (events[i].data.ptr) received(events[i].data.ptr);
+            else due(clock);
+        }
     }
 }
 
 int main(int argc, char **argv) {
-    if (argc != 7) return 2;
+    if (argc != 8) return 2;
     crc_init();
-    int count = atoi(argv[1]), pid = atoi(argv[2]), epoll = epoll_create1(0);
+    int pid = atoi(argv[2]), epoll = epoll_create1(0), clock = -1;
+    count = atoi(argv[1]);
     way = atoi(argv[6]);
+    rate = atoi(argv[7]);
     struct sockaddr_in address = loopback(0);
     socklen_t length = sizeof address;
     int listener = socket(AF_INET, SOCK_STREAM, 0);
@@ -127,29 +153,31 @@ int main(int argc, char **argv) {
     printf("%d\n", ntohs(address.sin_port));
     fflush(stdout);
     if (!pid && scanf("%d", &pid) != 1) return 2;
-    Vehicle *vehicles = calloc((size_t)count, sizeof *vehicles);
+    vehicles = calloc((size_t)count, sizeof *vehicles);
     for (int i = 0; i < count; i++) {
         vehicles[i].fd = accept(listener, NULL, NULL);
         if (vehicles[i].fd < 0) die("vehicles: accept");
         tune(vehicles[i].fd);
         watch(epoll, vehicles[i].fd, vehicles + i);
     }
-    serve(epoll, seconds() + 30, count);
+    serve(epoll, clock, seconds() + 30, count);
     if (asked < count) {
         fprintf(stderr, "vehicles: %d of %d were asked for STATUS\n", asked, count);
         return 1;
     }
-    serve(epoll, seconds() + atof(argv[3]), 0);
+    serve(epoll, clock, seconds() + atof(argv[3]), 0);
     running = 1;
-    if (way != 2)
+    if (rate) clock = paced(epoll);
+    else if (way != 2)
         for (int i = 0; i < count; i++) event(vehicles + i);
-    serve(epoll, seconds() + atof(argv[4]), 0);
+    serve(epoll, clock, seconds() + atof(argv[4]), 0);
     uint64_t packets = acked, asks = answers, cpu = cpu_of(pid);
     double began = seconds();
-    serve(epoll, began + atof(argv[5]), 0);
+    serve(epoll, clock, began + atof(argv[5]), 0);
     double took = seconds() - began;
     cpu = cpu_of(pid) - cpu;
-    printf("{\"packets\": %lu, \"answers\": %lu, \"seconds\": %.3f, \"cpu_us\": %.4f}\n", acked - packets, answers - asks, took,
-           (double)cpu / 1e3 / (double)(acked - packets));
+    uint64_t done = acked - answers; /* an answer is acknowledged like an event */
+    printf("{\"packets\": %lu, \"answers\": %lu, \"seconds\": %.3f, \"waiting\": %ld, \"cpu_us\": %.4f}\n", acked - packets, answers - asks,
+           took, (long)(sent - done), (double)cpu / 1e3 / (double)(acked - packets));
     return 0;
 }

@@ -10,7 +10,22 @@ from app.domain.layout import VehicleSpec
 from app.domain.units import Seconds
 from app.domain.vehicle import Mode
 from app.protocols.itsc.dialects import DIALECTS, Dialect
-from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Nak, Raw, Resp1, Resp2, Teach, Xmove, status1, status2
+from app.protocols.itsc.framing import Decoder
+from app.protocols.itsc.messages import (
+    Ack,
+    Code,
+    Enq,
+    Etb,
+    Nak,
+    Raw,
+    Resp1,
+    Resp2,
+    Teach,
+    Toward,
+    Xmove,
+    status1,
+    status2,
+)
 from app.protocols.itsc.session import Session
 from tests.protocols.itsc.session_peer import (
     AUTO_IDLE,
@@ -509,6 +524,45 @@ def test_the_last_frames_stand_in_the_order_of_the_line() -> None:
     poll = ids[0]
     assert ids == [poll, poll, poll, first, first, TOP + 77, TOP + 77, last, last]
     assert [way for _, way, _ in bench.session.last_frames] == ["out", *["in", "out"] * 4]
+
+
+def test_polls_and_their_answers_are_given_back_as_they_were_on_the_line() -> None:
+    bench = Bench()
+    line: list[tuple[str, bytes]] = []
+    bench.connect()
+    bench.session.outgoing()
+    for n in range(15):
+        bench.session.ask(bench.now)
+        poll = bench.session.outgoing()
+        (asked,) = Decoder(bench.codec, Toward.VEHICLE).feed(poll)
+        assert isinstance(asked, Enq)
+        answer = bench.codec.encode(
+            Enq(12, asked.cmd_id, Code.STATUS, Resp2(status1(STANDING1), status2(AUTO_IDLE), 1000 + n, 0))
+        )
+        bench.session.received(answer, bench.now)
+        line += [("out", poll), ("in", answer), ("out", bench.session.outgoing())]
+    assert [(way, packet) for _, way, packet in bench.session.last_frames] == line[-32:]
+    assert bench.session.link.frames_in == 16
+    assert bench.session.link.frames_out == 32
+
+
+def test_an_answer_to_a_poll_that_comes_again_within_64_others_is_known() -> None:
+    bench = Bench()
+    bench.connect()
+    answers = []
+    for n in range(64):
+        bench.session.ask(bench.now)
+        (asked,) = Decoder(bench.codec, Toward.VEHICLE).feed(bench.session.outgoing()[-33:])
+        assert isinstance(asked, Enq)
+        body = Resp2(status1(STANDING1), status2(AUTO_IDLE), 1000 + n, 0)
+        answers.append(bench.codec.encode(Enq(12, asked.cmd_id, Code.STATUS, body)))
+        bench.session.received(answers[-1], bench.now)
+    bench.session.outgoing()
+    bench.session.received(answers[0], bench.now)
+    assert bench.session.link.duplicates == 1
+    assert len(bench.session.outgoing()) == 15
+    assert bench.session.status is not None
+    assert bench.session.status.barcode == "1063"
 
 
 def test_events_and_a_duplicate_in_one_piece_are_taken_in_order() -> None:

@@ -1,5 +1,7 @@
 """The sending half of a session: polls, commands with their ACK and resends, and the life of the link (PROTOCOLS 6.1)."""
 
+from collections.abc import Iterator
+
 from app.domain.commands import Move, Send, Xmove
 from app.domain.errors import EncodeError
 from app.domain.events import Acknowledged, Event, Garbled, LinkDown, NotSent, Unanswered, Unknown
@@ -10,7 +12,7 @@ from app.domain.vehicle import VehicleStatus
 from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.framing import Decoder
 from app.protocols.itsc.messages import Code, Toward
-from app.protocols.itsc.session.link import FRAMES_KEPT, Kept, Link, LinkQuality, Polls, Seen, Tape, Way
+from app.protocols.itsc.session.link import FRAMES_KEPT, Kept, Link, LinkQuality, Polls, Seen, Tape, Taped, Way
 from app.protocols.itsc.session.orders import Order, Orders
 from app.protocols.itsc.session.quick import (
     ABOVE_ALL_IDS,
@@ -108,8 +110,19 @@ class Exchange:
             packet = packet_of(self._prefix, content, self._crc_init)
             quick += [(number + 1, when, "in", packet), (number + 1, when, "out", ack_of(packet, self._after_ack))]
         # A packet of the long way carries the number of quick ones before it, so it stands before the next of those.
-        frames = sorted([*quick, *self._frames], key=lambda frame: frame[0])
+        frames = sorted([*quick, *self._taped()], key=lambda frame: frame[0])
         return [frame[1:] for frame in frames[-FRAMES_KEPT:]]
+
+    def _taped(self) -> Iterator[Kept]:
+        for number, when, kind, content in self._frames:
+            if kind is Taped.ASKED:
+                yield number, when, "out", self._codec.bare(self.vehicle.dev_id, int.from_bytes(content), Code.STATUS)
+            elif kind is Taped.ANSWERED:
+                packet = packet_of(self._prefix, content, self._crc_init)
+                yield number, when, "in", packet
+                yield number, when, "out", ack_of(packet, self._after_ack)
+            else:
+                yield number, when, "in" if kind is Taped.IN else "out", content
 
     @property
     def link(self) -> LinkQuality:
@@ -184,7 +197,7 @@ class Exchange:
     def _emit(self, packet: bytes, now: Seconds) -> None:
         self._out += packet
         self._frames_out += 1
-        self._frames.append((self._quicks, now, "out", packet))
+        self._frames.append(self._quicks, now, Taped.OUT, packet)
 
     def ask(self, now: Seconds) -> None:
         """Ask STATUS now instead of at the next turn; does nothing while the vehicle is not up."""
@@ -195,7 +208,9 @@ class Exchange:
     def _poll(self, now: Seconds) -> None:
         cmd_id = self._ids.next()
         self._polls.asked(cmd_id, now, self.timing.status)
-        self._emit(self._codec.bare(self.vehicle.dev_id, cmd_id, Code.STATUS), now)
+        self._out += self._codec.bare(self.vehicle.dev_id, cmd_id, Code.STATUS)
+        self._frames_out += 1
+        self._frames.append(self._quicks, now, Taped.ASKED, cmd_id.to_bytes(8))
 
     def _tick_orders(self, now: Seconds) -> None:
         for order in self._orders.overdue(now):

@@ -1,14 +1,14 @@
 """How a link is doing: its life, its polls, its figures, what it remembers of the packets received (PROTOCOLS 6.1, I23)."""
 
 import struct
+from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import Enum, auto
+from enum import Enum, IntEnum, auto
 from typing import Literal
 
 from app.domain.units import Seconds
 
-ENQ_SIZE = 33
 SEEN_KEPT = 64
 """So many packets are remembered (I23)."""
 FRAMES_KEPT = 32
@@ -52,35 +52,31 @@ class LinkQuality:
 
 
 class Seen:
-    """The packets received lately, as bytes one after the other: a set of them would take five times the memory.
+    """The packets received lately, each as the 64 bits of its hash: the packets themselves would take four times the memory.
 
-    All have the size of an ENQ, the only packet that can be a duplicate.
+    That one is taken for another happens once in 10^17 packets; the CRC lets one broken packet in 65,536 pass.
     """
 
     __slots__ = ("_kept", "_next")
 
     def __init__(self) -> None:
-        self._kept = bytearray()
+        self._kept = array("q")
         self._next = 0
 
     def __len__(self) -> int:
-        return len(self._kept) // ENQ_SIZE
+        return len(self._kept)
 
     def __contains__(self, packet: bytes) -> bool:
-        at = self._kept.find(packet)
-        while at % ENQ_SIZE and at >= 0:  # across two packets: none of them
-            at = self._kept.find(packet, at + 1)
-        return at >= 0
+        return hash(packet) in self._kept
 
     def add(self, packet: bytes) -> None:
         """Remember a packet, in the place of the oldest if there are enough."""
-        at = self._next * ENQ_SIZE
-        self._kept[at : at + ENQ_SIZE] = packet
+        self._kept[self._next : self._next + 1] = array("q", (hash(packet),))
         self._next = (self._next + 1) % SEEN_KEPT
 
     def clear(self) -> None:
         """Forget all: another connection, another memory."""
-        self._kept.clear()
+        del self._kept[:]
         self._next = 0
 
 
@@ -89,8 +85,24 @@ Kept = tuple[int, Seconds, Way, bytes]
 """A number to sort by, the moment, the way, the packet."""
 
 
+class Taped(IntEnum):
+    """What an entry of a tape stands for, and what its bytes are: the rest follows from them."""
+
+    OUT = 0
+    """A packet sent, all of it."""
+    IN = 1
+    """A packet received, all of it."""
+    ASKED = 2
+    """A poll sent: its CMD_ID."""
+    ANSWERED = 3
+    """A STATUS and the ACK sent for it: the STATUS from CMD_ID up to its CRC."""
+
+
 class Tape:
-    """The last packets of a line, as bytes one after the other: read when a person looks, forgotten otherwise."""
+    """The last packets of a line, as bytes one after the other: read when a person looks, forgotten otherwise.
+
+    Polls and their answers are most of them, and are kept without what can be told from the rest.
+    """
 
     __slots__ = ("_count", "_tape")
 
@@ -98,24 +110,28 @@ class Tape:
         self._count = 0
         self._tape = bytearray()
 
-    def __iter__(self) -> Iterator[Kept]:
+    def __iter__(self) -> Iterator[tuple[int, Seconds, Taped, bytes]]:
         at = 0
         while at < len(self._tape):
-            number, when, incoming, size = _HEAD.unpack_from(self._tape, at)
+            number, when, kind, size = _HEAD.unpack_from(self._tape, at)
             at += _HEAD.size + size
-            yield number, Seconds(when), "in" if incoming else "out", bytes(self._tape[at - size : at])
+            yield number, Seconds(when), Taped(kind), bytes(self._tape[at - size : at])
 
-    def append(self, kept: Kept) -> None:
-        """Remember a packet, and forget the oldest if there are enough."""
-        number, when, way, packet = kept
-        if self._count == FRAMES_KEPT:
-            del self._tape[: _HEAD.size + _HEAD.unpack_from(self._tape)[3]]
-        else:
-            self._count += 1
-        self._tape += _HEAD.pack(number, when, way == "in", len(packet)) + packet
+    def append(self, number: int, when: Seconds, kind: Taped, content: bytes) -> None:
+        """Remember what a kind says, and forget the oldest packets if there are enough without them."""
+        self._count += _PACKETS[kind]
+        while True:
+            _, _, oldest, size = _HEAD.unpack_from(self._tape) if self._tape else (0, 0, Taped.OUT, 0)
+            if self._count - _PACKETS[oldest] < FRAMES_KEPT:
+                break
+            self._count -= _PACKETS[oldest]
+            del self._tape[: _HEAD.size + size]
+        self._tape += _HEAD.pack(number, when, kind, len(content)) + content
 
 
-_HEAD = struct.Struct("<Qd?I")
+_HEAD = struct.Struct("<QdBI")
+_PACKETS = (1, 1, 1, 2)
+"""How many packets each kind stands for."""
 
 
 class Polls:

@@ -14,7 +14,7 @@ from app.protocols.itsc.dialects import Dialect
 from app.protocols.itsc.messages import Ack, Code, Enq, Etb, Frame, Nak, Resp1, Resp2, Teach
 from app.protocols.itsc.session.exchange import Exchange
 from app.protocols.itsc.session.identity import Origin, origin_of, teaching
-from app.protocols.itsc.session.link import Link
+from app.protocols.itsc.session.link import Link, Taped
 from app.protocols.itsc.session.orders import Order
 from app.protocols.itsc.session.quick import (
     BODY_AT,
@@ -140,9 +140,10 @@ class Session(Exchange):
             return False
         self._heard = now
         self._frames_in += 1
-        self._frames.append((self._quicks, now, "in", data))
+        self._frames.append(self._quicks, now, Taped.ANSWERED, data[ID_AT:BODY_END])
         self._seen.add(data)
-        self._emit(ack_of(data, self._after_ack), now)
+        self._out += ack_of(data, self._after_ack)
+        self._frames_out += 1
         self._learn(status, data, now, self._polls.answered(cmd_id, now, self.timing.poll))
         self._plan()
         return True
@@ -203,7 +204,7 @@ class Session(Exchange):
             self._complain("unfit packet", "a vehicle sends no ETB packet")
             return
         packet = self._codec.encode(item, strict=False)
-        self._frames.append((self._quicks, now, "in", packet))
+        self._frames.append(self._quicks, now, Taped.IN, packet)
         match item:
             case Ack():
                 self._take_ack(item, now)
