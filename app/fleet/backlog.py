@@ -37,11 +37,11 @@ class Backlog:
         """Take a job as it is now, and as it was: None, if it is new. Returns whether it has come into the queue."""
         if before is None or before.state.terminal:
             if not job.state.terminal:
-                insort(self._to.setdefault(job.destination, []), (job.order, job.id))
+                _put_in(self._to.setdefault(job.destination, []), (job.order, job.id))
         elif job.state.terminal or before.destination != job.destination:
             _take_out(self._to, before.destination, (before.order, before.id))
             if not job.state.terminal:
-                insort(self._to.setdefault(job.destination, []), (job.order, job.id))
+                _put_in(self._to.setdefault(job.destination, []), (job.order, job.id))
         self._note_under_way(job)
         return self._note_queue(job)
 
@@ -79,8 +79,8 @@ class Backlog:
         if job.state is not JobState.QUEUED:
             return False
         self.queued[job.id] = job
-        insort(self._queue, rank_of(job))
-        insort(self._line.setdefault(job.destination, []), rank_of(job))
+        _put_in(self._queue, rank_of(job))
+        _put_in(self._line.setdefault(job.destination, []), rank_of(job))
         self._waiting_at.update(_ends(job))
         return before is None
 
@@ -117,6 +117,14 @@ def rank_of(job: Job) -> Rank:
 def _ends(job: Job) -> tuple[str, ...]:
     """Return the places that keep a job from beginning while they are not ready."""
     return (job.source, job.destination, *job.fallbacks)
+
+
+def _put_in(entries: list[_Entry], entry: _Entry) -> None:
+    """Put an entry where it belongs: mostly at the end, since what comes later is mostly accepted later."""
+    if not entries or entries[-1] < entry:
+        entries.append(entry)
+    else:
+        insort(entries, entry)
 
 
 def _take_out(lists: dict[str, list[_Entry]], place: str, entry: _Entry) -> None:

@@ -205,11 +205,13 @@ class Books:
 
     def _follow(self, before: Job | None, job: Job) -> None:
         """Keep what the job waits for with its why-record: from the second word on, since the first is the job's own."""
+        if before is None:
+            return
         kept = self.whys.get(job.id)
         known = kept or Why(job.order, job.id)
-        if kept is None and before is not None and before.reason:
+        if kept is None and before.reason:
             known = known.waiting(before.reason, before.created)
-        why = known if before is None else known.waiting(job.reason, self.utc)
+        why = known.waiting(job.reason, self.utc)
         if why is not kept and why.waits:
             self.keep_why(why)
         if job.state.terminal:

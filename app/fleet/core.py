@@ -164,11 +164,11 @@ class Fleet:
         self.books.now = now
         self.drives.tick()
         all_seen = self._look()
-        if all_seen and now >= self._next_thought:
+        if all_seen and self._dispatch.pending:
+            self._dispatch.go_on()  # to the end: a new thought before would begin anew for ever under load
+        elif all_seen and now >= self._next_thought:
             self._think()
             return
-        if all_seen and self._dispatch.pending:
-            self._dispatch.go_on()
         if self.books.woken:
             self._go_on()
 

@@ -4,7 +4,6 @@ from dataclasses import fields
 
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
-from app.domain.errors import Refusal
 from app.domain.requests import (
     AbortJob,
     Accepted,
@@ -85,11 +84,13 @@ class Desk:
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
         reply = self._answer(request)
-        accepted = isinstance(reply, Accepted)
-        what = f"refused: {reply.reason}" if isinstance(reply, Refusal) else _said(request)
+        audit, kind = self._books.audit, type(request).__name__
+        if isinstance(reply, Accepted):
+            audit(request.actor, kind, reply.key, _said(request), accepted=True)
+            return reply
         named = (getattr(request, name, None) for name in TARGETS)
-        target = reply.key if isinstance(reply, Accepted) else next((str(name) for name in named if name), "")
-        self._books.audit(request.actor, type(request).__name__, target, what, accepted=accepted)
+        target = next((str(name) for name in named if name), "")
+        audit(request.actor, kind, target, f"refused: {reply.reason}", accepted=False)
         return reply
 
     def _answer(self, request: Request) -> Reply:
@@ -177,8 +178,9 @@ def _said(request: Request) -> str:
     names = _SAYABLE.get(kind)
     if names is None:
         names = _SAYABLE[kind] = tuple(f.name for f in fields(kind) if f.name not in UNSAID)
-    given = [(name, getattr(request, name)) for name in names]
-    return ", ".join([f"{name} {value}" for name, value in given if value is not None and value not in EMPTY])
+    return ", ".join(
+        [f"{name} {value}" for name in names if (value := getattr(request, name)) is not None and value not in EMPTY]
+    )
 
 
 _SAYABLE: dict[type, tuple[str, ...]] = {}

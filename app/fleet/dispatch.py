@@ -1,46 +1,45 @@
-"""Which vehicle does which job: one assignment over all vehicles that carry nothing and all jobs not picked up (DOMAIN 6)."""
+"""Which vehicle does which job: one assignment over all vehicles that carry nothing and all jobs not picked up (DOMAIN 6).
+
+Where there are many vehicles it is thought over in slices: between two of them, the world may change. What was weighed is
+looked at again before it is carried out.
+"""
 
 from collections import deque
+from collections.abc import Iterator
 from dataclasses import replace
 
-from app.domain.errors import Refusal
+import numpy as np
+
 from app.domain.ids import JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.records import ControllerState
 from app.domain.units import Seconds
 from app.domain.why import Choice, Why
-from app.fleet.backlog import rank_of
+from app.fleet.beginnings import IN_TURN, LOOKED_AT_ONCE, Look
 from app.fleet.books import Books
 from app.fleet.choices import Choices
 from app.fleet.missions import Missions
-from app.fleet.obstacles import (
-    against_fetching,
-    against_picking_up,
-    against_putting_down,
-    bringer,
-    brought_first,
-    in_line,
-)
-from app.fleet.prospects import Asked, Prospects
+from app.fleet.obstacles import bringer
+from app.fleet.prospects import Asked, Prospect, Prospects
+from app.fleet.reasons import Reasons
 from app.fleet.servants import Servants
-from app.fleet.targets import target_for
 from app.fleet.vehicle import VehicleNow
-from app.planning.dispatch import NOBODY, RULES, Plan, dispatch
+from app.planning.dispatch import NOBODY, RULES, Floats, Plan, assigned, considered, unassigned
 
 RETHINK_EVERY = Seconds(1.0)
 """Assignments once made are thought over at most so often; new jobs and idle vehicles wait for nothing (our choice)."""
 RETHOUGHT = 100
 """So many of them at once, in turn (our choice: about 1 ms)."""
-MOST_URGENT = 150
-"""So many queued jobs are looked at each time, the most urgent (our choice: about 1 ms)."""
-IN_TURN = 100
-"""And so many of those behind them, in turn: what keeps many urgent ones from beginning keeps no other (our choice)."""
 SAID_AT_ONCE = 50
 """So many jobs say at once that they wait for something else now; the others say it the next time (our choice: about 1 ms)."""
 GIVEN_AT_ONCE = 10
-"""So many idle vehicles get their job at once; those left get it in the next ticks (our choice: about 3 ms)."""
+"""So many idle vehicles get their job at once; those left get it in the next ticks (our choice)."""
+GIVEN_IN_A_SLICE = 4
+"""And so many where there are many vehicles, and each assignment has more to choose from (our choice: about 2 ms)."""
 IN_ONE_GO = 100
-"""With more vehicles, looking at the jobs, planning, and giving are ticks of their own (our choice)."""
+"""With more vehicles, all is done in slices (our choice)."""
+SEEN_AT_ONCE = 400
+"""So many vehicles are looked at before others may do something (our choice: about 1 ms)."""
 
 
 class Dispatch:
@@ -53,152 +52,94 @@ class Dispatch:
         self._prospects = Prospects(books)
         self._names = tuple(books.vehicles)
         self._rows = {name: row for row, name in enumerate(books.vehicles)}
+        self._reasons = Reasons(books, self._servants, self._rows)
         self._rethink_at = books.now
         self._turn = 0
         self._engaged_from = 0
-        self._queue_from = MOST_URGENT
+        self._queue_from = 0
         self._words = 0
         self._pending: deque[tuple[VehicleNow, Job, int]] = deque()
         self._choices: Choices | None = None
-        self._looked: tuple[list[Job], dict[JobId, float]] | None = None
+        self._thought: Iterator[None] | None = None
 
     @property
     def pending(self) -> bool:
-        """Whether ``go_on`` has something to do: decided, but not carried out yet."""
-        return self._looked is not None or bool(self._pending)
+        """Whether ``go_on`` has something to do: not thought to the end, or not carried out yet."""
+        return self._thought is not None or bool(self._pending)
 
     def run(self) -> None:
         """Assign what can be assigned now; a job that cannot begin says why."""
-        books = self._books
         self._pending.clear()
-        self._looked = None
         self._words = SAID_AT_ONCE
-        queued = self._to_be_looked_at()
-        if books.controller.state is not ControllerState.AUTO:
-            for job in queued:
-                self._say(job, f"the controller is {books.controller.state.value}")
-            return
-        ready, coming = self._that_can_begin(queued)
-        for job in ready:
-            holder = books.vehicles.get(VehicleId(job.source))
-            if holder and holder.available:
-                self._assign(holder, job)
-        self._looked = ready, coming
-        if len(books.vehicles) <= IN_ONE_GO:
-            self._plan()
+        self._thought = self._think()
+        self._go_on_thinking()
+        while not self._sliced and self._go_on_thinking():
+            pass
 
     def go_on(self) -> None:
-        """Do the next piece of what ``run`` began: the plan, then idle vehicles get their jobs, some at a time."""
-        if self._looked is not None:
-            self._plan()
+        """Do the next piece of what ``run`` began; idle vehicles get their jobs at its end, some at a time."""
+        if self._go_on_thinking():
             return
         books, choices = self._books, self._choices
-        for _ in range(min(GIVEN_AT_ONCE, len(self._pending))):
+        for _ in range(min(self._at_once, len(self._pending))):
             vehicle, job, column = self._pending.popleft()
-            can = vehicle.available and not self.loaded(vehicle) and books.controller.state is ControllerState.AUTO
+            can = self._idle(vehicle) and books.controller.state is ControllerState.AUTO
             if choices is not None and can and books.backlog.queued.get(job.id) is job:
                 self._assign(vehicle, job, choices.named(column), choices.of(column))
         if not self._pending:
             self._choices = None
 
-    def _plan(self) -> None:
-        """Assign the jobs that were found able to begin, as far as they are still as they were."""
-        if self._looked is None:
-            return
-        (ready, coming), self._looked = self._looked, None
-        queued = self._books.backlog.queued
-        ready = [job for job in ready if queued.get(job.id) is job]
-        awaited = self._fetch([job for job in ready if job.source in self._books.specs], coming)
-        self._explain(ready, coming, awaited)
+    def _go_on_thinking(self) -> bool:
+        """Think on until the next slice ends; return whether there was anything to think over."""
+        if self._thought is None:
+            return False
+        if next(self._thought, self) is self:
+            self._thought = None
+        return True
 
-    def _to_be_looked_at(self) -> list[Job]:
-        """Return the most urgent jobs of the queue, and some of those behind them in turn; by urgency."""
+    @property
+    def _sliced(self) -> bool:
+        return len(self._books.vehicles) > IN_ONE_GO
+
+    @property
+    def _at_once(self) -> int:
+        return min(GIVEN_IN_A_SLICE, GIVEN_AT_ONCE) if self._sliced else GIVEN_AT_ONCE
+
+    def _think(self) -> Iterator[None]:
+        """Look at jobs and vehicles, weigh, assign, explain; give after each slice."""
+        books = self._books
+        look = Look(books, self._reasons, self._prospects, self._say)
+        if books.controller.state is not ControllerState.AUTO:
+            for job in books.backlog.urgent(0, IN_TURN):
+                self._say(job, f"the controller is {books.controller.state.value}")
+            return
+        yield from look.by_urgency()
+        for jobs in self._in_turn(look.seen):
+            look.at(jobs)
+            yield
+        for job in look.ready:
+            holder = books.vehicles.get(VehicleId(job.source))
+            if holder and holder.available and self._still_queued(job):
+                self._assign(holder, job)
+        yield from self._fetch(look)
+
+    def _in_turn(self, seen: int) -> Iterator[list[Job]]:
+        """Give slices of the queue behind the most urgent, which were seen already: others at each look, in turn."""
         backlog = self._books.backlog
         count = len(backlog.queued)
-        if count <= MOST_URGENT + IN_TURN:
-            return backlog.urgent(0, count)
-        if self._queue_from >= count:
-            self._queue_from = MOST_URGENT
-        begin, self._queue_from = self._queue_from, self._queue_from + IN_TURN
-        return backlog.urgent(0, MOST_URGENT) + backlog.urgent(begin, IN_TURN)
+        if not seen < self._queue_from < count:
+            self._queue_from = seen
+        begin, end = self._queue_from, min(self._queue_from + IN_TURN, count)
+        self._queue_from = end
+        for first in range(begin, end, LOOKED_AT_ONCE):
+            yield backlog.urgent(first, min(LOOKED_AT_ONCE, end - first))
 
-    def loaded(self, vehicle: VehicleNow) -> bool:
-        """Whether the vehicle has a FOUP aboard, by its own word or by our books."""
-        return bool(vehicle.loaded) or bool(vehicle.record.believed_loaded)
+    def _still_queued(self, job: Job) -> bool:
+        return self._books.backlog.queued.get(job.id) is job
 
-    # -- which jobs ---------------------------------------------------------------------------------------------------
-
-    def _that_can_begin(self, queued: list[Job]) -> tuple[list[Job], dict[JobId, float]]:
-        """Return the jobs whose source is full and destination free, as far as is known, one job per station end.
-
-        Among them are those whose carrier is being brought; the second answer is the seconds until it is there, at least.
-        """
-        if not queued:
-            return [], {}
-        active = self._books.backlog.under_way.values()
-        sources: set[str] = {job.source for job in active if job.leg in {Leg.TO_SOURCE, Leg.ACQUIRING}}
-        emptied: set[str] = {job.source for job in active if job.leg is Leg.ACQUIRING}
-        destinations: dict[str, Job] = {job.destination: job for job in active}
-        served = set(destinations)
-        ready, coming = [], {}
-        for job in queued:
-            first = "" if job.source in self._books.vehicles else brought_first(self._books, job.source, job.order)
-            expected = self._expected(job) if first and job.source in served else None
-            why = first if first and expected is None else self._taken(job, sources, destinations)
-            if not why and expected is None:
-                why = against_picking_up(self._books, job)
-            elif not why:
-                why = against_fetching(self._books, job)
-            why = why or self._blocked(job, emptied) or self._hopeless(job)
-            if why:
-                self._say(job, why)
-                continue
-            if expected is not None:
-                coming[job.id] = expected
-            sources.add(job.source)
-            destinations[job.destination] = job
-            ready.append(job)
-        return ready, coming
-
-    def _taken(self, job: Job, sources: set[str], destinations: dict[str, Job]) -> str:
-        """Return which other job comes first at one of its ends."""
-        holder = destinations.get(job.destination)
-        if holder is not None:
-            before = 2 if holder.state is JobState.QUEUED else 1
-            if self._books.backlog.behind(job.destination, rank_of(job), before):
-                return in_line(job.destination)
-            return f"{job.destination} is the destination of {holder.id} already"
-        if job.source in sources:
-            return f"another job is being fetched from {job.source}"
-        return ""
-
-    def _expected(self, job: Job) -> float | None:
-        """Return the seconds until the job's carrier is at its source, if it is on its way there; None: nobody knows."""
-        first = bringer(self._books, job)
-        vehicle = self._books.vehicle_of(first) if first else None
-        return self._prospects.until_put_down(vehicle, first) if vehicle and first else None
-
-    def _hopeless(self, job: Job) -> str:
-        """Return why no vehicle will do this job for now; it does not keep its ends from others then."""
-        only = self._only(job)
-        if only:
-            able = self._able(only, job)
-            return self._nobody(job) if only.barred or not only.linked or not able else ""
-        if job.wish or not (self._servants.of(job.source) & self._servants.of(job.destination)).any():
-            return "no vehicle can serve both stations: see their DEST, OFFSET and limits"
-        return ""
-
-    def _only(self, job: Job) -> VehicleNow | None:
-        """Return the one vehicle that may do this job, if there is just one."""
-        vehicles = self._books.vehicles
-        return vehicles.get(VehicleId(job.source)) or (vehicles.get(job.wish) if job.wish else None)
-
-    def _blocked(self, job: Job, emptied: set[str]) -> str:
-        """Return why the carrier could not be put down (it is not refused: hosts order ahead, DOMAIN section 2)."""
-        books = self._books
-        blocked = against_putting_down(books, job.destination, job.id)
-        elsewhere = any(f in books.specs and not against_putting_down(books, f, job.id) for f in job.fallbacks)
-        return "" if job.destination in emptied or elsewhere else blocked
+    def _idle(self, vehicle: VehicleNow) -> bool:
+        """Whether a job at a station may be given to a vehicle now."""
+        return vehicle.job is None and vehicle.available and not self._reasons.loaded(vehicle)
 
     def _say(self, job: Job, why: str) -> None:
         if job.reason == why:
@@ -209,85 +150,71 @@ class Dispatch:
         else:
             self._books.jobs_changed = True
 
-    def _explain(self, ready: list[Job], coming: dict[JobId, float], awaited: dict[JobId, VehicleId]) -> None:
+    def _explain(self, look: Look, awaited: dict[JobId, VehicleId]) -> None:
         """Jobs that could begin and got no vehicle say so."""
         given = {job.id for _, job, _ in self._pending}
-        for job in ready:
+        for job in look.ready:
             now = self._books.backlog.queued.get(job.id)
             if now and now.id not in given:
-                self._say(now, self._why_queued(now, coming, awaited))
+                self._say(now, self._why_queued(now, look.coming, awaited))
 
     def _why_queued(self, job: Job, coming: dict[JobId, float], awaited: dict[JobId, VehicleId]) -> str:
         if job.id in awaited:
             return f"it waits for {awaited[job.id]}, which will soon be free nearby"
         first = bringer(self._books, job) if job.id in coming else None
-        return f"{first.id} brings a carrier to {job.source} first" if first else self._nobody(job)
-
-    def _nobody(self, job: Job) -> str:
-        """Return why no vehicle does this job now. The words change only when the cause does: they are kept."""
-        only = self._only(job)
-        if only is None:
-            return "no vehicle is free"
-        asked = "has the carrier aboard" if only.id == job.source else "is asked for"
-        return f"no vehicle is free: {only.id} {asked}, and {self._engaged(only) or self._unserved(only, job)}"
-
-    def _unserved(self, vehicle: VehicleNow, job: Job) -> str:
-        """Return why the vehicle cannot serve one of the job's stations, with the missing axis named."""
-        for place in (job.source, job.destination):
-            station = self._books.specs.get(StationId(place))
-            why = target_for(self._books, vehicle, station) if station else None
-            if isinstance(why, Refusal):
-                return f"cannot serve {place}: {why.reason}"
-        return "cannot serve both stations"
-
-    def _engaged(self, vehicle: VehicleNow) -> str:
-        states = (
-            (vehicle.barred, f"is {vehicle.barred}"),
-            (not vehicle.linked, "is not connected"),
-            (vehicle.job, f"is on job {vehicle.job}"),
-            (vehicle.teaching is not None, f"is used for teaching (session {vehicle.teaching})"),
-            (not vehicle.fit, "is not ready"),
-            (self.loaded(vehicle), "is loaded"),
-            (vehicle.kept, vehicle.kept),
-        )
-        return next((words for applies, words in states if applies), "")
+        return f"{first.id} brings a carrier to {job.source} first" if first else self._reasons.nobody(job)
 
     # -- which vehicle ------------------------------------------------------------------------------------------------
 
-    def _fetch(self, queued: list[Job], coming: dict[JobId, float]) -> dict[JobId, VehicleId]:
-        """Assign vehicles to jobs at stations, and think over assignments whose carrier is not picked up yet.
-
-        Returns the jobs that are kept for a vehicle that will soon be free.
-        """
+    def _fetch(self, look: Look) -> Iterator[None]:
+        """Assign vehicles to jobs at stations, and think over assignments whose carrier is not picked up yet."""
         books = self._books
-        idle = [v for v in books.vehicles.values() if v.job is None and v.available and not self.loaded(v)]
+        prospects: list[Prospect] = []
+        for begin in range(0, len(self._names), SEEN_AT_ONCE):
+            some = (books.vehicles[name] for name in self._names[begin : begin + SEEN_AT_ONCE])
+            prospects += [self._prospects.of(vehicle) for vehicle in some if self._idle(vehicle)]
+            yield
         engaged = self._engaged_ones()
+        prospects += [self._prospects.of(vehicle) for vehicle in engaged]
+        queued = [job for job in look.ready if job.source in books.specs and self._still_queued(job)]
         jobs = queued + [books.jobs[v.job] for v in engaged if v.job]
-        prospects = [self._prospects.of(vehicle) for vehicle in idle + engaged]
         if queued:
             prospects += self._prospects.soon_free()
-        if not prospects or not jobs:
-            return {}
-        asked = Asked(books, self._servants, self._rows, prospects, jobs, coming)
-        plan = dispatch(asked.fleet, asked.waiting, asked.times, RULES, self._turn)
-        self._carry_out(asked, plan)
-        there = [(job, int(row)) for job, row in zip(jobs, plan.vehicle, strict=True) if row != NOBODY]
-        return {job.id: prospects[row].vehicle.id for job, row in there if prospects[row].soon}
+        awaited: dict[JobId, VehicleId] = {}
+        if prospects and jobs:
+            yield
+            asked = Asked(books, self._servants, self._rows, prospects, jobs, look.coming)
+            yield
+            rows, columns = considered(asked.fleet, asked.waiting, self._turn)
+            driven: list[Floats] = []
+            for begin in range(0, len(rows) if len(columns) else 0, SEEN_AT_ONCE):
+                driven.append(asked.times(rows[begin : begin + SEEN_AT_ONCE], columns))
+                yield
+            table = np.concatenate(driven) if driven else None
+            plan = unassigned(asked.fleet, asked.waiting, (rows, columns), table)
+            assigned(plan, asked.fleet, asked.waiting, RULES)
+            self._carry_out(asked, plan)
+            there = [(job, int(row)) for job, row in zip(jobs, plan.vehicle, strict=True) if row != NOBODY]
+            awaited = {job.id: prospects[row].vehicle.id for job, row in there if prospects[row].soon}
+            yield
+        self._explain(look, awaited)
 
     def _carry_out(self, asked: Asked, plan: Plan) -> None:
         """Give the plan's jobs to vehicles that did not have them; those that had them give them back first."""
         books = self._books
-        self._choices = choices = Choices(books, asked, plan, self._engaged)
+        self._choices = choices = Choices(books, asked, plan, self._reasons.engaged)
         new: list[tuple[VehicleNow, Job, Choice, str]] = []
-        room = GIVEN_AT_ONCE if len(books.vehicles) <= IN_ONE_GO else 0
+        room = 0 if self._sliced else GIVEN_AT_ONCE
         for column, row in enumerate(plan.vehicle.tolist()):
             if row == NOBODY or asked.prospects[row].soon:
                 continue
             vehicle, job = asked.prospects[row].vehicle, asked.jobs[column]
+            if job.vehicle == vehicle.id or not self._as_weighed(asked, row, job):
+                continue
             fresh = vehicle.job is None and job.vehicle is None
             if fresh and not room:
                 self._pending.append((vehicle, job, column))
-            elif job.vehicle != vehicle.id:
+            else:
                 room -= fresh
                 new.append((vehicle, job, choices.of(column), choices.named(column)))
         for vehicle, job, _, _ in new:
@@ -296,6 +223,18 @@ class Dispatch:
                 self._missions.give_back(books.vehicles[job.vehicle], f"{vehicle.id} is nearer than {job.vehicle}")
         for vehicle, job, choice, named in new:
             self._assign(vehicle, books.jobs[job.id], named, choice)
+
+    def _as_weighed(self, asked: Asked, row: int, job: Job) -> bool:
+        """Whether a vehicle and a job are as they were when they were weighed: what comes in between goes before."""
+        books, vehicle, column = self._books, asked.prospects[row].vehicle, int(asked.fleet.job[row])
+        if books.jobs.get(job.id) is not job or books.controller.state is not ControllerState.AUTO:
+            return False
+        holder = books.vehicle_of(job)
+        if holder is not None and not self._can_switch(holder):
+            return False
+        if column == NOBODY:
+            return self._idle(vehicle)
+        return vehicle.job == asked.jobs[column].id and self._can_switch(vehicle)
 
     def _engaged_ones(self) -> list[VehicleNow]:
         """Return the vehicles whose assignment is thought over now, some in turn: none if that was just done."""
@@ -322,13 +261,6 @@ class Dispatch:
         """Whether the vehicle is only on its way to fetch a carrier."""
         job = self._books.job_of(vehicle)
         return job is not None and job.state is JobState.WAITING and not vehicle.handling and vehicle.fit
-
-    def _able(self, vehicle: VehicleNow, job: Job) -> bool:
-        """Whether this vehicle may and can serve both ends."""
-        if job.wish and job.wish != vehicle.id:
-            return False
-        row = self._rows[vehicle.id]
-        return bool(self._servants.of(job.source)[row] and self._servants.of(job.destination)[row])
 
     def _assign(self, vehicle: VehicleNow, job: Job, named: str = "", choice: Choice | None = None) -> None:
         books = self._books

@@ -117,7 +117,7 @@ class Asked:
         jobs = [self.jobs[column] for column in columns.tolist()]
         starts = [self.prospects[row].start for row in rows.tolist()]
         goals = [self._books.specs[StationId(job.source)].barcode for job in jobs]
-        times: Floats = np.array(self._books.router.times(starts, goals), np.float64)
+        times = self._books.router.table(starts, goals)
         places = self._places[rows]
         for at, job in enumerate(jobs):
             times[~self._able(job)[places], at] = np.inf

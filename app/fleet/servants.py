@@ -1,11 +1,13 @@
 """Which vehicles can serve which station: for all vehicles at once, since pairs are many."""
 
+from operator import attrgetter
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.ids import StationId
 from app.domain.layout import Axis, Station, StationKind
-from app.domain.pulses import AxisPulses, known, missing
+from app.domain.pulses import AxisPulses
 from app.fleet.books import Books
 from app.planning.dispatch import Flags
 
@@ -38,7 +40,7 @@ class Servants:
             self._taught = books.taught
             self._known.clear()
             offsets = [books.teaching.offset_of(name, books.offsets.get(name)) for name in books.vehicles]
-            self._offsets = np.array([_row(offset) for offset in offsets]).reshape(len(offsets), len(Axis))
+            self._offsets = np.array([_row(offset) for offset in offsets], np.float64).reshape(len(offsets), len(Axis))
         found = self._known.get(place)
         if found is None:
             station = books.specs.get(StationId(place))
@@ -53,14 +55,19 @@ class Servants:
         if station.kind is not StationKind.PORT:
             return kind
         dest = self._books.dests.get(station.id)
-        if dest is None or missing(dest.pulses):
+        if dest is None:
             return np.zeros(len(self._all), np.bool_)
-        target = self._offsets + _row(dest.pulses)
+        target = self._offsets + np.array(_row(dest.pulses), np.float64)
         within = (self._limits[..., 0] <= target) & (target <= self._limits[..., 1])
         return kind & within.all(axis=1)
 
 
-def _row(pulses: AxisPulses | None) -> list[float]:
-    """Return the pulses by axis; not a number where one is not known, which is within no limits."""
-    there = known(pulses)
-    return [float(there.get(axis, np.nan)) for axis in Axis]
+_of_all_axes = attrgetter(*(axis.name.lower() for axis in Axis))
+
+
+def _row(pulses: AxisPulses | None) -> tuple[float | None, ...]:
+    """Return the pulses by axis; as an array not a number where one is not known, which is within no limits."""
+    return _NOTHING if pulses is None else _of_all_axes(pulses)
+
+
+_NOTHING = (None,) * len(Axis)

@@ -43,8 +43,8 @@ class Rules:
 RULES = Rules()
 MOST_JOBS = 500
 """So many jobs are looked at in one assignment, the most urgent and oldest first (TRAFFIC section 6)."""
-MOST_PAIRS = 40_000
-"""So many pairs of vehicle and job are weighed at once; more come with the next tick (our choice: about 4 ms)."""
+MOST_PAIRS = 25_000
+"""So many pairs of vehicle and job are weighed at once; more come with the next tick (our choice: about 3 ms)."""
 STEEPEST = 3600.0
 """Our choice: the age in seconds after which waiting counts no more than it does then."""
 SHORTER_SIDE = 300
@@ -112,12 +112,29 @@ def dispatch(vehicles: Vehicles, jobs: Jobs, times: Times, rules: Rules = RULES,
     more than ``rules.switch``. ``turn``: rises from call to call, so that where not all assignments can be thought over at
     once, each has its turn.
     """
+    plan = weighed(vehicles, jobs, times, turn)
+    assigned(plan, vehicles, jobs, rules)
+    return plan
+
+
+def weighed(vehicles: Vehicles, jobs: Jobs, times: Times, turn: int = 0) -> Plan:
+    """Return the plan in which all keep what they have, but those that ``assigned`` may change have nothing yet."""
     rows, columns = considered(vehicles, jobs, turn)
-    arrival = times(rows, columns) + vehicles.offset[rows][:, None] if len(rows) and len(columns) else np.empty((0, 0))
-    holder = _holders(vehicles, len(jobs.age))
-    vehicle = holder.copy()
+    return unassigned(vehicles, jobs, (rows, columns), times(rows, columns) if len(rows) and len(columns) else None)
+
+
+def unassigned(vehicles: Vehicles, jobs: Jobs, block: tuple[Indices, Indices], driven: Floats | None) -> Plan:
+    """Return the same for rows and columns ``considered`` and their table of times; None: there are no pairs."""
+    rows, columns = block
+    vehicle = _holders(vehicles, len(jobs.age))
     vehicle[columns] = NOBODY
-    plan = Plan(vehicle, rows, columns, arrival)
+    return Plan(vehicle, rows, columns, np.empty((0, 0)) if driven is None else driven + vehicles.offset[rows][:, None])
+
+
+def assigned(plan: Plan, vehicles: Vehicles, jobs: Jobs, rules: Rules = RULES) -> None:
+    """Carry out ``dispatch`` on a plan just weighed."""
+    rows, columns = plan.rows, plan.columns
+    holder = _holders(vehicles, len(jobs.age))
     free = np.ones(len(rows), np.bool_)
     for hot in (True, False):
         some, left = np.flatnonzero(jobs.hot[columns] == hot), np.flatnonzero(free)
@@ -127,7 +144,6 @@ def dispatch(vehicles: Vehicles, jobs: Jobs, times: Times, rules: Rules = RULES,
         for row, column in best_pairs(costs, jobs.priority[columns[some]]):
             plan.vehicle[columns[some[column]]] = rows[left[row]]
             free[left[row]] = False
-    return plan
 
 
 def considered(vehicles: Vehicles, jobs: Jobs, turn: int = 0) -> tuple[Indices, Indices]:

@@ -17,6 +17,8 @@ def found(**lines: float) -> Found:
         "threads": {"MainThread": 3.5, "hoistway-writer": 0.5},
         "parts": {"fleet": 2.0, "dispatch": 1.5},
         "late": {"p50": 0.1, "p99": 1.0, "max": 2.0},
+        "late_own": {"p50": 0.1, "p99": 0.5, "max": 0.9},
+        "waited": 2.5,
         "lines": usual | lines,
     }
     floors = ({"user": 1.0, "kernel": 1.0, "rss": 50.0},)
@@ -33,6 +35,8 @@ def test_the_report_gives_cpu_by_part_and_for_each_vehicle() -> None:
     assert "20 delivered (7,200 an hour)" in text
     assert "4000 µs a vehicle and second" in text
     assert "plant         20.0 % of a processor" in text
+    assert "had no processor for 25.0 % of the time" in text
+    assert "without the waiting for a processor p50 0.1 ms, p99 0.5 ms, max 0.9 ms" in text
 
 
 def test_a_sample_belongs_to_the_part_of_the_innermost_module_that_has_one() -> None:

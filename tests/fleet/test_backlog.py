@@ -6,10 +6,12 @@ import pytest
 
 from app.domain.ids import Actor, JobId, StationId
 from app.domain.job import Job, JobState, Leg
+from app.domain.requests import CancelJob, HoldVehicle
 from app.domain.units import Seconds, Timestamp
+from app.fleet import beginnings
 from app.fleet import dispatch as module
 from app.fleet.backlog import Backlog, rank_of
-from tests.fleet.script import Script
+from tests.fleet.script import HOST, V1, V2, Script
 
 
 def job(name: str, order: int, priority: int = 50, source: str = "P1", destination: str = "P3") -> Job:
@@ -65,13 +67,76 @@ def test_a_job_behind_others_says_so_when_it_is_accepted_and_is_not_kept_again(r
 def test_urgent_jobs_that_cannot_begin_keep_no_other_from_being_looked_at(
     ready: Script, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module, "MOST_URGENT", 2)
+    monkeypatch.setattr(beginnings, "MOST_URGENT", 2)
+    monkeypatch.setattr(beginnings, "LOOKED_AT_ONCE", 1)
     monkeypatch.setattr(module, "IN_TURN", 1)
     for n in range(5):
         ready.order("P2", "P3", job=f"blocked{n}", priority=60)
     ready.order("P1", "B2", job="able")
     ready.run(5)
     assert ready.job("able").vehicle is not None
+
+
+@pytest.mark.parametrize("ticks", range(8))
+def test_a_hot_lot_never_waits_for_its_turn_among_others(
+    ready: Script, monkeypatch: pytest.MonkeyPatch, ticks: int
+) -> None:
+    for name in ("ENOUGH", "MOST_URGENT", "LOOKED_AT_ONCE"):
+        monkeypatch.setattr(beginnings, name, 1)
+    monkeypatch.setattr(module, "IN_TURN", 1)
+    for n in range(4):
+        ready.order("P2", "P3", job=f"hot{n}", priority=95)
+        ready.order("P2", "P3", job=f"usual{n}")
+    ready.run(ticks, step=1.0)
+    ready.order("P1", "B2", job="low", priority=1)
+    ready.order("B1", "B2", job="hot", priority=91)
+    ready.run(2)
+    assert ready.job("hot").vehicle is not None
+    assert ready.job("low").vehicle is None
+
+
+def test_a_more_urgent_job_goes_first_behind_hundreds_that_cannot_begin(ready: Script) -> None:
+    for n in range(300):
+        ready.order("P2", "P3", job=f"blocked{n}", priority=60)
+    ready.order("P1", "B2", job="low", priority=1)
+    ready.order("B1", "B2", job="able", priority=55)
+    ready.run(1)
+    assert (ready.job("able").vehicle is None, ready.job("low").vehicle) == (False, None)
+
+
+@pytest.mark.parametrize("slices", range(1, 10))
+@pytest.mark.parametrize("what", ["cancel", "hold"])
+def test_what_happens_between_two_slices_goes_before_what_was_weighed(
+    ready: Script, monkeypatch: pytest.MonkeyPatch, slices: int, what: str
+) -> None:
+    monkeypatch.setattr(module, "IN_ONE_GO", 0)
+    monkeypatch.setattr(module, "SEEN_AT_ONCE", 1)
+    ready.order("P1", "P3", job="J1")
+    ready.now = Seconds(ready.now + 1.0)
+    for _ in range(slices):
+        ready.tick()
+    given = ready.job("J1").vehicle
+    if what == "cancel":
+        ready.ask(CancelJob(HOST, JobId("J1")))
+    else:
+        ready.ask(HoldVehicle(HOST, V1, "a look"))
+        ready.ask(HoldVehicle(HOST, V2, "a look"))
+    while ready.fleet.deadline <= ready.now:
+        ready.tick()
+    if what == "cancel":
+        assert ready.job("J1").state.terminal or given
+        assert given or ready.vehicle(V1).job is ready.vehicle(V2).job is None
+    else:
+        assert ready.job("J1").vehicle == given
+
+
+def test_a_new_thought_waits_for_the_end_of_the_last_one(ready: Script, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "IN_ONE_GO", 0)
+    ready.order("P1", "P3", job="J1")
+    for _ in range(40):  # so slow that each slice comes when the next thought is due
+        ready.now = Seconds(ready.now + 1.0)
+        ready.tick()
+    assert ready.job("J1").vehicle is not None
 
 
 def test_idle_vehicles_get_their_jobs_in_slices_that_come_at_once(

@@ -6,7 +6,7 @@ import time
 
 from app.cli import hosting
 from app.cli.hoists.child import Figures, obey, plant_in, tell
-from app.cli.hoists.sampling import Lateness, Sampler, cpu_by_thread, less, usage
+from app.cli.hoists.sampling import Lateness, Sampler, cpu_by_thread, less, usage, waited
 from app.cli.running import on_loop, stop_signal
 from app.runtime.controller import Controller
 from app.runtime.telemetry import set_up
@@ -27,7 +27,7 @@ class Measured:
     def begin(self) -> None:
         """Count from now on."""
         self._lines, self._usage, self._threads = self._counted(), usage(), cpu_by_thread()
-        self._began = time.monotonic()
+        self._began, self._waited = time.monotonic(), waited()
         self._late = Lateness()
         self._sampler.start()
 
@@ -42,6 +42,8 @@ class Measured:
             "threads": less(cpu_by_thread(), self._threads),
             "parts": dict(self._sampler.parts),
             "late": self._late.figures(),
+            "late_own": self._late.own_figures(),
+            "waited": waited() - self._waited,
             "lines": less(self._counted(), self._lines),
         }
 

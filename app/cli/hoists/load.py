@@ -30,7 +30,11 @@ class Load:
         """How often each event came."""
         self._open = open_jobs
         self._rng = Random(seed)
-        self._client = httpx.AsyncClient(base_url=f"{url}/api/v1", headers={"X-Actor": "bench"}, timeout=30.0)
+        # The server closes lines that are idle for 5 s: an order must not cross with that.
+        limits = httpx.Limits(keepalive_expiry=2.0)
+        self._client = httpx.AsyncClient(
+            base_url=f"{url}/api/v1", headers={"X-Actor": "bench"}, timeout=30.0, limits=limits
+        )
         self._at: dict[StationId, CarrierId] = {station: carrier for carrier, station in plant.carriers}
         self._engaged: set[StationId] = set()
         self._jobs: dict[str, tuple[StationId, StationId, CarrierId]] = {}

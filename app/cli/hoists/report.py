@@ -11,7 +11,8 @@ def report(found: Found) -> Iterator[str]:
     yield f"{found.vehicles:,} hoists, {seconds:.0f} s"
     yield f"jobs          {found.completed:,} delivered ({found.completed / seconds * 3600:,.0f} an hour), {found.failed} failed"
     yield f"missed        {_missed(found)}"
-    yield f"loop late     {', '.join(f'{name} {value:.1f} ms' for name, value in controller['late'].items())}"
+    yield f"loop late     {_spread(controller['late'])}; without the waiting for a processor {_spread(controller['late_own'])}"
+    yield f"machine       the loop was ready and had no processor for {_share(controller['waited'], seconds)} of the time"
     came, left = (controller["lines"][name] / seconds for name in ("frames_in", "frames_out"))
     yield f"packets       {came:,.0f} in, {left:,.0f} out a second"
     process = controller["process"]
@@ -54,6 +55,10 @@ def _missed(found: Found) -> str:
         f"{lines['resends']:.0f} packets sent again for want of an ACK, {unknown} commands without an answer, "
         f"{found.alarms} alarms, {found.held} holds; {lines['duplicates']:.0f} packets came twice, {lines['garbled']:.0f} garbled"
     )
+
+
+def _spread(late: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} {value:.1f} ms" for name, value in late.items())
 
 
 def _share(cpu: float, seconds: float) -> str:

@@ -94,10 +94,15 @@ class Sampler:
 
 
 class Lateness:
-    """How long after its time a timer of the loop is served, in seconds: what a packet may have to wait."""
+    """How long after its time a timer of the loop is served, in seconds: what a packet may have to wait.
+
+    ``own``: without the time for which the kernel had given the processors to others, which no program can help.
+    """
 
     def __init__(self) -> None:
         self.found: list[float] = []
+        self.own: list[float] = []
+        self._waited = waited()
         self._loop = asyncio.get_running_loop()
         self._due = self._loop.time() + LOOK_EVERY
         self._handle = self._loop.call_at(self._due, self._look)
@@ -108,15 +113,31 @@ class Lateness:
 
     def _look(self) -> None:
         now = self._loop.time()
-        self.found.append(max(0.0, now - self._due))
+        late, waiting = max(0.0, now - self._due), waited()
+        self.found.append(late)
+        self.own.append(max(0.0, late - (waiting - self._waited)))
+        self._waited = waiting
         self._due = now + LOOK_EVERY
         self._handle = self._loop.call_at(self._due, self._look)
 
     def figures(self) -> dict[str, float]:
         """Return median, 99th percentile and the most, in milliseconds."""
-        found = sorted(self.found) or [0.0]
-        at = {"p50": 0.5, "p99": 0.99, "max": 1.0}
-        return {name: 1000 * found[min(len(found) - 1, int(share * len(found)))] for name, share in at.items()}
+        return _spread(self.found)
+
+    def own_figures(self) -> dict[str, float]:
+        """Return the same without what the kernel kept the thread waiting for a processor."""
+        return _spread(self.own)
+
+
+def _spread(seconds: list[float]) -> dict[str, float]:
+    found = sorted(seconds) or [0.0]
+    at = {"p50": 0.5, "p99": 0.99, "max": 1.0}
+    return {name: 1000 * found[min(len(found) - 1, int(share * len(found)))] for name, share in at.items()}
+
+
+def waited() -> float:
+    """Return the seconds for which this thread was ready to run and had no processor (schedstat: the run queue)."""
+    return int(Path(f"/proc/self/task/{threading.get_native_id()}/schedstat").read_text().split()[1]) / 1e9
 
 
 def cpu_by_thread() -> dict[str, float]:
