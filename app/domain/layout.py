@@ -339,6 +339,8 @@ class Plant:
     buffers: tuple[BufferSpec, ...] = ()
     chargers: tuple[ChargerSpec, ...] = ()
     charging: ChargingRules = ChargingRules()
+    restrain: bool = False
+    """Whether no more vehicles set out with jobs than the track carries."""
     drives: tuple[DriveUnit, ...] = ()
     catalogues: tuple[Catalogue, ...] = ()
     reference_vehicles: frozenset[VehicleId] = frozenset()

@@ -22,6 +22,7 @@ from app.fleet.missions import Missions
 from app.fleet.obstacles import bringer
 from app.fleet.prospects import Asked, Prospect, Prospects
 from app.fleet.reasons import Reasons
+from app.fleet.restraint import KeptBack
 from app.fleet.servants import Servants
 from app.fleet.vehicle import VehicleNow
 from app.planning.dispatch import NOBODY, RULES, Floats, Plan, assigned, considered, unassigned
@@ -53,6 +54,8 @@ class Dispatch:
         self._names = tuple(books.vehicles)
         self._rows = {name: row for row, name in enumerate(books.vehicles)}
         self._reasons = Reasons(books, self._servants, self._rows)
+        self._kept_back = KeptBack(books)
+        self._held: set[JobId] = set()
         self._rethink_at = books.now
         self._turn = 0
         self._engaged_from = 0
@@ -159,6 +162,8 @@ class Dispatch:
                 self._say(now, self._why_queued(now, look.coming, awaited))
 
     def _why_queued(self, job: Job, coming: dict[JobId, float], awaited: dict[JobId, VehicleId]) -> str:
+        if job.id in self._held:
+            return self._kept_back.why()
         if job.id in awaited:
             return f"it waits for {awaited[job.id]}, which will soon be free nearby"
         first = bringer(self._books, job) if job.id in coming else None
@@ -181,6 +186,7 @@ class Dispatch:
         if queued:
             prospects += self._prospects.soon_free()
         awaited: dict[JobId, VehicleId] = {}
+        self._held.clear()
         if prospects and jobs:
             yield
             asked = Asked(books, self._servants, self._rows, prospects, jobs, look.coming)
@@ -204,7 +210,7 @@ class Dispatch:
         books = self._books
         self._choices = choices = Choices(books, asked, plan, self._reasons.engaged)
         new: list[tuple[VehicleNow, Job, Choice, str]] = []
-        room = 0 if self._sliced else GIVEN_AT_ONCE
+        room, may_set_out = 0 if self._sliced else GIVEN_AT_ONCE, self._kept_back.room()
         for column, row in enumerate(plan.vehicle.tolist()):
             if row == NOBODY or asked.prospects[row].soon:
                 continue
@@ -212,6 +218,10 @@ class Dispatch:
             if job.vehicle == vehicle.id or not self._as_weighed(asked, row, job):
                 continue
             fresh = vehicle.job is None and job.vehicle is None
+            if fresh and not may_set_out:
+                self._held.add(job.id)
+                continue
+            may_set_out -= fresh
             if fresh and not room:
                 self._pending.append((vehicle, job, column))
             else:

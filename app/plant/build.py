@@ -53,6 +53,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         buffers=tuple(buffers(document, file, links)),
         chargers=tuple(chargers(document, file, places)),
         charging=charging(document, file),
+        restrain=file.traffic.restrain,
         drives=tuple(drives(document, file, links)),
         reference_vehicles=frozenset(VehicleId(v) for v, given in file.vehicles.items() if given.reference),
     )

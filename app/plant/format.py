@@ -197,6 +197,16 @@ class Charging(Strict, frozen=True):
     windows: list[Text] = []
 
 
+class Traffic(Strict, frozen=True):
+    """How hoists share the track.
+
+    `restrain`: no more vehicles are given jobs at once than the track carries, found by how many of them stand: for a fleet of
+    hundreds that may be larger than its track. The others stay idle, and give way.
+    """
+
+    restrain: bool = False
+
+
 class Drive(Strict, frozen=True):
     """An axis drive on an HI line; `model` names its catalogue of parameters, without which only raw access is possible."""
 
@@ -271,6 +281,7 @@ class PlantFile(Strict, frozen=True):
     buffers: dict[str, Buffer] = {}
     chargers: dict[str, Charger] = {}
     charging: Charging = Charging()
+    traffic: Traffic = Traffic()
     drives: dict[str, Drive] = {}
     vehicle_defaults: VehicleDefaults = VehicleDefaults()
     agv_defaults: AgvDefaults = AgvDefaults()
