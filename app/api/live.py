@@ -18,7 +18,7 @@ from app.api.guard import TICKET_LIFE, Tickets
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.spoken import Order, Speaker, Spoken, error
-from app.api.streams import WIRE
+from app.api.streams import WIRE, WRITABLE
 from app.domain.view import Topic
 from app.runtime.hub import Subscription
 
@@ -89,9 +89,14 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
 
 
 async def _send(socket: WebSocket, subscription: Subscription) -> None:
-    send = socket.send
+    send, direct = socket.send, subscription.direct
+    writable = socket.scope.get("extensions", {}).get(WRITABLE)
     try:
         async for frame in subscription:
+            if direct is not None and writable is not None:
+                await writable()
+                if direct(frame.wire):  # what waited is not framed again for each watcher
+                    continue
             await send({"type": "websocket.send", "text": frame.text})
     except (WebSocketDisconnect, RuntimeError):
         subscription.close()

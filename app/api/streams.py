@@ -8,6 +8,9 @@ from websockets.protocol import State
 WIRE = "hoistway.wire"
 """ASGI extension of a WebSocket: a call that writes a whole frame as it is, at once; False: it has to be sent as usual."""
 
+WRITABLE = "hoistway.writable"
+"""And a call that waits until the watcher takes bytes."""
+
 
 class Stream(WebSocketsSansIOProtocol):
     """A WebSocket that takes ready frames: without extensions of the protocol they are the same for every watcher."""
@@ -16,6 +19,7 @@ class Stream(WebSocketsSansIOProtocol):
         """Run the application, which may write frames past its messages."""
         extensions: dict[str, Any] = self.scope["extensions"]
         extensions[WIRE] = self.write_frame
+        extensions[WRITABLE] = self.writable.wait
         await super().run_asgi()
 
     def write_frame(self, frame: bytes) -> bool:

@@ -11,12 +11,9 @@ from app.cli.plainly import plainly, positive
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
-    from app.plant.fab import Shape
 
 FULL = 0.5
 """Share of the ports that have a carrier at first. Our choice."""
-FLEET = 1000
-"""Hoists for which the fab of TRAFFIC section 1 is made. Our choice: where it delivers most."""
 
 commands = typer.Typer(help="Measure this program on this machine.", no_args_is_help=True)
 
@@ -79,6 +76,33 @@ def rules(
     raise typer.Exit(1 if failed else 0)
 
 
+@commands.command()
+def traffic(
+    full: Annotated[bool, typer.Option("--full", help="soak and drill for 8 hours instead of 2")] = False,
+    only: Annotated[
+        list[str] | None, typer.Option(help="a part: routes, rules, sweep, soak, …; all unless said")
+    ] = None,
+    json: Annotated[Path | None, typer.Option(help="write what is found there")] = None,
+) -> None:
+    """Try the rules of traffic on a whole fab: routes, lock-ups, deliveries by fleet, hours, dispatch, speed, a drill."""
+    from json import dumps
+
+    from app.cli.traffic.report import FULL as EIGHT_HOURS
+    from app.cli.traffic.report import PARTS, Extent, Report
+
+    unknown = [name for name in only or () if name not in PARTS]
+    if unknown:
+        raise typer.BadParameter(f"there is no part {', '.join(unknown)}; there are {', '.join(PARTS)}")
+    report = Report(EIGHT_HOURS if full else Extent())
+    for name, part in PARTS.items():
+        if not only or name in only:
+            for line in part(report):
+                print(f"{name:9} {line}", flush=True)
+    if json is not None:
+        json.write_text(dumps(report.found | {"missed": report.failed}, indent=1), encoding="utf-8")
+    raise typer.Exit(1 if report.failed else 0)
+
+
 def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
     if file is not None:
         from app.cli.running import plant_of
@@ -89,22 +113,7 @@ def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
 
 def generated(vehicles: int, seed: int) -> Plant:
     """Return a fab with so many hoists, and carriers at half of its ports."""
+    from app.cli.traffic.report import grown
     from app.plant.fab import generate, populate
 
-    return populate(generate(_shape(vehicles), seed).plant, vehicles, seed, FULL)
-
-
-def _shape(vehicles: int) -> Shape:
-    """Return a fab that grows with its fleet: 25 hoists a bay, as 1,000 have in the fab of TRAFFIC section 1."""
-    from app.plant.fab import Shape
-
-    usual = Shape()
-    bays = max(4, 2 * round(vehicles * usual.bays / FLEET / 2))
-    share = bays / usual.bays
-    return Shape(
-        f"fab-{vehicles}",
-        bays=bays,
-        shortcuts=round(usual.shortcuts * share),
-        pairs=round(usual.pairs * share),
-        turnarounds=min(round(usual.turnarounds * share), bays // 4),
-    )
+    return populate(generate(grown(vehicles), seed).plant, vehicles, seed, FULL)

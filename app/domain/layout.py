@@ -120,10 +120,19 @@ class Station:
 
 
 @dataclass(frozen=True, slots=True)
+class Meter:
+    """Makes a zone soft: at most ``share`` (0 to 1) of its slots are filled from outside; who waited ``patience`` comes in."""
+
+    share: float
+    patience: Seconds
+
+
+@dataclass(frozen=True, slots=True)
 class Zone:
     """A set of barcodes that at most ``capacity`` vehicles may hold track in at the same time.
 
     ``no_stop``: a vehicle enters only if it is granted track to beyond the zone, or to a goal inside it (merges, crossings).
+    ``meter``: the zone is soft. Then ``capacity`` counts for nothing.
     """
 
     id: ZoneId
@@ -131,6 +140,7 @@ class Zone:
     capacity: int = 1
     no_stop: bool = False
     name: str = ""
+    meter: Meter | None = None
 
 
 @dataclass(frozen=True, slots=True)

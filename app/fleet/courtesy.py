@@ -12,7 +12,7 @@ from app.fleet.books import Books
 from app.fleet.motion import Motion
 from app.fleet.rollcall import named
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
-from app.planning.blocking import Blocked, BlockReason
+from app.planning.blocking import OF_BUFFERS, Blocked, BlockReason
 
 PARK_BONUS = 20.0
 """A parking place may be so many seconds farther than the nearest other place (our choice)."""
@@ -64,7 +64,7 @@ class Courtesy:
         }.get(blocked.why)
         if blocked.why is BlockReason.DOOR:
             return f"{vehicle.id} waits at {vehicle.barcode} for door {blocked.note}"
-        if blocked.why in {BlockReason.FULL, BlockReason.CIRCLE}:
+        if blocked.why in OF_BUFFERS:
             return f"{vehicle.id} waits at {vehicle.barcode}{self._of_queue(blocked)}"
         if what is None or blocked.by is None:
             return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
@@ -75,6 +75,10 @@ class Courtesy:
         first = f"; first goes {self._doing(blocked.by)}" if blocked.by else ""
         if blocked.why is BlockReason.FULL:
             return f": no slot is free in the queue from {blocked.at} on{first}"
+        if blocked.why is BlockReason.METER:
+            return f": zone {blocked.zone} takes in no more for now"
+        if blocked.why is BlockReason.TURN:
+            return f": others have waited longer for the queue from {blocked.at} on{first}"
         return f": the last slot in the queue from {blocked.at} on could close a circle of full queues{first}"
 
     def _doing(self, name: VehicleId) -> str:

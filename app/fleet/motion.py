@@ -245,7 +245,7 @@ class Motion:
                 self._books.traffic.forget(vehicle.id)
             return shut
         beyond = vehicle.rest[len(wanted) :]
-        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond)
+        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=self._books.now)
         self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]

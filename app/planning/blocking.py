@@ -24,8 +24,16 @@ class BlockReason(StrEnum):
     """No slot is free in the buffer that begins there, or beyond it."""
     CIRCLE = "circle"
     """The last slot of that buffer is free, and taking it could close a circle of full buffers (TRAFFIC section 3)."""
+    METER = "meter"
+    """As large a share of the soft zone that begins there is taken as may be filled from outside. Ends by itself."""
+    TURN = "turn"
+    """Another vehicle has waited very long to come in there from another branch. Ends by itself."""
     DOOR = "door"
     """A door leads there that is not known to be open. Traffic knows no doors: who claims says this."""
+
+
+OF_BUFFERS = frozenset((BlockReason.FULL, BlockReason.CIRCLE, BlockReason.METER, BlockReason.TURN))
+"""Refusals that hang on the lines in buffers, not on a barcode."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +41,8 @@ class Blocked:
     """A refusal: the barcode that could not be granted and what stands against it.
 
     ``by`` is the vehicle waited for: the longest in the zone for ZONE, the head of the full buffer for FULL, whose turn it is for
-    CIRCLE; None for CLOSED, NO_STOP and DOOR. ``zone`` goes with ZONE and NO_STOP, ``note`` (why it is closed) with CLOSED and
-    DOOR.
+    CIRCLE and TURN; None for CLOSED, METER, NO_STOP and DOOR. ``zone`` goes with ZONE, METER and NO_STOP, ``note`` (why it is
+    closed) with CLOSED and DOOR.
     """
 
     at: Barcode

@@ -8,11 +8,17 @@ from collections.abc import Callable, Iterable, Sequence
 
 from app.domain.ids import VehicleId
 from app.domain.layout import VehicleKind
-from app.domain.units import Barcode, Millimetres
+from app.domain.units import Barcode, Millimetres, Seconds
 from app.planning.admission import ADMITTED, ANY, CIRCLE, admits, enter, leave, lines, may_want
 from app.planning.blocking import Blocked, BlockReason
 from app.planning.buffers import LONGEST_PASS, Buffers, Row
+from app.planning.metering import Metered, metered
 from app.planning.track import BOOK_VEHICLE, Track
+
+AGE = Seconds(30.0)
+"""Who has waited so long for a slot goes before those that come by another branch (TRAFFIC section 5; our choice)."""
+GIVES_TURN = Seconds(3.0)
+"""A vehicle lets others go first for so long at most, each time (our choice)."""
 
 
 class Queues:
@@ -30,9 +36,16 @@ class Queues:
         self._lines = lines(self.buffers, 0)
         self._numbers: dict[VehicleId, int] = {}
         self._names: list[VehicleId] = []
-        self._ends = self._find_ends()
+        b = self.buffers
+        self._no_end = frozenset(at for (at, i), end in zip(b.index.items(), self._find_ends(), strict=True) if not end)
+        self._waits = {at: b.of[i] for at, i in b.index.items() if b.of[i] >= 0 and not b.transit[b.of[i]]}
+        self._opening = frozenset(chain[0] for chain in b.chains)
         self.stirred: dict[int, None] = {}
+        self._meters = metered(track, self.buffers)
         self._asked: dict[VehicleId, tuple[int, int]] = {}
+        self._since: dict[VehicleId, Seconds] = {}
+        self._looked: dict[VehicleId, tuple[int, ...]] = {}
+        self._gave: dict[VehicleId, Seconds] = {}
         self._watched: dict[VehicleId, tuple[int, ...]] = {}
         self._watchers: defaultdict[int, dict[VehicleId, None]] = defaultdict(dict)
 
@@ -64,13 +77,11 @@ class Queues:
 
     def may_end(self, barcode: Barcode) -> bool:
         """Return whether a grant that is not for a goal may end here."""
-        index = self.buffers.index.get(barcode)
-        return index is None or bool(self._ends[index])
+        return barcode not in self._no_end
 
     def waits_in(self, barcode: Barcode) -> int:
         """Return the buffer whose slot is needed to stand here; -1: none is."""
-        buffer = self.buffers.at(barcode)
-        return -1 if buffer < 0 or self.buffers.transit[buffer] else buffer
+        return self._waits.get(barcode, -1)
 
     def slot(self, vehicle: VehicleId) -> int:
         """Return the buffer that the vehicle has a slot of; -1: of none."""
@@ -104,12 +115,16 @@ class Queues:
 
         On a ring it may be the same again.
         """
-        return next((b for at in way if (b := self.waits_in(at)) >= 0 and (b != buffer or self.opens(at))), ANY)
+        waits, opening = self._waits, self._opening
+        for at in way:
+            after = waits.get(at, -1)
+            if after >= 0 and (after != buffer or at in opening):
+                return after
+        return ANY
 
-    def opens(self, barcode: Barcode) -> bool:
-        """Return whether a buffer begins with this barcode."""
-        buffer = self.buffers.at(barcode)
-        return buffer >= 0 and self.buffers.chains[buffer][0] == barcode
+    def begins(self, buffer: int, part: Sequence[Barcode]) -> bool:
+        """Return whether this part of a way comes by the beginning of a buffer."""
+        return self.buffers.chains[buffer][0] in part
 
     # -- what vehicles ask --------------------------------------------------------------------------------------------
 
@@ -120,14 +135,57 @@ class Queues:
             return None
         return BlockReason.CIRCLE if answer == CIRCLE else BlockReason.FULL
 
-    def refusal(self, vehicle: VehicleId, at: Barcode, buffer: int, want: int) -> Blocked | None:
-        """Ask, and name who must go first: the head of the full buffer, or whose turn it is to take the last slot."""
+    def refusal(self, vehicle: VehicleId, at: Barcode, buffer: int, want: int, now: Seconds) -> Blocked | None:
+        """Ask, and name who must go first: the head of the full buffer, or whose turn it is to take the last slot.
+
+        Besides, soft zones and those who have waited very long are minded.
+        """
         why = self.ask(vehicle, buffer, want)
-        if why is None:
+        looked = tuple(self._lines.looked[: self._lines.seen[0]])
+        before = self._asked.get(vehicle)
+        since = self._since.get(vehicle, now) if before is not None and before[0] == buffer else now
+        blocked = None
+        if why is not None:
+            by = self.head(buffer) if why is BlockReason.FULL else self._who_closes(buffer)
+            blocked = Blocked(at, by if by != vehicle else None, why)
+        elif meter := self._meter(vehicle, buffer, now - since):
+            blocked, looked = Blocked(at, None, BlockReason.METER, meter.zone), tuple(sorted(meter.buffers))
+        elif (first := self._before(vehicle, buffer, since, now)) is not None:
+            blocked, looked = Blocked(at, first, BlockReason.TURN), (buffer, self.slot(first))
+        if blocked is not None:
+            self._asked[vehicle], self._since[vehicle], self._looked[vehicle] = (buffer, want), since, looked
+        return blocked
+
+    def _meter(self, vehicle: VehicleId, buffer: int, waited: float) -> Metered | None:
+        """Return the soft zone that has no room for a vehicle from outside that has waited so long."""
+        home = self.slot(vehicle)
+        for meter in self._meters.get(buffer, ()):
+            if home not in meter.buffers and waited < meter.patience and meter.full(self._lines.load):
+                return meter
+        return None
+
+    def _before(self, vehicle: VehicleId, buffer: int, since: Seconds, now: Seconds) -> VehicleId | None:
+        """Return who has waited beyond an age for this buffer on another branch, and longer, and could come in now.
+
+        Nobody gives way for longer than GIVES_TURN: that one may be kept by something else.
+        """
+        home, gave = self.slot(vehicle), self._gave.get(vehicle, now)
+        if now - gave >= GIVES_TURN:
             return None
-        self._asked[vehicle] = (buffer, want)
-        by = self.head(buffer) if why is BlockReason.FULL else self._who_closes(buffer)
-        return Blocked(at, by if by != vehicle else None, why)
+        for other in self._watchers.get(buffer, ()):
+            old = self._since[other]
+            asks, want = self._asked[other]
+            if other == vehicle or asks != buffer or old >= since or now - old < AGE or self.slot(other) in {home, -1}:
+                continue
+            if self.ask(other, buffer, want) is None:
+                self._gave[vehicle] = gave
+                return other
+        return None
+
+    def wait_no_more(self, vehicle: VehicleId) -> None:
+        """The vehicle has come in, or wants to no more: its wait counts no longer."""
+        for kept in (self._asked, self._since, self._looked, self._gave):
+            kept.pop(vehicle, None)
 
     def _who_closes(self, buffer: int) -> VehicleId | None:
         """Return the head that the last slot of a buffer is kept for: the circle that was found last ends with it."""
@@ -168,8 +226,8 @@ class Queues:
         if not held:
             self.take_out(vehicle)
             return
-        front = next((b for b in reversed(held) if self.waits_in(b) >= 0), None)
-        if front is None or (buffer := self.waits_in(front)) == self.slot(vehicle):
+        buffer = next((b for at in reversed(held) if (b := self._waits.get(at, -1)) >= 0), -1)
+        if buffer in {-1, self.slot(vehicle)}:
             return
         place = self._place(buffer, held)
         behind = [other for other in self.line(buffer) if self._place(buffer, held_by(other)) < place]
@@ -195,8 +253,7 @@ class Queues:
 
     def watch(self, vehicle: VehicleId) -> None:
         """The vehicle waits for one of the buffers that its last refusal came by."""
-        s = self._lines
-        self._watched[vehicle] = tuple(s.looked[: s.seen[0]])
+        self._watched[vehicle] = self._looked[vehicle]
         for buffer in self._watched[vehicle]:
             self._watchers[buffer][vehicle] = None
 

@@ -8,15 +8,14 @@ from types import MappingProxyType
 
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.layout import Zone
-from app.domain.units import Barcode
+from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY
-from app.planning.blocking import Blocked, BlockReason, Grant, TrafficView
+from app.planning.blocking import OF_BUFFERS, Blocked, BlockReason, Grant, TrafficView
 from app.planning.deadlock import Needs, deadlocks
 from app.planning.queues import Queues
 from app.planning.track import Track
 
-OF_BUFFERS = frozenset((BlockReason.FULL, BlockReason.CIRCLE))
-"""Refusals that hang on the lines in buffers, not on a barcode."""
+NEVER = Seconds(0.0)
 
 
 class Traffic:
@@ -32,6 +31,7 @@ class Traffic:
     def __init__(self, track: Track, *, admission: bool = False) -> None:
         self._track = track
         self.queues = Queues(track) if admission else None
+        self._now = NEVER
         self._held: dict[VehicleId, dict[Barcode, None]] = {}
         self._holders: dict[Barcode, tuple[VehicleId, ...]] = {}
         self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
@@ -62,7 +62,13 @@ class Traffic:
         return frozenset(self._holders.get(barcode, ()))
 
     def claim(
-        self, vehicle: VehicleId, wanted: Sequence[Barcode], goal_included: bool, *, beyond: Sequence[Barcode] = ()
+        self,
+        vehicle: VehicleId,
+        wanted: Sequence[Barcode],
+        goal_included: bool,
+        *,
+        beyond: Sequence[Barcode] = (),
+        now: Seconds = NEVER,
     ) -> Grant:
         """Grant as much of ``wanted`` as may be had, from its start, in order of driving.
 
@@ -73,7 +79,9 @@ class Traffic:
         With admission it does not end in a transit buffer or where it keeps another branch from passing either, and each buffer
         in which it could wait needs a slot. ``beyond`` is the way to its goal after ``wanted``: which buffer it will wait in next
         is committed, granted or not; where that could close a circle, it stays committed to the one before.
+        ``now`` is for soft zones and for whose turn it is.
         """
+        self._now = now
         if self.queues is not None:
             self._commit(self.queues, vehicle, wanted, beyond)
         free: list[Barcode] = []
@@ -118,18 +126,18 @@ class Traffic:
         """
         last = next(reversed(self._held.get(vehicle, {})), None)
         within = self._no_stop_zones(last) if last is not None else set()
-        creeps = self.queues is not None and last is not None and not self.queues.may_end(last)
+        queues = self.queues
+        creeps = queues is not None and last is not None and not queues.may_end(last)
         end = 0
         for i, barcode in enumerate(free):
-            creeps = creeps and self.queues is not None and not self.queues.may_end(barcode)
+            ends = queues is None or queues.may_end(barcode)
+            creeps = creeps and not ends
             at_goal = goal_included and i == len(free) - 1
-            stands = self._no_stop_zones(barcode) <= within and (
-                creeps or self.queues is None or self.queues.may_end(barcode)
-            )
+            stands = (creeps or ends) and self._no_stop_zones(barcode) <= within
             if not stands and not at_goal:
                 continue
             way_on = chain(free[i + 1 :], beyond)
-            if self.queues is not None and (refused := self._enter(self.queues, vehicle, free[end : i + 1], way_on)):
+            if queues is not None and (refused := self._enter(queues, vehicle, free[end : i + 1], way_on)):
                 return end, refused
             end = i + 1
         return end, None
@@ -139,12 +147,13 @@ class Traffic:
     ) -> Blocked | None:
         """Take the slot that the vehicle needs to stand at the end of this part of its way; return what keeps it from that."""
         buffer = queues.waits_in(part[-1])
-        if buffer < 0 or (buffer == queues.slot(vehicle) and not any(map(queues.opens, part))):
+        if buffer < 0 or (buffer == queues.slot(vehicle) and not queues.begins(buffer, part)):
             return None
         entry = next(b for b in part if queues.waits_in(b) == buffer)
         want = queues.want_after(buffer, beyond)
-        if (refused := queues.refusal(vehicle, entry, buffer, want)) is None:
+        if (refused := queues.refusal(vehicle, entry, buffer, want, self._now)) is None:
             queues.enter(vehicle, buffer, want)
+            queues.wait_no_more(vehicle)
         return refused
 
     def obstacle(self, vehicle: VehicleId, barcode: Barcode) -> Blocked | None:
@@ -207,6 +216,7 @@ class Traffic:
         """Drop the vehicle's last refusal: it wants nothing any more, so that it may go anywhere next."""
         self._record(vehicle, None, moved=True)
         if self.queues is not None:
+            self.queues.wait_no_more(vehicle)
             self.queues.commit(vehicle, ANY)
 
     def close(self, barcodes: Iterable[Barcode], why: str) -> None:
@@ -252,6 +262,8 @@ class Traffic:
 
     def _in_the_way(self, vehicle: VehicleId, zone: Zone) -> list[VehicleId]:
         """Return the other vehicles inside if they fill the zone; else none."""
+        if zone.meter is not None:
+            return []
         others = [other for other in self._inside[zone.id] if other != vehicle]
         return others if len(others) >= zone.capacity else []
 

@@ -6,8 +6,8 @@ from math import hypot
 
 from app.domain.devices import AliasName, DeviceId
 from app.domain.ids import CarrierId, StationId, VehicleId, ZoneId
-from app.domain.layout import Edge, Plant, Point, Station, StationKind, Zone
-from app.domain.units import Barcode, Millimetres, Percent
+from app.domain.layout import Edge, Meter, Plant, Point, Station, StationKind, Zone
+from app.domain.units import Barcode, Millimetres, Percent, Seconds
 from app.plant import format as file_format
 from app.plant.dialects import check_overlays
 from app.plant.document import Document, Path
@@ -231,7 +231,10 @@ def _zones(document: Document, file: file_format.PlantFile, places: Places) -> I
     for name, zone in file.zones.items():
         check_id(document, name, ("zones", name))
         marks = _marks(document, places, zone.barcodes, ("zones", name, "barcodes"))
-        yield Zone(ZoneId(name), frozenset(marks), zone.capacity, zone.no_stop, zone.name or name)
+        if zone.soft and zone.no_stop:
+            document.error(("zones", name), f"zone {name} is soft and no_stop", "leave out one of them", key=True)
+        meter = Meter(zone.share, Seconds(zone.patience)) if zone.soft else None
+        yield Zone(ZoneId(name), frozenset(marks), zone.capacity, zone.no_stop, zone.name or name, meter)
 
 
 def _carriers(document: Document, file: file_format.PlantFile) -> Iterable[tuple[CarrierId, StationId]]:

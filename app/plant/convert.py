@@ -137,14 +137,14 @@ def expected(wanted: Any) -> str:
         return "a mapping"
     if issubclass(bare, StrEnum):
         return " or ".join(member.value for member in bare)
-    return {bool: "true or false", str: "text", int: _range_text(meta), float: "a number"}[bare]
+    return {bool: "true or false", str: "text", int: _range_text(meta), float: _range_text(meta, "a number")}[bare]
 
 
-def _range_text(meta: Meta | None) -> str:
+def _range_text(meta: Meta | None, what: str = "a whole number") -> str:
     if meta is None or meta.ge is None:
-        return "a whole number"
+        return what
     unit = (meta.extra or {}).get("unit")
-    return f"a whole number{f' of {unit}' if unit else ''} from {meta.ge} to {meta.le}"
+    return f"{what}{f' of {unit}' if unit else ''} from {meta.ge} to {meta.le}"
 
 
 def _shown(node: Node) -> str:

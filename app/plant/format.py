@@ -38,6 +38,7 @@ Byte = Annotated[int, _number("DeviceType on the wire (PROTOCOLS 3.2)", "", 0, 2
 DriveId = Annotated[int, _number("A drive's id on its line (PROTOCOLS 2.2)", "", 1, 15)]
 Trips = Annotated[int, _number("Transfers of one AGV", "transfers", 1, 100_000)]
 Time = Annotated[int, _number("Time, seconds", "s", 1, 10_000_000)]
+Share = Annotated[float, Meta(ge=0.01, le=1.0, description="A share of the whole, 0.01 to 1")]
 Code = Annotated[int, _number("Code as it stands on the wire or in an event", "", 0, (1 << 32) - 1)]
 
 Mark = Annotated[
@@ -112,12 +113,17 @@ class Station(Strict, frozen=True):
 class Zone(Strict, frozen=True):
     """Barcodes that at most `capacity` vehicles may hold at once.
 
+    `soft`: instead, no more than `share` of the vehicles that could queue there come in from outside; one that has waited
+    `patience` seconds for that comes in all the same (a narrow spine; hoists only).
     `no_stop`: a vehicle enters only if it can leave again, or if its goal is inside (merges, crossings).
     """
 
     barcodes: Annotated[list[Mark], Meta(min_length=1)]
     capacity: Count = 1
     no_stop: bool = False
+    soft: bool = False
+    share: Share = 0.35
+    patience: Time = 60
     name: Text = ""
 
 

@@ -136,6 +136,8 @@ async def test_a_slow_watcher_is_written_nothing_and_gets_the_newest_state_when_
 async def test_a_watcher_that_was_slow_for_a_moment_gets_each_change_in_order(controller: Scripted) -> None:
     async with watching(controller) as (stream, wire):
         numbers = [message["seq"] for message in wire.messages()]
+        framed = cast(Any, stream.conn)
+        framed.send_text = lambda _: pytest.fail("it was framed again")
         stream.pause_writing()
         await change(controller, "one")
         await change(controller, "two")

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from tests.bench import (
     decoding,
     dispatching,
+    granting,
     history,
     hoists,
     memory,
@@ -28,6 +29,7 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "history": history.rows,
     "show": showing.rows,
     "route": routing.rows,
+    "grant": granting.rows,
     "replan": replanning.rows,
     "dispatch": dispatching.rows,
     "memory": memory.rows,

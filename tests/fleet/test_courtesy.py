@@ -10,9 +10,11 @@ from app.domain.layout import StopAction, Zone
 from app.domain.requests import AbortJob, HandleOnce, HoldVehicle, MoveVehicle, ReleaseVehicle, Verdict, WriteStation
 from app.domain.units import Barcode
 from app.domain.view import Topic, VehicleView
+from app.planning.blocking import Blocked, BlockReason
 from tests.fleet.script import HOST, P1, P3, V1, V2, Script, small, words
 
 KIM = Actor("kim")
+A5 = Barcode("105")
 
 
 def waiting(script: Script, vehicle: str = "V001") -> str:
@@ -94,6 +96,42 @@ def test_a_wait_for_a_zone_names_it() -> None:
     script.accept(MoveVehicle(KIM, V1, Barcode("112")))
     script.run(5)
     assert waiting(script).startswith("V001 waits at 104 for 105 in zone bay held by V002")
+
+
+@pytest.mark.parametrize(
+    ("blocked", "sentence"),
+    [
+        (
+            Blocked(A5, V2, BlockReason.FULL),
+            ": no slot is free in the queue from 105 on; first goes V002, which is idle there",
+        ),
+        (
+            Blocked(A5, V2, BlockReason.CIRCLE),
+            ": the last slot in the queue from 105 on could close a circle of full queues; first goes V002, which is idle there",
+        ),
+        (Blocked(A5, None, BlockReason.METER, ZoneId("spine")), ": zone spine takes in no more for now"),
+        (
+            Blocked(A5, V2, BlockReason.TURN),
+            ": others have waited longer for the queue from 105 on; first goes V002, which is idle there",
+        ),
+    ],
+)
+def test_a_wait_for_a_queue_says_who_goes_first(script: Script, blocked: Blocked, sentence: str) -> None:
+    place(script, "103", "116")
+    vehicle = script.fleet.books.vehicles[V1]
+    script.fleet._courtesy.explain(vehicle, blocked)
+    assert vehicle.waiting == f"V001 waits at 103{sentence}"
+
+
+def test_an_idle_vehicle_at_the_head_of_a_full_queue_is_sent_on(script: Script) -> None:
+    place(script, "103", "110")
+    books = script.fleet.books
+    script.accept(MoveVehicle(KIM, V1, Barcode("106")))
+    assert books.vehicles[V2].errand is None
+    script.fleet._courtesy.explain(books.vehicles[V1], Blocked(A5, V2, BlockReason.FULL))
+    assert books.vehicles[V2].errand is not None
+    script.run(20)
+    assert script.vehicle(V2).barcode != "110"
 
 
 def test_a_wait_for_a_closure_says_why_it_is_closed(script: Script) -> None:

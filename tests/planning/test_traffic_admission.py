@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import pytest
 
-from app.domain.ids import VehicleId
-from app.domain.units import Barcode
+from app.domain.ids import VehicleId, ZoneId
+from app.domain.layout import Meter, Zone
+from app.domain.units import Barcode, Seconds
 from app.planning.admission import ADMITTED, ANY, CIRCLE, FULL, admits, enter, lines
 from app.planning.blocking import BlockReason
 from app.planning.track import Track
@@ -195,3 +196,81 @@ def test_every_answer_is_that_of_the_rule() -> None:
             if blocked is None and (buffer != beside.slot[number] or yard.at[vehicle] == buffers.chains[buffer][0]):
                 enter(beside, number, buffer, want)
     assert all(count > 20 for count in given.values()), given
+
+
+# -- soft zones, and whose turn it is ---------------------------------------------------------------------------------
+
+MERGE = ("a1 a2 a3 a4 b1 b2 b3 b4 a1", "c1 c2 c3 c4 b1", "b4 c1")
+
+
+def soft(lay: Callable[..., Track], share: float) -> Traffic:
+    """Two branches, a and c, into b, of whose four slots a share may be filled."""
+    inside = frozenset(way("b1 b2 b3 b4"))
+    zone = Zone(ZoneId("spine"), inside, 1, meter=Meter(share, Seconds(60)))
+    return Traffic(lay(*MERGE, length=1500, zones=[zone]), admission=True)
+
+
+def test_a_soft_zone_takes_in_no_more_than_its_share_until_one_has_waited_long_enough(
+    lay: Callable[..., Track],
+) -> None:
+    traffic = soft(lay, 0.5)
+    fill(traffic, "b4 b3")
+    traffic.hold(V1, way("a4"))
+    blocked = traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(100)).blocked
+    assert blocked is not None
+    assert (blocked.why, blocked.zone, blocked.by) == (BlockReason.METER, "spine", None)
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(159)).blocked is not None
+    assert traffic.cycles() == ()
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(160)).blocked is None
+
+
+def test_who_waits_before_a_soft_zone_is_woken_when_one_leaves_it(lay: Callable[..., Track]) -> None:
+    traffic = soft(lay, 0.5)
+    head, _ = fill(traffic, "b4 b3")
+    traffic.hold(V1, way("a4"))
+    traffic.waiters(())
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(1)).blocked is not None
+    traffic.claim(head, way("c1"), goal_included=True, now=Seconds(2))
+    assert V1 in traffic.waiters(())
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(2)).blocked is None
+
+
+def test_a_soft_zone_of_small_share_takes_in_one_and_more_than_its_capacity_says(lay: Callable[..., Track]) -> None:
+    assert soft(lay, 0.01).claim(V1, way("b1"), goal_included=True).blocked is None
+    traffic = soft(lay, 1.0)
+    fill(traffic, "b4 b3")
+    traffic.hold(V1, way("a4"))
+    assert traffic.claim(V1, way("b1"), goal_included=True).blocked is None
+
+
+def waiting_at_a_merge(lay: Callable[..., Track]) -> tuple[Traffic, VehicleId]:
+    """V1 has been refused a slot of b from a, which is full, at 0 s; then its head leaves."""
+    traffic = Traffic(lay(*MERGE, "b4 d1 d2 d3 d4 a1", length=1500), admission=True)
+    heads = fill(traffic, "b4 b3 b2")
+    traffic.hold(VehicleId("W19"), way("b2 b1"))
+    traffic.release(VehicleId("W19"), way("b1"))
+    traffic.hold(V1, way("a4"))
+    traffic.hold(V2, way("c4"))
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(0)).blocked is not None
+    traffic.claim(heads[0], way("d1"), goal_included=True, now=Seconds(50))
+    return traffic, heads[1]
+
+
+def test_who_has_waited_very_long_at_a_merge_goes_before_the_other_branch(lay: Callable[..., Track]) -> None:
+    traffic, _ = waiting_at_a_merge(lay)
+    blocked = traffic.claim(V2, way("b1"), goal_included=True, now=Seconds(50)).blocked
+    assert blocked is not None
+    assert (blocked.why, blocked.by) == (BlockReason.TURN, V1)
+    assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(50)).blocked is None
+    assert V2 in traffic.waiters(())
+
+
+def test_who_lets_another_go_first_does_so_for_a_while_only(lay: Callable[..., Track]) -> None:
+    traffic, _ = waiting_at_a_merge(lay)
+    assert traffic.claim(V2, way("b1"), goal_included=True, now=Seconds(50)).blocked is not None
+    assert traffic.claim(V2, way("b1"), goal_included=True, now=Seconds(54)).blocked is None
+
+
+def test_who_has_waited_for_a_short_while_has_no_turn(lay: Callable[..., Track]) -> None:
+    traffic, _ = waiting_at_a_merge(lay)
+    assert traffic.claim(V2, way("b1"), goal_included=True, now=Seconds(20)).blocked is None

@@ -227,6 +227,12 @@ ZONES = {
     "a start where nobody may stop": warning(
         "capacity: 1", "no_stop: true", 13, "V1 starts in zone Z1, where no vehicle may stop"
     ),
+    "a soft zone where nobody may stop": Case(
+        "capacity: 1", "soft: true, no_stop: true", 11, "zone Z1 is soft and no_stop", "leave out one of them"
+    ),
+    "a share that is none": Case(
+        "capacity: 1", "soft: true, share: 1.5", 11, "zones.Z1.share: expected a number from 0.01 to 1.0, got 1.5"
+    ),
     "more starts than the zone holds": Case("[6, 1]", "[4..6, 1]", 11, "2 vehicles start in zone Z1, which holds 1"),
 }
 

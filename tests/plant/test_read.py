@@ -7,8 +7,8 @@ import jsonschema
 import pytest
 import yaml
 
-from app.domain.layout import Axis, Edge, PulseSet, StationKind, StopAction
-from app.domain.units import Barcode, Millimetres, Percent, Pulses
+from app.domain.layout import Axis, Edge, Meter, PulseSet, StationKind, StopAction
+from app.domain.units import Barcode, Millimetres, Percent, Pulses, Seconds
 from app.plant import UnusablePlant, dialect_of, read, schema, schema_text
 from app.plant.names import address, expand
 from app.protocols.itsc.dialects import DIALECTS, DialectError
@@ -130,6 +130,16 @@ def test_zones_carriers_and_code_names_are_read() -> None:
     assert plant.process_codes == {0x2100: "moving"}
     assert plant.alarm_codes[201] == "no carrier found"
     assert plant.event_numbers == {"TransferCompleted": 107}
+
+
+def test_a_zone_is_soft_with_a_share_and_a_patience() -> None:
+    def zones(of: str) -> list[Meter | None]:
+        plant, _ = read(TINY + f"zones: {{Z: {{barcodes: [1]{of}}}}}\n", "tiny")
+        return [zone.meter for zone in plant.zones]
+
+    assert zones("") == [None]
+    assert zones(", soft: true") == [Meter(0.35, Seconds(60))]
+    assert zones(", soft: true, share: 0.5, patience: 20") == [Meter(0.5, Seconds(20))]
 
 
 def test_a_dialect_of_the_plant_is_a_preset_with_changes() -> None:

@@ -2,13 +2,14 @@
 
 from math import sqrt
 
-from app.planning.admission import ADMITTED, ANY, FULL, admits, enter, may_want
+from app.planning.admission import ADMITTED, ANY, CIRCLE, FULL, admits, enter, may_want
 from app.sim.kinematic.compiled import compiled
 from app.sim.kinematic.network import Network
 from app.sim.kinematic.state import (
     AHEAD,
     ASKED,
     BROKEN,
+    CIRCLES,
     DELIVERED,
     DRIVING,
     DWELLING,
@@ -332,6 +333,8 @@ def need(net: Network, s: State, rules: Rules, vehicle: int) -> float:
 def extend(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> None:
     """Grant the vehicle more track, up to ``rules.high``, or let it wait for what stands against it."""
     forget_waits(s, vehicle)
+    if s.failed[vehicle]:
+        return
     s.counts[ASKED] += 1
     needed = need(net, s, rules, vehicle)
     enough = needed + rules.more
@@ -345,28 +348,62 @@ def extend(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
         n = collect(net, s, vehicle, last)
         if n == 0 or granted + n > AHEAD:
             return
+        buffer = s.scratch[AHEAD]
+        if rules.admission and not commit_want(s, vehicle, buffer):
+            hang_on(s, vehicle, now)
+            return
         blocking = obstacle(s, vehicle, n)
         if blocking >= 0:
             refuse(net, s, vehicle, blocking, now)
             return
-        buffer = s.scratch[AHEAD]
         if buffer != s.lines.slot[vehicle]:
-            if metered(s, rules, vehicle, buffer, now):
-                s.counts[METERED] += 1
-                watch(s, vehicle, buffer, now)
+            if not may_enter(net, s, rules, vehicle, buffer, now):
                 return
-            if rules.admission:
-                answer = admits(s.lines, vehicle, buffer, want_beyond(net, s, vehicle, buffer))
-                if answer != ADMITTED:
-                    s.counts[REFUSED] += 1
-                    for i in range(min(s.lines.seen[0], WATCHED)):
-                        watch(s, vehicle, s.lines.looked[i], now)
-                    if answer == FULL:
-                        nudge(net, s, s.lines.head[buffer])
-                    return
             take_slot(net, s, vehicle, buffer)
         take(net, s, vehicle, last, n)
         s.since[vehicle] = -1.0
+
+
+@compiled
+def may_enter(net: Network, s: State, rules: Rules, vehicle: int, buffer: int, now: float) -> bool:
+    """Return whether the vehicle may have a slot of this buffer now; if not, it is asked again when that may have changed."""
+    if metered(s, rules, vehicle, buffer, now):
+        s.counts[METERED] += 1
+        watch(s, vehicle, buffer, now)
+        return False
+    if not rules.admission:
+        return True
+    answer = admits(s.lines, vehicle, buffer, want_beyond(net, s, vehicle, buffer))
+    if answer == ADMITTED:
+        return True
+    s.counts[CIRCLES] += answer == CIRCLE
+    hang_on(s, vehicle, now)
+    if answer == FULL:
+        nudge(net, s, s.lines.head[buffer])
+    return False
+
+
+@compiled
+def commit_want(s: State, vehicle: int, buffer: int) -> bool:
+    """Let it be known that the vehicle wants to wait in this buffer next; False: a circle could close by that, it must wait."""
+    lines, slot = s.lines, s.lines.slot[vehicle]
+    if buffer == slot or lines.want[vehicle] == buffer:
+        return True
+    if not may_want(lines, vehicle, buffer):
+        s.counts[CIRCLES] += 1
+        return False
+    lines.want[vehicle] = buffer
+    if lines.head[slot] == vehicle:
+        wake_watchers(s, slot)
+    return True
+
+
+@compiled
+def hang_on(s: State, vehicle: int, now: float) -> None:
+    """Let the vehicle be asked again when something changes in the buffers that its refusal came by."""
+    s.counts[REFUSED] += 1
+    for i in range(min(s.lines.seen[0], WATCHED)):
+        watch(s, vehicle, s.lines.looked[i], now)
 
 
 @compiled
@@ -400,16 +437,17 @@ def refuse(net: Network, s: State, vehicle: int, barcode: int, now: float) -> No
 
 @compiled
 def nudge(net: Network, s: State, vehicle: int) -> None:
-    """Push a vehicle that stands idle on: to the end of the roomiest buffer after its own."""
+    """Push a vehicle that stands idle on: to the end of the buffer after its own that has room and where fewest come by."""
     if vehicle < 0 or s.phase[vehicle] != IDLE or s.goal[vehicle] >= 0 or s.doing[vehicle] != STANDING:
         return
     buffer = net.buffer[s.at[vehicle]]
-    best, room = -1, -1000000
+    best, least = -1, -1
     for i in range(s.lines.out_at[buffer], s.lines.out_at[buffer + 1]):
         out = s.lines.outs[i]
-        free = s.lines.capacity[out] - s.lines.load[out]
-        if free > room:
-            best, room = out, free
+        if s.lines.load[out] < s.lines.capacity[out] and (best < 0 or s.passes[out] < least):
+            best, least = out, s.passes[out]
+    if best < 0 and s.lines.out_at[buffer] < s.lines.out_at[buffer + 1]:
+        best = s.lines.outs[s.lines.out_at[buffer]]
     if best < 0:
         return
     s.goal[vehicle] = net.last[best]
@@ -477,14 +515,13 @@ def arrive(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
         s.limit[vehicle, k] = s.limit[vehicle, k + 1]
     s.at[vehicle] = here
     if net.buffer[here] != net.buffer[before] or here <= before:
-        passed = net.buffer[before]
-        s.passes[passed] += 1
-        took = now - s.entered[vehicle] - s.dwelled[vehicle]
-        s.observed[passed] += rules.smoothing * (took - s.observed[passed])
-        s.entered[vehicle], s.dwelled[vehicle] = now, 0.0
+        s.passes[net.buffer[before]] += 1
     release(s, before)
     if n == 0:
         s.left[vehicle] = 0.0
+    if s.failed[vehicle]:
+        s.pace[vehicle], s.doing[vehicle] = 0.0, BROKEN
+        return
     if s.left[vehicle] < need(net, s, rules, vehicle) and here != s.goal[vehicle]:
         extend(net, s, rules, vehicle, now)
     if s.granted[vehicle] > 0:
@@ -514,8 +551,35 @@ def reach(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> Non
         give_way(net, s, vehicle)
         return
     s.doing[vehicle] = DWELLING
-    s.dwelled[vehicle] += rules.dwell
     schedule(s, vehicle, now + rules.dwell)
+
+
+@compiled
+def fail(s: State, vehicle: int) -> None:
+    """A vehicle breaks down, unless it handles a carrier: it stands, or will at the next barcode, and keeps its grant."""
+    if s.doing[vehicle] == DWELLING:
+        return
+    s.failed[vehicle] = 1
+    forget_waits(s, vehicle)
+    if s.doing[vehicle] == STANDING:
+        s.doing[vehicle] = BROKEN
+
+
+@compiled
+def repair(s: State, vehicle: int) -> None:
+    """A broken vehicle goes on."""
+    s.failed[vehicle] = 0
+    if s.doing[vehicle] == BROKEN:
+        s.doing[vehicle] = STANDING
+    ask_again(s, vehicle)
+
+
+@compiled
+def think_again(s: State, vehicle: int) -> None:
+    """Let a vehicle that waits decide its way anew: the ways have changed. It hangs on what it is refused for now."""
+    if s.since[vehicle] >= 0:
+        s.planned[vehicle] = 0
+        ask_again(s, vehicle)
 
 
 @compiled

@@ -11,17 +11,17 @@ from numpy.typing import NDArray
 from app.domain.layout import VehicleSpec
 from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY, enter
+from app.planning.congestion import Congestion
 from app.planning.dispatch import Indices, Jobs, Plan, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
+from app.planning.restraint import Restraint
 from app.sim.kinematic.events import run, send, take_off
 from app.sim.kinematic.load import Ports
 from app.sim.kinematic.network import Map, Real
-from app.sim.kinematic.state import DWELLING, FETCHING, IDLE, Rules, still
+from app.sim.kinematic.state import DRIVING, DWELLING, FETCHING, IDLE, STANDING, Rules, still
 from app.sim.kinematic.ways import free_flow, refresh, survey
 
 TICK = 1.0
 """Seconds between two looks of dispatch. Our choice."""
-FORGET = 0.02
-"""Share by which an observed traverse time falls back to free flow at each reweighing: an old jam is tried again. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +29,14 @@ class Plant:
     """What a run keeps to. Times in seconds, ways in mm; all values are our choice where no specification gives them.
 
     ``admission``: the look-ahead of TRAFFIC section 3; without it the track itself is all that is asked for. ``reweigh``: how
-    often ways are thought over by the traffic (0: never, static shortest ways): by the observed traverse times (``smoothing``:
-    the weight of the newest) and ``queue_penalty`` seconds for each vehicle in a buffer. ``dispatch``: assignment, nearest or
-    random; ``backlog`` transfers wait at any time. ``patience``: a soft meter is ignored after so long; 0: there are none.
+    often ways are thought over by the traffic (``planning.congestion``; 0: never, static shortest ways). ``restraint``: no more
+    vehicles set out than the track carries (``planning.restraint``). ``dispatch``: assignment, nearest or random; ``backlog``
+    transfers wait at any time. ``patience``: a soft meter is ignored after so long; 0: there are none.
     """
 
     admission: bool = True
-    reweigh: float = 5.0
-    smoothing: float = 0.02
-    queue_penalty: float = 3.0
+    reweigh: float = 20.0
+    restraint: bool = True
     dispatch: str = "assignment"
     backlog: int = 200
     rethink: float = 5.0
@@ -86,7 +85,6 @@ class Fab:
             dwell=how.dwell,
             restart=how.restart,
             admission=how.admission,
-            smoothing=how.smoothing,
             patience=how.patience,
         )
         self.ports = Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
@@ -94,14 +92,19 @@ class Fab:
         """Transfers that are not picked up, the oldest first."""
         self.delivered: list[Delivered] = []
         self.now = Seconds(0.0)
+        self.shut: dict[int, float] = {}
+        """What ways over a buffer cost besides, s: somebody stands still there, or it is closed."""
+        self.cut_off: frozenset[int] = frozenset()
+        """Ports that cannot be reached just now: their transfers wait."""
         self.rows = 0
         """Rows of next hops made so far."""
         self._of: list[Transfer | None] = [None] * len(starts)
-        self._free = free_flow(self.net)
+        self._room = len(starts)
+        self._restraint = Restraint(len(starts)) if how.restraint else None
+        self._congestion = Congestion(free_flow(self.net), np.asarray(self.state.lines.capacity))
         self._rule: Rule = self._rule_of(seed)
         self._next_thought = self._next_weighing = 0.0
         self._turn = 0
-        self.state.observed[:] = self._free
         self._place([plan.number[b] for b in starts])
 
     def run(self, seconds: float) -> None:
@@ -109,6 +112,7 @@ class Fab:
         end = self.now + seconds
         while self.now < end:
             self._order()
+            self._look()
             self._weigh()
             self._dispatch()
             self.now = Seconds(min(end, self.now + TICK))
@@ -155,13 +159,34 @@ class Fab:
             self.waiting.append(Transfer(*drawn, self.now))
             missing -= 1
 
+    def _look(self) -> None:
+        """Look at who is on the way: where, and how many of them stand."""
+        s = self.state
+        under_way = s.phase != IDLE
+        size = len(self.net.first)
+        self._congestion.look(np.bincount(np.asarray(s.lines.slot)[under_way], minlength=size), TICK)
+        if self._restraint is not None:
+            standing, driving = self._standing(under_way), int((under_way & (s.doing == DRIVING)).sum())
+            self._room = self._restraint.look(standing, driving, int(under_way.sum()), TICK)
+
+    def _standing(self, under_way: "NDArray[np.bool_]") -> int:
+        """Return how many stand though they are on their way, without those before whom one stands that is asked to go on."""
+        s = self.state
+        waits_for = s.waits_for[under_way & (s.doing == STANDING)]
+        before = s.owner[waits_for[waits_for >= 0]]
+        return len(waits_for) - int((s.phase[before[before >= 0]] == IDLE).sum())
+
     def _weigh(self) -> None:
-        if not self.how.reweigh or self.now < self._next_weighing:
-            return
-        self._next_weighing = self.now + self.how.reweigh
+        if self.how.reweigh and self.now >= self._next_weighing:
+            self._next_weighing = self.now + self.how.reweigh
+            self.weigh()
+
+    def weigh(self) -> None:
+        """Think over all ways, by the traffic and what is shut."""
         s, ways = self.state, self.ways
-        ways.weight[:] = np.maximum(self._free, s.observed) + self.how.queue_penalty * np.asarray(s.lines.load)
-        s.observed[:] += FORGET * (self._free - s.observed)
+        ways.weight[:] = self._congestion.costs() if self.how.reweigh else self._congestion.free
+        for buffer, seconds in self.shut.items():
+            ways.weight[buffer] += seconds
         ways.version[0] += 1
         self._know(np.unique(self.net.buffer[s.goal[s.goal >= 0]]))
 
@@ -175,19 +200,32 @@ class Fab:
             self._next_thought = self.now + self.how.rethink
             may |= (s.phase == FETCHING) & (s.doing != DWELLING)
         vehicles = np.flatnonzero(may)
-        jobs = [t for t in self.waiting if t.vehicle < 0 or may[t.vehicle]]
+        jobs = [t for t in self.waiting if (may[t.vehicle] if t.vehicle >= 0 else self._reachable(t))]
         if not len(vehicles) or not jobs:
             return
         column = {id(t): i for i, t in enumerate(jobs)}
         on = np.array([column.get(id(self._of[v]), -1) for v in vehicles.tolist()], dtype=np.intp)
         still_soon = np.zeros(len(vehicles), np.bool_)
-        plan = self._rule(
-            Vehicles(np.zeros(len(vehicles)), on, still_soon),
-            Jobs.waiting(np.array([self.now - t.created for t in jobs])),
-            partial(self._times, vehicles, np.array([self.ports.barcodes[t.source] for t in jobs])),
-        )
+        sources = np.array([self.ports.barcodes[t.source] for t in jobs])
+        times = partial(self._times, vehicles, sources)
+        ages = Jobs.waiting(np.array([self.now - t.created for t in jobs]))
+        plan = self._rule(Vehicles(np.zeros(len(vehicles)), on, still_soon), ages, times)
+        if self.how.restraint:
+            self._hold_back(plan.vehicle, s.phase[vehicles] == IDLE, times)
         chosen = [int(vehicles[row]) if row >= 0 else -1 for row in plan.vehicle.tolist()]
         self._carry_out(jobs, chosen)
+
+    def _reachable(self, transfer: Transfer) -> bool:
+        ends = {self.ports.barcodes[transfer.source], self.ports.barcodes[transfer.destination]}
+        return self.cut_off.isdisjoint(ends)
+
+    def _hold_back(self, chosen: Indices, idle: "NDArray[np.bool_]", times: Times) -> None:
+        """Of the idle vehicles chosen for jobs, leave those that are nearest; no more than may set out."""
+        new = np.flatnonzero((chosen >= 0) & idle[chosen])
+        if len(new) <= self._room:
+            return
+        away = np.array([times(chosen[i : i + 1], np.array([i]))[0, 0] for i in new.tolist()])
+        chosen[new[np.argsort(away, kind="stable")[self._room :]]] = -1
 
     def _carry_out(self, jobs: list[Transfer], chosen: list[int]) -> None:
         changed = [(t, v) for t, v in zip(jobs, chosen, strict=True) if t.vehicle != v]

@@ -15,7 +15,7 @@ WATCHED = 8
 """Buffers that a refused vehicle watches; if it hangs on more, it is asked again once a second."""
 IDLE, FETCHING, LOADED = 0, 1, 2
 STANDING, DRIVING, DWELLING, BROKEN = 0, 1, 2, 3
-DELIVERED, PUSHED, GRANTED, EVENTS, REFUSED, ASKED, MILLIMETRES, METERED = range(8)
+DELIVERED, PUSHED, GRANTED, EVENTS, REFUSED, ASKED, MILLIMETRES, METERED, CIRCLES = range(9)
 """What ``counts`` counts."""
 
 
@@ -37,14 +37,12 @@ class Rules(NamedTuple):
     restart: float
     """From a grant to a vehicle that stands until it starts."""
     admission: bool
-    smoothing: float
-    """Weight of the newest traverse time of a buffer."""
     patience: float
     """A meter is ignored after waiting so long; no meter at all if 0."""
 
 
 class State(NamedTuple):
-    """Per barcode: who holds it, whether it is closed, who waits for it first. Per buffer: observed traverse time, how many
+    """Per barcode: who holds it, whether it is closed, who waits for it first. Per buffer: how many
     have passed, who watches it first, its meter. Per vehicle: where it is, its goal (-1: none), what it is doing until when, its
     grant (``ahead`` barcodes with the way to each and the speed on it, ``granted`` of them, ``left`` mm), the buffers that it
     has decided to cross next (``plan``).
@@ -53,7 +51,6 @@ class State(NamedTuple):
     owner: Whole
     closed: Whole
     waits_first: Whole
-    observed: Real
     passes: Whole
     watch_first: Whole
     meter: Whole
@@ -76,9 +73,9 @@ class State(NamedTuple):
     plan: Whole
     planned: Whole
     phase: Whole
+    failed: Whole
+    """Whether it is to stand still from the next barcode on, or does."""
     since: Real
-    entered: Real
-    dwelled: Real
     waits_for: Whole
     waits_next: Whole
     waits_before: Whole
@@ -112,7 +109,7 @@ def still(plan: Map, vehicles: int) -> State:
     arrays = lines(plan.buffers, vehicles)
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
-        observed=np.zeros(buffers), passes=row(buffers), watch_first=row(buffers, -1),
+        passes=row(buffers), watch_first=row(buffers, -1),
         meter=row(buffers, -1), meter_room=row(1),
         at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles),
         initial=np.zeros(vehicles),
@@ -120,13 +117,13 @@ def still(plan: Map, vehicles: int) -> State:
         ahead=np.zeros((vehicles, AHEAD), dtype=np.int64), way=np.zeros((vehicles, AHEAD)), limit=np.zeros((vehicles, AHEAD)),
         granted=row(vehicles), left=np.zeros(vehicles),
         plan=np.zeros((vehicles, PLAN), dtype=np.int64), planned=row(vehicles),
-        phase=row(vehicles), since=np.full(vehicles, -1.0), entered=np.zeros(vehicles), dwelled=np.zeros(vehicles),
+        phase=row(vehicles), failed=row(vehicles), since=np.full(vehicles, -1.0),
         waits_for=row(vehicles, -1), waits_next=row(vehicles, -1), waits_before=row(vehicles, -1),
         watches=np.zeros((vehicles, WATCHED), dtype=np.int64), watching=row(vehicles),
         watch_next=row(vehicles * WATCHED, -1), watch_before=row(vehicles * WATCHED, -1),
         destination=row(vehicles, -1), finished=row(2 * vehicles), clock=np.zeros(1),
         queue=row(4 * vehicles + 8), queued=row(vehicles),
-        heap=row(vehicles + 1), place=row(vehicles, -1), size=row(3), counts=row(8), scratch=row(4 * AHEAD),
+        heap=row(vehicles + 1), place=row(vehicles, -1), size=row(3), counts=row(9), scratch=row(4 * AHEAD),
         hop=np.full((buffers, buffers), -1, dtype=np.int64),
         lines=Lines(*(np.array(r, dtype=np.int64) for r in arrays)),  # type: ignore[arg-type]
     )  # fmt: skip

@@ -1,0 +1,1 @@
+"""``hoistway bench traffic``: what the rules of traffic are worth on a whole fab, in the fast plant."""

@@ -1,0 +1,213 @@
+"""Runs the trials of traffic one after the other and says what came of each, as a line that can be read."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from itertools import pairwise
+from random import Random
+from typing import Any
+
+import networkx as nx
+
+from app.cli.traffic.trials import MODES, Drilled, Outcome, drill, fab_of, run, track_of
+from app.domain.units import Barcode
+from app.planning.routing import Router
+from app.plant.fab import SIZES, Shape
+from app.sim.kinematic.fab import Plant
+from app.sim.rules import Rule, check
+
+FAB = SIZES["10k"]
+BACKLOGGED = 400
+"""Vehicles at which the rules of dispatch are compared (TRAFFIC section 6)."""
+FAST = 500
+"""Vehicles at which the fast plant's speed counts."""
+OVER = 1.4
+"""A fleet so many times that which delivers most must still carry nearly as much."""
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """How much is tried. ``fleets`` of the sweep; ``soak`` and ``drill`` in hours; ``growth`` fleets for CPU per vehicle."""
+
+    pairs: int = 1000
+    networks: int = 300
+    fleets: tuple[int, ...] = (400, 600, 1000, 1400)
+    seeds: tuple[int, ...] = (1, 2, 3)
+    minutes: int = 40
+    soak: float = 2.0
+    drilled: int = 800
+    drill: float = 2.0
+    per_hour: float = 20.0
+    growth: tuple[int, ...] = (250, 500, 1000, 2000, 3000)
+
+
+FULL = replace(Extent(), networks=1000, soak=8.0, drill=8.0)
+
+
+@dataclass(slots=True)
+class Report:
+    """What is found, part by part; ``failed`` are the goals that were missed."""
+
+    extent: Extent
+    found: dict[str, Any] = field(default_factory=dict)
+    failed: list[str] = field(default_factory=list)
+
+    def goal(self, reached: bool, goal: str) -> str:
+        """Return how a goal of issue and design was met, as the end of a line."""
+        if not reached:
+            self.failed.append(goal)
+        return f"[{goal}: {'reached' if reached else 'MISSED'}]"
+
+
+PARTS: dict[str, Callable[[Report], Iterator[str]]] = {}
+
+
+def part(name: str) -> Callable[[Callable[[Report], Iterator[str]]], Callable[[Report], Iterator[str]]]:
+    """Name a part of the trials."""
+
+    def named(function: Callable[[Report], Iterator[str]]) -> Callable[[Report], Iterator[str]]:
+        PARTS[name] = function
+        return function
+
+    return named
+
+
+@part("routes")
+def routes(report: Report) -> Iterator[str]:
+    """Routes of random pairs cost what networkx's cost."""
+    track = track_of(FAB, 1)
+    router, dice, wrong = Router(track), Random("1/routes"), 0
+    barcodes: Sequence[Barcode] = track.barcodes
+    for _ in range(report.extent.pairs):
+        start, end = dice.sample(barcodes, 2)
+        ours = sum(track.graph.edges[pair]["time"] for pair in pairwise(router.route(start, end)))
+        theirs = nx.shortest_path_length(track.graph, start, end, weight="time")
+        wrong += abs(ours - theirs) > 1e-6
+    report.found["routes"] = {"pairs": report.extent.pairs, "wrong": wrong}
+    yield f"{report.extent.pairs} routes, {wrong} dearer than networkx's {report.goal(wrong == 0, 'equal costs')}"
+
+
+@part("rules")
+def rules(report: Report) -> Iterator[str]:
+    """The rule of admission on random networks of queues."""
+    networks, locked = report.extent.networks, {}
+    for rule in Rule:
+        locked[rule.value] = sum(check(seed, rule, 2000).locked for seed in range(networks))
+    report.found["rules"] = {"networks": networks, "locked": locked}
+    words = ", ".join(f"{rule} {count}" for rule, count in locked.items())
+    yield f"of {networks} networks locked up: {words} {report.goal(locked['look-ahead'] == 0, 'none with the rule')}"
+
+
+@part("sweep")
+def sweep(report: Report) -> Iterator[str]:
+    """Deliveries by fleet and by what is switched on."""
+    extent, rows = report.extent, []
+    mean: dict[tuple[str, int], float] = {}
+    for mode, how in MODES.items():
+        for vehicles in extent.fleets:
+            found = [run(fab_of(FAB, vehicles, how, seed), extent.minutes) for seed in extent.seeds]
+            mean[mode, vehicles] = sum(one.per_hour for one in found) / len(found)
+            locked = sum(one.locked > 0 for one in found)
+            rows.append({"mode": mode, "vehicles": vehicles, "runs": [asdict(one) for one in found]})
+            each = ", ".join(f"{one.per_hour:,.0f}" for one in found)
+            wrong = report.goal(locked == 0, f"no lock-up ({mode}, {vehicles})") if locked and mode != "no rule" else ""
+            yield f"{mode:13} {vehicles:5} vehicles: {mean[mode, vehicles]:7,.0f}/h ({each}), {locked} locked up {wrong}"
+    report.found["sweep"] = rows
+    for vehicles, goal in ((600, 1.25), (1000, 5.0)):
+        if vehicles in extent.fleets:
+            for mode in ("+ congestion", "all"):
+                gain = mean[mode, vehicles] / max(1.0, mean["admission", vehicles])
+                end = report.goal(gain >= goal, f"{goal} times at {vehicles}") if mode == "all" else f"[goal {goal}]"
+                yield f"{mode} against admission alone at {vehicles} vehicles: {gain:.2f} times {end}"
+    report.found["peak"] = max(extent.fleets, key=lambda vehicles: mean["all", vehicles])
+    report.found["peak_per_hour"] = mean["all", report.found["peak"]]
+
+
+@part("soak")
+def soak(report: Report) -> Iterator[str]:
+    """Hours with a fleet larger than the one that delivers most."""
+    peak, usual = report.found.get("peak", 1000), report.found.get("peak_per_hour")
+    if usual is None:
+        usual = run(fab_of(FAB, peak, Plant(), 1), report.extent.minutes).per_hour
+    vehicles, minutes = round(OVER * peak), round(report.extent.soak * 60)
+    found = run(fab_of(FAB, vehicles, Plant(), 1), minutes)
+    hours = [sum(found.per_minute[i : i + 60]) for i in range(0, minutes - 59, 60)]
+    share = hours[-1] / usual
+    report.found["soak"] = asdict(found) | {"hours": hours, "peak": usual}
+    yield (
+        f"{vehicles} vehicles for {report.extent.soak:g} h: {', '.join(f'{h:,}' for h in hours)} an hour, {found.locked} locked; "
+        f"the last is {share:.0%} of the peak of {usual:,.0f}/h at {peak} {report.goal(share >= 0.9, '90 % of peak')}"
+    )
+
+
+@part("dispatch")
+def dispatch(report: Report) -> Iterator[str]:
+    """Rules of dispatch under a backlog."""
+    rows: dict[str, Outcome] = {}
+    for rule in ("random", "nearest", "assignment"):
+        rows[rule] = run(fab_of(FAB, BACKLOGGED, Plant(dispatch=rule), 1), report.extent.minutes)
+        yield f"{rule:10} {BACKLOGGED} vehicles: {rows[rule].per_hour:,.0f}/h, oldest {rows[rule].oldest:,.0f} s"
+    gain = rows["assignment"].per_hour / rows["nearest"].per_hour
+    older = rows["assignment"].oldest / max(1.0, rows["nearest"].oldest)
+    report.found["dispatch"] = {rule: asdict(one) for rule, one in rows.items()}
+    yield f"assignment against first-come nearest: {gain:.2f} times {report.goal(gain >= 1.5, '1.5 times')}"
+    yield f"its oldest waits {older:.2f} times as long {report.goal(older <= 1.0, 'no longer')}"
+
+
+@part("speed")
+def speed(report: Report) -> Iterator[str]:
+    """How much faster than real time the fast plant runs."""
+    fab = fab_of(FAB, FAST, Plant(), 1)
+    fab.run(60.0)
+    found = run(fab, 20)
+    report.found["speed"] = asdict(found)
+    yield (
+        f"{FAST} vehicles: {found.times_real:,.0f} times real time, {found.events / found.cpu:,.0f} barcodes read per CPU second "
+        f"{report.goal(found.times_real >= 400, '400 times')}"
+    )
+
+
+@part("growth")
+def growth(report: Report) -> Iterator[str]:
+    """CPU by fleet, each in a fab that grows with it."""
+    rows = []
+    for vehicles in report.extent.growth:
+        fab = fab_of(grown(vehicles), vehicles, Plant(), 1)
+        fab.run(60.0)
+        found = run(fab, 10)
+        each = 1e6 * found.cpu / (found.seconds * vehicles)
+        rows.append({"vehicles": vehicles, "us_per_vehicle_second": each, "times_real": found.times_real})
+        yield f"{vehicles:5} vehicles: {each:6.1f} us CPU per vehicle and second, {found.times_real:,.0f} times real time"
+    report.found["growth"] = rows
+
+
+@part("drill")
+def drills(report: Report) -> Iterator[str]:
+    """Breakdowns and closures for hours."""
+    extent = report.extent
+    found: Drilled = drill(FAB, extent.drilled, extent.drill, extent.per_hour, 1)
+    report.found["drill"] = asdict(found)
+    outcome = found.outcome
+    yield (
+        f"{found.events} breakdowns and closures in {extent.drill:g} h at {extent.drilled} vehicles: "
+        f"{outcome.per_hour:,.0f}/h of {found.usual:,.0f} undisturbed, {outcome.locked} locked up at the end "
+        f"{report.goal(outcome.locked == 0, 'nothing locks up in the drill')}"
+    )
+    yield f"{found.named} of them cut ports off, and each named them"
+    yield (
+        f"five minutes after an event {found.recovered:.0%} of {found.judged} times 90 % of the usual deliveries are made again "
+        f"{report.goal(found.recovered >= 0.9, 'recovers within 5 minutes')}"
+    )
+
+
+def grown(vehicles: int) -> Shape:
+    """Return a fab that grows with its fleet: 25 hoists a bay, as 1,000 have in the fab of TRAFFIC section 1."""
+    usual = Shape()
+    bays = max(4, 2 * round(vehicles / 50))
+    share = bays / usual.bays
+    return Shape(
+        f"fab-{vehicles}",
+        bays=bays,
+        shortcuts=round(usual.shortcuts * share),
+        pairs=round(usual.pairs * share),
+        turnarounds=min(round(usual.turnarounds * share), bays // 4),
+    )

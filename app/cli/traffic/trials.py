@@ -1,0 +1,166 @@
+"""Trials of the rules of traffic in the fast plant: what is compared with what, and what counts (TRAFFIC sections 3 to 6)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from time import process_time
+
+import numpy as np
+
+from app.domain.layout import Plant as Layout
+from app.domain.units import Millimetres
+from app.planning.track import BOOK_VEHICLE, Track
+from app.plant.fab import Shape, generate, populate
+from app.sim.kinematic.drill import Drill
+from app.sim.kinematic.fab import Fab, Plant
+from app.sim.kinematic.network import Map, draw
+from app.sim.kinematic.state import DELIVERED, EVENTS, PUSHED, STANDING
+
+HOIST = replace(BOOK_VEHICLE, length=Millimetres(950))
+"""The vehicle of all trials: of PROTOCOLS 5.1, as long as a barcode's distance lets it be (our choice)."""
+FULL = 0.5
+"""Share of the ports that have a carrier at first. Our choice."""
+MODES: dict[str, Plant] = {
+    "no rule": Plant(admission=False, reweigh=0.0, restraint=False),
+    "admission": Plant(reweigh=0.0, restraint=False),
+    "+ congestion": Plant(restraint=False),
+    "all": Plant(),
+}
+"""What is switched on: nothing but the track itself; look-ahead; ways by the traffic too; and no more than the track carries."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a run. ``locked``: vehicles that wait for each other in a circle at its end; ``oldest``: the longest that a
+    transfer waited for a vehicle to come, s; ``cpu``: seconds of this process.
+    """
+
+    vehicles: int
+    seconds: float
+    per_minute: tuple[int, ...]
+    locked: int
+    pushed: int
+    events: int
+    oldest: float
+    cpu: float
+
+    @property
+    def per_hour(self) -> float:
+        """Transfers delivered in an hour, without the first quarter of the run, in which the fleet spreads out."""
+        steady = self.per_minute[len(self.per_minute) // 4 :]
+        return 60.0 * sum(steady) / len(steady)
+
+    @property
+    def times_real(self) -> float:
+        """How many seconds passed in the plant for each of this process."""
+        return self.seconds / self.cpu
+
+
+@cache
+def _drawn(shape: Shape, seed: int) -> tuple[Layout, Track, Map]:
+    layout = generate(shape, seed).plant
+    track = Track(layout)
+    return layout, track, draw(track, HOIST)
+
+
+def track_of(shape: Shape, seed: int) -> Track:
+    """Return the track of a fab."""
+    return _drawn(shape, seed)[1]
+
+
+def fab_of(shape: Shape, vehicles: int, how: Plant, seed: int) -> Fab:
+    """Return a fab with so many vehicles, spread over it by the seed."""
+    layout, _, plan = _drawn(shape, seed)
+    starts = [vehicle.start for vehicle in populate(layout, vehicles, seed, FULL).vehicles]
+    ports = list(dict.fromkeys(station.barcode for station in layout.stations))
+    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], seed, how)
+
+
+def run(fab: Fab, minutes: int) -> Outcome:
+    """Let a fab work for so many minutes."""
+    counts, per_minute, cpu = fab.state.counts, [], process_time()
+    begun = counts.copy()
+    for _ in range(minutes):
+        before = int(counts[DELIVERED])
+        fab.run(60.0)
+        per_minute.append(int(counts[DELIVERED]) - before)
+    cpu = process_time() - cpu
+    return Outcome(
+        vehicles=len(fab.state.at),
+        seconds=60.0 * minutes,
+        per_minute=tuple(per_minute),
+        locked=len(locked(fab)),
+        pushed=int(counts[PUSHED] - begun[PUSHED]),
+        events=int(counts[EVENTS] - begun[EVENTS]),
+        oldest=max((fab.now - transfer.created for transfer in fab.waiting), default=0.0),
+        cpu=cpu,
+    )
+
+
+def locked(fab: Fab) -> list[int]:
+    """Return the vehicles that stand in a circle, each waiting for the barcode that the next one holds."""
+    s = fab.state
+    after = {
+        int(v): int(s.owner[s.waits_for[v]])
+        for v in np.flatnonzero((s.doing == STANDING) & (s.waits_for >= 0))
+        if s.owner[s.waits_for[v]] >= 0
+    }
+    found: set[int] = set()
+    for vehicle in after:
+        way: list[int] = []
+        while vehicle in after and vehicle not in found and vehicle not in way:
+            way.append(vehicle)
+            vehicle = after[vehicle]
+        if vehicle in way:
+            found.update(way[way.index(vehicle) :])
+    return sorted(found)
+
+
+@dataclass(frozen=True, slots=True)
+class Drilled:
+    """What came of a drill. ``recovered``: the share of the moments five minutes after the end of an event, with none begun
+    meanwhile, in whose next five minutes at least ``0.9`` of the undisturbed deliveries were made; ``judged`` of them.
+    """
+
+    events: int
+    named: int
+    outcome: Outcome
+    recovered: float
+    judged: int
+    usual: float
+
+
+def drill(shape: Shape, vehicles: int, hours: float, per_hour: float, seed: int, *, settle: float = 600.0) -> Drilled:
+    """Let vehicles break down and track be closed at random; all is well ``settle`` seconds before it and after it."""
+    fab = fab_of(shape, vehicles, Plant(), seed)
+    fab.run(settle)
+    trouble = Drill(fab, per_hour, seed)
+    counts, cpu, begun = fab.state.counts, process_time(), fab.state.counts.copy()
+    per_minute: list[int] = []
+    for _ in range(int(hours * 60)):
+        before = int(counts[DELIVERED])
+        trouble.run(60.0)
+        per_minute.append(int(counts[DELIVERED]) - before)
+    trouble.stop()
+    fab.run(settle)
+    outcome = Outcome(
+        vehicles, hours * 3600, tuple(per_minute), len(locked(fab)), int(counts[PUSHED] - begun[PUSHED]),
+        int(counts[EVENTS] - begun[EVENTS]), 0.0, process_time() - cpu,
+    )  # fmt: skip
+    usual = run(fab_of(shape, vehicles, Plant(), seed), max(4, int(hours * 15))).per_hour
+    shares = list(_recoveries(trouble, per_minute, usual / 60))
+    named = sum(bool(event.cut_off) for event in trouble.events)
+    well = sum(share >= 0.9 for share in shares) / len(shares) if shares else 1.0
+    return Drilled(len(trouble.events), named, outcome, well, len(shares), usual)
+
+
+def _recoveries(trouble: Drill, per_minute: list[int], usual: float) -> Iterator[float]:
+    """Give, for each moment at which nothing has stood still for five minutes, what the next five delivered of the usual."""
+    for event in trouble.events:
+        at = event.ends + 300.0
+        if any(other.at < at and other.ends > event.ends for other in trouble.events):
+            continue
+        first = int((at - trouble.began) // 60)
+        some = per_minute[first : first + 5]
+        if len(some) == 5:
+            yield sum(some) / 5 / usual

@@ -1,0 +1,102 @@
+"""Breakdowns and closures in the fast plant, and what counts as locked up."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.cli.traffic.trials import HOIST, drill, fab_of, locked, run
+from app.plant.fab import SIZES
+from app.sim.kinematic.drill import Drill
+from app.sim.kinematic.events import fail, repair
+from app.sim.kinematic.fab import Plant
+from app.sim.kinematic.state import BROKEN, DELIVERED, DRIVING, STANDING
+
+FAB = SIZES["1k"]
+
+
+def test_a_vehicle_that_breaks_down_stands_at_its_next_barcode_keeps_its_grant_and_goes_on_once_repaired() -> None:
+    fab = fab_of(FAB, 20, Plant(backlog=30), 1)
+    fab.run(30)
+    s = fab.state
+    vehicle = int(np.flatnonzero((s.doing == DRIVING) & (s.granted > 1))[0])
+    after = int(s.ahead[vehicle, 0])
+    fail(s, vehicle)
+    fab.run(5)
+    assert (s.doing[vehicle], int(s.at[vehicle])) == (BROKEN, after)
+    held = {int(s.owner[b]) for b in s.ahead[vehicle, : s.granted[vehicle]]}
+    assert held == {vehicle}
+    fab.run(60)
+    assert int(s.at[vehicle]) == after
+    repair(s, vehicle)
+    fab.run(10)
+    assert int(s.at[vehicle]) != after
+
+
+def test_a_drill_names_the_ports_that_it_cuts_off_and_all_is_well_after_it() -> None:
+    fab = fab_of(FAB, 30, Plant(backlog=40), 1)
+    trouble = Drill(fab, per_hour=480.0, seed=3)
+    trouble.run(200)
+    s = fab.state
+    assert len(trouble.events) > 10
+    assert {event.vehicle >= 0 for event in trouble.events} == {True, False}
+    ports = {fab.map.names[port] for port in fab.ports.barcodes}
+    cut = [event for event in trouble.events if event.cut_off]
+    assert cut
+    assert {name for event in cut for name in event.cut_off} <= ports
+    trouble.stop()
+    assert not fab.cut_off
+    assert not s.closed.any()
+    assert not s.failed.any()
+    before = int(s.counts[DELIVERED])
+    fab.run(200)
+    assert s.counts[DELIVERED] > before + 10
+    assert locked(fab) == []
+
+
+def test_no_transfer_is_begun_to_a_port_that_is_cut_off() -> None:
+    fab = fab_of(FAB, 10, Plant(backlog=10), 1)
+    fab.cut_off = frozenset(fab.ports.barcodes)
+    fab.run(60)
+    assert all(transfer.vehicle < 0 for transfer in fab.waiting)
+    fab.cut_off = frozenset()
+    fab.run(60)
+    assert any(transfer.vehicle >= 0 for transfer in fab.waiting) or fab.state.counts[DELIVERED] > 0
+
+
+def test_vehicles_that_wait_for_each_others_barcodes_are_found_locked() -> None:
+    fab = fab_of(FAB, 3, Plant(), 1)
+    s = fab.state
+    for vehicle, other in ((0, 1), (1, 2), (2, 0)):
+        s.doing[vehicle], s.waits_for[vehicle] = STANDING, s.at[other]
+    assert locked(fab) == [0, 1, 2]
+    s.waits_for[1] = -1
+    assert locked(fab) == []
+
+
+def test_a_whole_drill_says_what_came_of_it() -> None:
+    found = drill(FAB, 12, 0.1, 120.0, 1, settle=30.0)
+    assert found.events > 0
+    assert found.outcome.locked == 0
+    assert 0.0 <= found.recovered <= 1.0
+    assert found.usual > 0
+
+
+def test_a_run_counts_each_minute_and_the_fleet_that_is_held_back_delivers_too() -> None:
+    some = run(fab_of(FAB, 30, Plant(backlog=40), 1), 4)
+    assert len(some.per_minute) == 4
+    assert some.locked == 0
+    assert some.per_hour > 0
+    assert replace(some, per_minute=(0, 0, 0, 9)).per_hour == 180.0
+    assert HOIST.length == 950
+
+
+@pytest.mark.parametrize("dispatch", ["random", "nearest", "assignment"])
+def test_no_more_vehicles_set_out_than_may_whoever_is_chosen(dispatch: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.planning.restraint.Restraint.look", lambda *_: 0)
+    fab = fab_of(FAB, 40, Plant(backlog=30, dispatch=dispatch), 1)
+    fab.run(5)
+    assert not fab.state.phase.any()
+    monkeypatch.setattr("app.planning.restraint.Restraint.look", lambda *_: 7)
+    fab.run(1)
+    assert int((fab.state.phase != 0).sum()) == 7
