@@ -17,6 +17,8 @@ from app.planning.track import Track
 
 INLINE_FORKS = 300
 """Our choice: up to so many forks tables are computed at once where they are wanted, in less than 5 ms of CPU."""
+LONGEST = Seconds(600.0)
+"""Our choice: no weight makes an edge take longer: a jam is slow track, never a closure, however long it was watched."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,14 +96,15 @@ class Router:
         self._recut()
 
     def reweigh(self, seconds: Mapping[EdgeKey, float]) -> None:
-        """Let these edges take so long from now on, and never less than on an empty track; the others stay as they are.
+        """Let these edges take so long from now on, never less than on an empty track; the others stay as they are.
 
+        Nor more than ``LONGEST``, unless the empty track takes more; what is no number counts as the empty track.
         Raises KeyError: one is no edge of the track.
         """
         edges = self._arcs.edges
         places = np.fromiter((edges[edge] for edge in seconds), dtype=np.intp, count=len(seconds))
         values = np.fromiter(seconds.values(), dtype=np.float64, count=len(seconds))
-        values = np.maximum(values, self._free[places])
+        values = np.fmax(np.minimum(values, LONGEST), self._free[places])  # fmax: NaN gives way to the empty track
         if not np.array_equal(values, self._seconds[places]):
             self._seconds = self._seconds.copy()
             self._seconds[places] = values

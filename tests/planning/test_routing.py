@@ -1,7 +1,7 @@
 import pickle
 from collections.abc import Callable, Mapping, Sequence
 from itertools import islice, pairwise
-from math import inf
+from math import inf, nan
 from typing import TypeAlias
 
 import networkx as nx
@@ -13,7 +13,7 @@ from app.domain.errors import NoRoute
 from app.domain.layout import Edge
 from app.domain.units import Barcode, Millimetres, Seconds
 from app.planning.arcs import EdgeKey
-from app.planning.routing import Route, Router
+from app.planning.routing import LONGEST, Route, Router
 from app.planning.tables import compute
 from app.planning.track import Track
 
@@ -296,6 +296,16 @@ def test_an_edge_never_takes_less_than_on_an_empty_track(lay: Lay) -> None:
     assert router.quickest(A, C).seconds == pytest.approx(2 / 3)
     with pytest.raises(KeyError):
         router.reweigh({(C, A): 1.0})
+
+
+def test_no_weight_is_a_closure_and_what_is_no_number_is_the_empty_track(lay: Lay) -> None:
+    router = Router(lay("a b c", "a d e c"))
+    router.reweigh({(A, B): inf, (B, C): nan})
+    assert router.weight(A, B) == LONGEST
+    assert router.weight(B, C) == pytest.approx(1 / 3)
+    assert router.route(A, C) == (A, D, E, C)
+    router.close(D)
+    assert router.quickest(A, C).seconds == pytest.approx(LONGEST + 1 / 3)
 
 
 def test_what_changes_nothing_makes_no_new_version(lay: Lay) -> None:
