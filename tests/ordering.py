@@ -16,6 +16,7 @@ LONG = {
     "tests/e2e/test_command_line.py::test_the_demo": 15,
     "tests/sim/test_whole_plant.py::test_a_controller_killed": 6,
     "tests/sim/test_whole_plant.py::test_an_hour": 6,
+    "tests/sim/test_agreement.py::test_both_plants": 15,
     "tests/sim/kinematic/test_drill.py::test_a_whole_drill": 8,
     "tests/sim/kinematic/test_drill.py::test_a_drill_names": 6,
     "tests/e2e/test_command_line.py::test_a_killed_demo": 5,

@@ -103,6 +103,37 @@ def traffic(
     raise typer.Exit(1 if report.failed else 0)
 
 
+@commands.command()
+def agree(
+    size: Annotated[str, typer.Option(help="of the generated fab")] = "1k",
+    vehicles: Annotated[int, typer.Option(min=1, help="hoists")] = 20,
+    minutes: Annotated[
+        float, typer.Option(callback=positive, help="virtual minutes, of which the first two do not count")
+    ] = 15.0,
+    backlog: Annotated[int, typer.Option(min=0, help="transfers that wait for a vehicle")] = 50,
+    seed: Annotated[int, typer.Option(help="of fab, starts and transfers")] = 1,
+) -> None:
+    """Compare the fast plant with the byte-level one: same fab, same starts, same transfers in the same order."""
+    from time import process_time
+
+    from app.plant.fab import SIZES, generate, populate
+    from app.sim.agreement import fast, orders, to_the_byte
+
+    if size not in SIZES:
+        raise typer.BadParameter(f"there is no size {size}; there are {', '.join(SIZES)}")
+    found_plant = populate(generate(SIZES[size], seed).plant, vehicles, seed, FULL)
+    work, until, rates = orders(found_plant, seed), minutes * 60, []
+    for name, run in (("to the byte", to_the_byte), ("fast", fast)):
+        begun = process_time()
+        ran = run(found_plant, seed, work, backlog, until)
+        rates.append(ran.per_hour(min(120.0, until / 2), until))
+        used = process_time() - begun
+        print(f"{name:12} {len(ran.delivered):6} delivered, {rates[-1]:8,.1f}/h, {used:6.1f} s CPU", flush=True)
+    off = rates[1] / rates[0] - 1 if rates[0] else float("nan")
+    print(f"the fast plant delivers {off:+.1%} (goal: within 3 %)")
+    raise typer.Exit(0 if abs(off) <= 0.03 else 1)
+
+
 def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
     if file is not None:
         from app.cli.running import plant_of

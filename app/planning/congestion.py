@@ -19,8 +19,8 @@ class Costs:
     """
 
     over: float = 120.0
-    weight: float = 1.0
-    power: float = 2.0
+    weight: float = 3.0
+    power: float = 6.0
 
 
 class Congestion:

@@ -18,6 +18,7 @@ from app.domain.view import Update
 from app.planning.tables import compute
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
+from app.protocols.itsc.simulator import Options
 from app.sim.agenda import Agenda
 from app.sim.cables import Cable
 from app.sim.hallwatch import HallWatch
@@ -67,7 +68,14 @@ class World:
     runs with the same arguments give the same trace, whatever the process.
     """
 
-    def __init__(self, plant: Plant, seed: int, ledger: Ledger | None = None, delays: Delays | None = None) -> None:
+    def __init__(
+        self,
+        plant: Plant,
+        seed: int,
+        ledger: Ledger | None = None,
+        delays: Delays | None = None,
+        options: Options | None = None,
+    ) -> None:
         self.plant = plant
         self.agenda = Agenda()
         self.ledger = ledger or MemoryLedger()
@@ -80,7 +88,7 @@ class World:
         self._seed = seed
         self._rng = self._random("world")
         self._trace = sha256()
-        self._floor = SimulatedPlant(plant, self._acted)
+        self._floor = SimulatedPlant(plant, self._acted, options)
         self.oracle = Oracle(plant, self._floor.truth)
         self.books = Books(self.oracle)
         self._watches: dict[VehicleId, LineWatch] = {}

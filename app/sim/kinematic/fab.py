@@ -15,7 +15,7 @@ from app.planning.congestion import Congestion
 from app.planning.dispatch import Indices, Jobs, Plan, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
 from app.planning.restraint import Restraint
 from app.sim.kinematic.events import run, send, take_off
-from app.sim.kinematic.load import Ports
+from app.sim.kinematic.load import Ports, Work
 from app.sim.kinematic.network import Map, Real
 from app.sim.kinematic.state import DRIVING, DWELLING, FETCHING, IDLE, STANDING, Rules, still
 from app.sim.kinematic.ways import free_flow, refresh, survey
@@ -67,10 +67,17 @@ class Delivered:
 
 
 class Fab:
-    """A fleet with a backlog of transfers. The same arguments give the same run."""
+    """A fleet with a backlog of transfers, drawn over the ports unless ``work`` gives them. Same arguments, same run."""
 
     def __init__(
-        self, plan: Map, spec: VehicleSpec, ports: Sequence[Barcode], starts: Sequence[Barcode], seed: int, how: Plant
+        self,
+        plan: Map,
+        spec: VehicleSpec,
+        ports: Sequence[Barcode],
+        starts: Sequence[Barcode],
+        seed: int,
+        how: Plant,
+        work: Work | None = None,
     ) -> None:
         self.map, self.how, self.net = plan, how, plan.network
         self.ways = survey(self.net)
@@ -87,7 +94,7 @@ class Fab:
             admission=how.admission,
             patience=how.patience,
         )
-        self.ports = Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
+        self.ports: Work = work or Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
         self.waiting: list[Transfer] = []
         """Transfers that are not picked up, the oldest first."""
         self.delivered: list[Delivered] = []

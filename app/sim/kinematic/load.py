@@ -2,8 +2,24 @@
 
 from collections.abc import Sequence
 from random import Random
+from typing import Protocol
 
 UNBOUND = -1
+
+
+class Work(Protocol):
+    """Transfers between ports, numbered as in ``barcodes``."""
+
+    barcodes: list[int]
+
+    def draw(self) -> tuple[int, int] | None:
+        """Return the ports of a new transfer; None: there is none now."""
+
+    def emptied(self, port: int) -> None:
+        """The carrier has left the port."""
+
+    def filled(self, port: int) -> None:
+        """A carrier has come to the port."""
 
 
 class Ports:
