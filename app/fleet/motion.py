@@ -245,7 +245,8 @@ class Motion:
                 self._books.traffic.forget(vehicle.id)
             return shut
         beyond = vehicle.rest[len(wanted) :]
-        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=self._books.now)
+        cut_short, now = len(wanted) >= room, self._books.now
+        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=now, cut_short=cut_short)
         self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]

@@ -69,6 +69,7 @@ class Traffic:
         *,
         beyond: Sequence[Barcode] = (),
         now: Seconds = NEVER,
+        cut_short: bool = False,
     ) -> Grant:
         """Grant as much of ``wanted`` as may be had, from its start, in order of driving.
 
@@ -79,7 +80,8 @@ class Traffic:
         With admission it does not end in a transit buffer or where it keeps another branch from passing either, and each buffer
         in which it could wait needs a slot. ``beyond`` is the way to its goal after ``wanted``: which buffer it will wait in next
         is committed, granted or not; where that could close a circle, it stays committed to the one before.
-        ``now`` is for soft zones and for whose turn it is.
+        ``now`` is for soft zones and for whose turn it is. ``cut_short``: no longer path can be told to the vehicle; if all of
+        this one keeps other branches from passing, it may stand there all the same, where else it would never go on.
         """
         self._now = now
         if self.queues is not None:
@@ -91,6 +93,8 @@ class Traffic:
                 break
             free.append(barcode)
         end, refused = self._stopping_place(vehicle, free, beyond, goal_included=blocked is None and goal_included)
+        if cut_short and not end and blocked is refused is None:
+            end, refused = self._stopping_place(vehicle, free, beyond, goal_included=False, anywhere=True)
         if refused is not None:
             blocked = refused
         elif blocked is None and end < len(free):
@@ -118,11 +122,17 @@ class Traffic:
             queues.commit(vehicle, queues.want_after(slot, chain(wanted, beyond)))
 
     def _stopping_place(
-        self, vehicle: VehicleId, free: Sequence[Barcode], beyond: Sequence[Barcode], *, goal_included: bool
+        self,
+        vehicle: VehicleId,
+        free: Sequence[Barcode],
+        beyond: Sequence[Barcode],
+        *,
+        goal_included: bool,
+        anywhere: bool = False,
     ) -> tuple[int, Blocked | None]:
         """Return how many of ``free`` may be granted so that the vehicle can stop at the last one, with slots taken.
 
-        Besides, what keeps it from a slot farther ahead.
+        Besides, what keeps it from a slot farther ahead. ``anywhere``: outside no-stop zones, it may stop everywhere.
         """
         last = next(reversed(self._held.get(vehicle, {})), None)
         within = self._no_stop_zones(last) if last is not None else set()
@@ -130,7 +140,7 @@ class Traffic:
         creeps = queues is not None and last is not None and not queues.may_end(last)
         end = 0
         for i, barcode in enumerate(free):
-            ends = queues is None or queues.may_end(barcode)
+            ends = anywhere or queues is None or queues.may_end(barcode)
             creeps = creeps and not ends
             at_goal = goal_included and i == len(free) - 1
             stands = (creeps or ends) and self._no_stop_zones(barcode) <= within

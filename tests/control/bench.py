@@ -31,7 +31,9 @@ HOME = PulseSet(Pulses(0), Pulses(0), Pulses(0))
 
 def line_plant(max_count: int = 100) -> Plant:
     """Return a loop of twelve barcodes, two metres apart, with a port at 1203, a side buffer at 1205, and V1 at 1201."""
-    points = tuple(Point(Barcode(b), Millimetres(2000 * n), Millimetres(0)) for n, b in enumerate(LINE))
+    half = len(LINE) // 2
+    spots = [(2000 * n, 0) for n in range(half)] + [(2000 * n, 2000) for n in reversed(range(half))]
+    points = tuple(Point(Barcode(b), Millimetres(x), Millimetres(y)) for b, (x, y) in zip(LINE, spots, strict=True))
     ring = zip(LINE, (*LINE[1:], LINE[0]), strict=True)
     edges = tuple(Edge(Barcode(a), Barcode(b), Millimetres(2000)) for a, b in ring)
     stations = (
