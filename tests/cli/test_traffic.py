@@ -1,0 +1,59 @@
+"""``hoistway bench traffic``: its parts on a small fab."""
+
+from dataclasses import replace
+
+import pytest
+from typer.testing import CliRunner
+
+from app.cli.bench import commands
+from app.cli.traffic import report
+from app.cli.traffic.report import FULL, PARTS, Extent, Report
+from app.plant.fab import SIZES
+
+SMALL = replace(Extent(), pairs=20, networks=3, fleets=(8,), seeds=(1,), minutes=2)
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> Report:
+    monkeypatch.setattr(report, "FAB", SIZES["1k"])
+    monkeypatch.setattr(report, "BACKLOGGED", 8)
+    return Report(SMALL)
+
+
+def lines(small: Report, name: str) -> list[str]:
+    return list(PARTS[name](small))
+
+
+def test_routes_cost_what_networkx_says(small: Report) -> None:
+    assert lines(small, "routes") == ["20 routes, 0 dearer than networkx's [equal costs: reached]"]
+    assert small.failed == []
+
+
+def test_the_rule_is_tried_on_random_networks(small: Report) -> None:
+    (line,) = lines(small, "rules")
+    assert line.startswith("of 3 networks locked up: none ")
+    assert line.endswith("[none with the rule: reached]")
+
+
+def test_a_sweep_tries_every_mode_and_finds_the_fleet_that_delivers_most(small: Report) -> None:
+    found = lines(small, "sweep")
+    assert [line.split("  ")[0] for line in found] == ["no rule", "admission", "+ congestion", "all"]
+    assert small.found["peak"] == 8
+    assert small.found["peak_per_hour"] > 0
+
+
+def test_rules_of_dispatch_are_compared_and_a_missed_goal_is_said_to_be_missed(small: Report) -> None:
+    found = lines(small, "dispatch")
+    assert [line.split()[0] for line in found] == ["random", "nearest", "assignment", "assignment", "its"]
+    assert small.failed == [line.split("[")[1].removesuffix(": MISSED]") for line in found if line.endswith("MISSED]")]
+
+
+def test_a_part_that_is_not_there_is_refused_with_those_that_are() -> None:
+    asked = CliRunner().invoke(commands, ["traffic", "--only", "sweeep"])
+    assert asked.exit_code == 2
+    assert "sweeep" in asked.output
+    assert "routes" in asked.output
+
+
+def test_the_full_extent_soaks_and_drills_for_eight_hours() -> None:
+    assert (FULL.soak, FULL.drill, FULL.fleets) == (8.0, 8.0, Extent().fleets)
