@@ -12,7 +12,8 @@ from app.domain.layout import VehicleSpec
 from app.domain.units import Barcode, Seconds
 from app.planning.admission import ANY, enter
 from app.planning.congestion import Congestion
-from app.planning.dispatch import Indices, Jobs, Plan, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
+from app.planning.dispatch import Indices, Jobs, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
+from app.planning.dispatch import Plan as DispatchPlan
 from app.planning.restraint import Restraint
 from app.sim.kinematic.events import run, send, take_off
 from app.sim.kinematic.load import Ports, Work
@@ -137,7 +138,7 @@ class Fab:
             return at_random(np.random.default_rng(seed))
         return nearest_first_come if self.how.dispatch == "nearest" else self._assignment
 
-    def _assignment(self, vehicles: Vehicles, jobs: Jobs, times: Times) -> Plan:
+    def _assignment(self, vehicles: Vehicles, jobs: Jobs, times: Times) -> DispatchPlan:
         self._turn += 1
         return dispatch(vehicles, jobs, times, turn=self._turn)
 
@@ -198,11 +199,11 @@ class Fab:
         self._know(np.unique(self.net.buffer[s.goal[s.goal >= 0]]))
 
     def _know(self, goals: "NDArray[np.int64]") -> None:
-        self.rows += refresh(self.ways, self.state.hop, goals)
+        self.rows += refresh(self.ways, self.net, self.state.hop, goals)
 
     def _dispatch(self) -> None:
         s, thinks = self.state, self.now >= self._next_thought
-        may = s.phase == IDLE
+        may = (s.phase == IDLE) if self._room > 0 else np.zeros(len(s.phase), np.bool_)
         if thinks:
             self._next_thought = self.now + self.how.rethink
             may |= (s.phase == FETCHING) & (s.doing != DWELLING)
@@ -218,7 +219,7 @@ class Fab:
         ages = Jobs.waiting(np.array([self.now - t.created for t in jobs]))
         plan = self._rule(Vehicles(np.zeros(len(vehicles)), on, still_soon), ages, times)
         if self.how.restraint:
-            self._hold_back(plan.vehicle, s.phase[vehicles] == IDLE, times)
+            self._hold_back(plan, s.phase[vehicles] == IDLE)
         chosen = [int(vehicles[row]) if row >= 0 else -1 for row in plan.vehicle.tolist()]
         self._carry_out(jobs, chosen)
 
@@ -226,12 +227,15 @@ class Fab:
         ends = {self.ports.barcodes[transfer.source], self.ports.barcodes[transfer.destination]}
         return self.cut_off.isdisjoint(ends)
 
-    def _hold_back(self, chosen: Indices, idle: "NDArray[np.bool_]", times: Times) -> None:
+    def _hold_back(self, plan: DispatchPlan, idle: "NDArray[np.bool_]") -> None:
         """Of the idle vehicles chosen for jobs, leave those that are nearest; no more than may set out."""
+        chosen = plan.vehicle
         new = np.flatnonzero((chosen >= 0) & idle[chosen])
         if len(new) <= self._room:
             return
-        away = np.array([times(chosen[i : i + 1], np.array([i]))[0, 0] for i in new.tolist()])
+        row, column = np.zeros(len(idle), dtype=np.intp), np.zeros(len(chosen), dtype=np.intp)
+        row[plan.rows], column[plan.columns] = np.arange(len(plan.rows)), np.arange(len(plan.columns))
+        away = plan.arrival[row[chosen[new]], column[new]]
         chosen[new[np.argsort(away, kind="stable")[self._room :]]] = -1
 
     def _carry_out(self, jobs: list[Transfer], chosen: list[int]) -> None:
