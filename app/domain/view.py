@@ -199,6 +199,7 @@ class ControllerView:
     """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
 
     ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
+    ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
     """
 
     plant: str
@@ -209,6 +210,9 @@ class ControllerView:
     waiting_for: tuple[str, ...] = ()
     trouble: str = ""
     emergencies: tuple[str, ...] = ()
+    circles: tuple[str, ...] = ()
+    circles_found: int = 0
+    circles_resolved: int = 0
 
 
 @dataclass(frozen=True, slots=True)

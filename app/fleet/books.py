@@ -79,6 +79,9 @@ class Books:
         self.track = Track(plant)
         self.router = Router(self.track)
         self.traffic = Traffic(self.track, admission=True)
+        self.circles: tuple[str, ...] = ()
+        """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""
+        self.circles_found = self.circles_resolved = 0
         self.cmd_ids = cmd_ids
         self.now = now
         self.started = utc
@@ -412,7 +415,12 @@ class Books:
         self.show(
             Topic.CONTROLLER,
             self.plant.name,
-            view_of_controller(self.plant.name, self.controller, self.epoch, self.started, self.roll_call),
+            replace(
+                view_of_controller(self.plant.name, self.controller, self.epoch, self.started, self.roll_call),
+                circles=self.circles,
+                circles_found=self.circles_found,
+                circles_resolved=self.circles_resolved,
+            ),
         )
 
     def touch(self, vehicle: VehicleNow) -> None:

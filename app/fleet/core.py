@@ -23,6 +23,7 @@ from app.fleet.alarms import Alarms
 from app.fleet.books import Books, Effects
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
+from app.fleet.circles import Circles
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
@@ -90,6 +91,7 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._circles = Circles(self.books, self.motion, self._courtesy.ask_way)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
@@ -180,6 +182,7 @@ class Fleet:
         self.devices.tick()
         self._charging.run()
         self._dispatch.run()
+        self._circles.look()
         self._go_on(all_devices=True)
 
     def _look(self) -> bool:

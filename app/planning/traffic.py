@@ -116,6 +116,18 @@ class Traffic:
             return False
         return self.queues.want(vehicle) not in {ANY, self.queues.want_after(slot, way)}
 
+    def lets_in(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
+        """Return whether the vehicle could begin this way now: its first barcode is free, the next buffer has a slot for it."""
+        if not way or self.obstacle(vehicle, way[0]) is not None:
+            return False
+        if self.queues is None or (slot := self.queues.slot(vehicle)) < 0:
+            return True
+        buffer = self.queues.want_after(slot, way)
+        if buffer == ANY:
+            return True
+        entry = next(i for i, barcode in enumerate(way) if self.queues.waits_in(barcode) == buffer)
+        return self.queues.ask(vehicle, buffer, self.queues.want_after(buffer, way[entry:])) is None
+
     def _commit(self, queues: Queues, vehicle: VehicleId, wanted: Sequence[Barcode], beyond: Sequence[Barcode]) -> None:
         """Let the vehicle want the buffer that it will wait in after the one it has a slot of."""
         if (slot := queues.slot(vehicle)) >= 0:

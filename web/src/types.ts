@@ -205,6 +205,9 @@ export interface Controller {
   trouble: string;
   /** Fires and earthquakes that nobody has released yet, in words. */
   emergencies: string[];
+  circles?: string[];
+  circles_found?: number;
+  circles_resolved?: number;
 }
 
 export interface Happening {
