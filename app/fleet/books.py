@@ -78,6 +78,7 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
+        self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
         self.cmd_ids = cmd_ids
         self.now = now
