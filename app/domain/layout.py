@@ -251,6 +251,18 @@ class ChargingRules:
 
 
 @dataclass(frozen=True, slots=True)
+class IdleRules:
+    """What hoists do that have nothing to do: with ``park``, after so long (``after``) they go to a parking place.
+
+    It is no farther than ``farthest`` seconds of driving. All values are our choice.
+    """
+
+    park: bool = False
+    after: Seconds = Seconds(20.0)
+    farthest: Seconds = Seconds(60.0)
+
+
+@dataclass(frozen=True, slots=True)
 class DriveUnit:
     """An axis drive on an HI line (PROTOCOLS section 2). ``model`` names its parameter catalogue; empty: raw access only."""
 
@@ -341,6 +353,7 @@ class Plant:
     charging: ChargingRules = ChargingRules()
     restrain: bool = False
     """Whether no more vehicles set out with jobs than the track carries."""
+    idle: IdleRules = IdleRules()
     drives: tuple[DriveUnit, ...] = ()
     catalogues: tuple[Catalogue, ...] = ()
     reference_vehicles: frozenset[VehicleId] = frozenset()

@@ -100,7 +100,7 @@ class VehicleView:
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting, settling,
     absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may drive,
     ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS. An
-    AGV (``kind``) has ``agv`` in place of status words, SEQ and code.
+    AGV (``kind``) has ``agv`` in place of status words, SEQ and code. ``parked``: it is idle at a parking place.
     """
 
     id: str
@@ -133,6 +133,7 @@ class VehicleView:
     seen: float | None = None
     kind: str = "hoist"
     agv: AgvView | None = None
+    parked: bool = False
 
 
 @dataclass(frozen=True, slots=True)

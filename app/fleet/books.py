@@ -78,6 +78,7 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
+        self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
         self.circles: tuple[str, ...] = ()
         """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""

@@ -39,6 +39,7 @@ from app.fleet.missions import Missions
 from app.fleet.motion import Motion
 from app.fleet.objections import objection
 from app.fleet.orders import VehicleOrders
+from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
@@ -93,6 +94,7 @@ class Fleet:
         self._courtesy = Courtesy(self.books, self.motion)
         self._circles = Circles(self.books, self.motion, self._courtesy.ask_way)
         self._charging = Charging(self.books, self.motion, self.devices)
+        self._parking = Parking(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
         self._plant_orders = PlantOrders(self.books)
         orders = VehicleOrders(self.books, self.motion, self.missions, self.recovery, self.alarms)
@@ -181,6 +183,7 @@ class Fleet:
         self.teaching.tick()
         self.devices.tick()
         self._charging.run()
+        self._parking.run(self._free)
         self._dispatch.run()
         self._circles.look()
         self._go_on(all_devices=True)
@@ -352,7 +355,8 @@ class Fleet:
         for name in names:
             vehicle = books.vehicles[name]
             del books.dirty[name]
-            view = view_of_vehicle(vehicle, books.job_of(vehicle), books.plant, self._link(name), books.utc_at)
+            job, link = books.job_of(vehicle), self._link(name)
+            view = view_of_vehicle(vehicle, job, books.plant, link, books.utc_at, books.parking)
             if self._shown.get(name) != view:
                 self._shown[name] = view
                 books.effects.updates.append(Update(Topic.VEHICLES, name, view))

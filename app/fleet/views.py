@@ -16,7 +16,7 @@ from app.domain.records import (
     StationRecord,
 )
 from app.domain.teaching import TeachingSession
-from app.domain.units import Seconds, Timestamp
+from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
     AgvView,
@@ -217,6 +217,7 @@ def view_of_vehicle(
     plant: Plant,
     link: LinkView,
     utc_at: Callable[[Seconds], Timestamp],
+    parking: frozenset[Barcode],
 ) -> VehicleView:
     """Return a vehicle as people see it."""
     spec, record, status = vehicle.spec, vehicle.record, vehicle.status
@@ -254,6 +255,7 @@ def view_of_vehicle(
         seen=utc_at(vehicle.seen) if vehicle.seen is not None else None,
         kind=spec.kind.value,
         agv=_view_of_agv(vehicle),
+        parked=vehicle.barcode in parking and vehicle.available and vehicle.errand is None and vehicle.at_rest,
     )
 
 

@@ -107,19 +107,27 @@ class Idle:
 
 
 def park(
-    idle: Idle, demand: Floats, places: Indices, taken: Flags, times: Floats, rules: ParkingRules = RULES
+    idle: Idle,
+    demand: Floats,
+    places: Indices,
+    taken: Flags,
+    times: Floats,
+    rules: ParkingRules = RULES,
+    parked: Indices | None = None,
 ) -> dict[int, int]:
     """Return which vehicle goes to which place, by vehicle: few, and only those by which something is gained.
 
     ``places``: the area of each place. ``taken``: somebody stands there or is coming. ``times``: of each vehicle to each
     place, infinite: not reached. A vehicle that stands where nobody should goes to the nearest place of an area that lacks
     vehicles, or to the nearest of all; one at a place only goes from an area with too many to one with too few.
+    ``parked``: so many more idle vehicles, by area, stand at places or go to them, and stay there whatever is gained.
     """
     if not len(idle.area) or not len(places):
         return {}
-    there = np.bincount(idle.area[idle.area >= 0], minlength=len(demand)).astype(np.float64)
-    share = shares(demand, np.bincount(places, minlength=len(demand)), len(idle.area))
-    settled = np.bincount(idle.area[idle.stays & (idle.area >= 0)], minlength=len(demand))
+    staying = np.zeros(len(demand), np.intp) if parked is None else parked
+    there = np.bincount(idle.area[idle.area >= 0], minlength=len(demand)).astype(np.float64) + staying
+    share = shares(demand, np.bincount(places, minlength=len(demand)), len(idle.area) + int(staying.sum()))
+    settled = np.bincount(idle.area[idle.stays & (idle.area >= 0)], minlength=len(demand)) + staying
     allowed = np.isfinite(times) & (times <= rules.farthest) & ~taken
     costs = np.where(allowed, times, np.inf)
     too_many = (there - share)[idle.area] >= rules.gain

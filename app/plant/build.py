@@ -6,7 +6,7 @@ from math import hypot
 
 from app.domain.devices import AliasName, DeviceId
 from app.domain.ids import CarrierId, StationId, VehicleId, ZoneId
-from app.domain.layout import Edge, Meter, Plant, Point, Station, StationKind, Zone
+from app.domain.layout import Edge, IdleRules, Meter, Plant, Point, Station, StationKind, Zone
 from app.domain.units import Barcode, Millimetres, Percent, Seconds
 from app.plant import format as file_format
 from app.plant.dialects import check_overlays
@@ -54,6 +54,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         chargers=tuple(chargers(document, file, places)),
         charging=charging(document, file),
         restrain=file.traffic.restrain,
+        idle=IdleRules(file.idle.park, Seconds(file.idle.after), Seconds(file.idle.farthest)),
         drives=tuple(drives(document, file, links)),
         reference_vehicles=frozenset(VehicleId(v) for v, given in file.vehicles.items() if given.reference),
     )

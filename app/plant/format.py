@@ -207,6 +207,17 @@ class Traffic(Strict, frozen=True):
     restrain: bool = False
 
 
+class Idle(Strict, frozen=True):
+    """What idle hoists do: with `park`, they go to a place under `parking` by where jobs began lately.
+
+    They do so after they had nothing to do for `after` seconds, and go no farther than `farthest` seconds of driving.
+    """
+
+    park: bool = False
+    after: Time = 20
+    farthest: Time = 60
+
+
 class Drive(Strict, frozen=True):
     """An axis drive on an HI line; `model` names its catalogue of parameters, without which only raw access is possible."""
 
@@ -282,6 +293,7 @@ class PlantFile(Strict, frozen=True):
     chargers: dict[str, Charger] = {}
     charging: Charging = Charging()
     traffic: Traffic = Traffic()
+    idle: Idle = Idle()
     drives: dict[str, Drive] = {}
     vehicle_defaults: VehicleDefaults = VehicleDefaults()
     agv_defaults: AgvDefaults = AgvDefaults()

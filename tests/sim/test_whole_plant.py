@@ -4,11 +4,12 @@ import json
 import os
 import subprocess
 import sys
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
-from app.domain.layout import Plant
+from app.domain.layout import IdleRules, Plant
+from app.domain.units import Seconds
 from app.plant import read
 from app.sim.run import run
 from app.sim.truth import Act
@@ -18,7 +19,7 @@ PLANTS = Path(__file__).parents[2] / "plants"
 HALF_AN_HOUR, ONE_HOUR, TWO_HOURS = 1800.0, 3600.0, 7200.0
 AGAIN = """
 import json, sys
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from app.plant import read
 from app.sim.world import World
@@ -102,3 +103,10 @@ def test_a_controller_killed_at_random_moments_loses_no_job_and_breaks_no_rule()
         assert result.violations == (), f"seed {seed}"
         assert result.open == (), f"seed {seed}"
         assert result.takes == result.puts == result.completed
+
+
+def test_with_idle_hoists_parked_every_job_ends_and_no_rule_is_broken() -> None:
+    result = run(replace(plant_of("demo"), idle=IdleRules(park=True, after=Seconds(5.0))), 1, 240.0, keep_open=3)
+    assert result.violations == ()
+    assert result.open == ()
+    assert result.takes == result.puts == result.completed > 0
