@@ -82,9 +82,14 @@ def traffic(
     only: Annotated[
         list[str] | None, typer.Option(help="a part: routes, rules, sweep, soak, …; all unless said")
     ] = None,
+    fleet: Annotated[list[int] | None, typer.Option(min=1, help="vehicles in the sweep; may be given again")] = None,
+    seeds: Annotated[int | None, typer.Option(min=1, help="of each run of the sweep")] = None,
+    minutes: Annotated[int | None, typer.Option(min=4, help="of each run of sweep and dispatch")] = None,
+    hours: Annotated[float | None, typer.Option(min=1.0, help="of soak and drill")] = None,
     json: Annotated[Path | None, typer.Option(help="write what is found there")] = None,
 ) -> None:
     """Try the rules of traffic on a whole fab: routes, lock-ups, deliveries by fleet, hours, dispatch, speed, a drill."""
+    from dataclasses import replace
     from json import dumps
 
     from app.cli.traffic.report import FULL as EIGHT_HOURS
@@ -93,7 +98,16 @@ def traffic(
     unknown = [name for name in only or () if name not in PARTS]
     if unknown:
         raise typer.BadParameter(f"there is no part {', '.join(unknown)}; there are {', '.join(PARTS)}")
-    report = Report(EIGHT_HOURS if full else Extent())
+    extent = EIGHT_HOURS if full else Extent()
+    extent = replace(
+        extent,
+        fleets=tuple(fleet or extent.fleets),
+        seeds=tuple(range(1, seeds + 1)) if seeds else extent.seeds,
+        minutes=minutes or extent.minutes,
+        soak=hours or extent.soak,
+        drill=hours or extent.drill,
+    )
+    report = Report(extent)
     for name, part in PARTS.items():
         if not only or name in only:
             for line in part(report):

@@ -55,5 +55,13 @@ def test_a_part_that_is_not_there_is_refused_with_those_that_are() -> None:
     assert "routes" in asked.output
 
 
+def test_fleets_seeds_and_minutes_can_be_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(report, "FAB", SIZES["1k"])
+    asked = CliRunner().invoke(
+        commands, ["traffic", "--only", "sweep", "--fleet", "5", "--fleet", "9", "--seeds", "1", "--minutes", "4"]
+    )
+    assert [line.split("vehicles")[0].split()[-1] for line in asked.output.splitlines()] == ["5", "9"] * 4
+
+
 def test_the_full_extent_soaks_and_drills_for_eight_hours() -> None:
     assert (FULL.soak, FULL.drill, FULL.fleets) == (8.0, 8.0, Extent().fleets)

@@ -116,7 +116,7 @@ def sweep(report: Report) -> Iterator[str]:
         if vehicles in extent.fleets:
             for mode in ("+ congestion", "all"):
                 gain = mean[mode, vehicles] / max(1.0, mean["admission", vehicles])
-                end = report.goal(gain >= goal, f"{goal} times at {vehicles}") if mode == "all" else f"[goal {goal}]"
+                end = report.goal(gain >= goal, f"{goal} times at {vehicles}")
                 yield f"{mode} against admission alone at {vehicles} vehicles: {gain:.2f} times {end}"
     report.found["peak"] = max(extent.fleets, key=lambda vehicles: mean["all", vehicles])
     report.found["peak_per_hour"] = mean["all", report.found["peak"]]
@@ -193,10 +193,11 @@ def drills(report: Report) -> Iterator[str]:
         f"{report.goal(outcome.locked == 0, 'nothing locks up in the drill')}"
     )
     yield f"{found.named} of them cut ports off, and each named them"
-    yield (
-        f"five minutes after an event {found.recovered:.0%} of {found.judged} times 90 % of the usual deliveries are made again "
-        f"{report.goal(found.recovered >= 0.9, 'recovers within 5 minutes')}"
-    )
+    if found.judged:
+        goal = report.goal(found.recovered >= 0.9, "recovers within 5 minutes")
+        yield f"five minutes after {found.judged} events, {found.recovered:.0%} delivered 90 % of the usual again {goal}"
+    else:
+        yield "no event was followed by ten minutes without another: whether deliveries recover in five is not known"
 
 
 def grown(vehicles: int) -> Shape:

@@ -21,12 +21,14 @@ HOIST = replace(BOOK_VEHICLE, length=Millimetres(950))
 FULL = 0.5
 """Share of the ports that have a carrier at first. Our choice."""
 MODES: dict[str, Plant] = {
-    "no rule": Plant(admission=False, reweigh=0.0, restraint=False),
-    "admission": Plant(reweigh=0.0, restraint=False),
-    "+ congestion": Plant(restraint=False),
+    "no rule": Plant(admission=False, restraint=False),
+    "admission": Plant(restraint=False),
+    "+ congestion": Plant(reweigh=20.0, restraint=False),
     "all": Plant(),
 }
-"""What is switched on: nothing but the track itself; look-ahead; ways by the traffic too; and no more than the track carries."""
+"""What is switched on: nothing but the track itself; look-ahead; ways by the traffic too; look-ahead and no more vehicles than
+the track carries. Ways by the traffic are not in the last one: with vehicles kept back they do harm (docs/traffic.md).
+"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,7 +36,7 @@ class Plant:
     """
 
     admission: bool = True
-    reweigh: float = 20.0
+    reweigh: float = 0.0
     restraint: bool = True
     dispatch: str = "assignment"
     backlog: int = 200
