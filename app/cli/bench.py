@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly, positive
+from app.cli.plainly import CannotStart, plainly, positive, refuse, said
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
+    from app.plant.fab import Shape
 
 FULL = 0.5
 """Share of the ports that have a carrier at first. Our choice."""
@@ -86,18 +87,23 @@ def traffic(
     seeds: Annotated[int | None, typer.Option(min=1, help="of each run of the sweep")] = None,
     minutes: Annotated[int | None, typer.Option(min=4, help="of each run of sweep and dispatch")] = None,
     hours: Annotated[float | None, typer.Option(min=1.0, help="of soak and drill")] = None,
-    json: Annotated[Path | None, typer.Option(help="write what is found there")] = None,
+    peak: Annotated[
+        int | None, typer.Option(min=1, help="vehicles that deliver most, where no sweep finds out")
+    ] = None,
+    json: Annotated[Path | None, typer.Option(help="write what is found there, part by part")] = None,
 ) -> None:
     """Try the rules of traffic on a whole fab: routes, lock-ups, deliveries by fleet, hours, dispatch, speed, a drill."""
     from dataclasses import replace
     from json import dumps
 
+    from app.cli.traffic.report import FAB, OVER, PARTS, Extent, Report
     from app.cli.traffic.report import FULL as EIGHT_HOURS
-    from app.cli.traffic.report import PARTS, Extent, Report
 
     unknown = [name for name in only or () if name not in PARTS]
     if unknown:
         raise typer.BadParameter(f"there is no part {', '.join(unknown)}; there are {', '.join(PARTS)}")
+    for vehicles in (*(fleet or ()), *((peak,) if peak else ())):
+        _fits(FAB, round(OVER * vehicles))
     extent = EIGHT_HOURS if full else Extent()
     extent = replace(
         extent,
@@ -106,14 +112,24 @@ def traffic(
         minutes=minutes or extent.minutes,
         soak=hours or extent.soak,
         drill=hours or extent.drill,
+        peak=peak or extent.peak,
     )
     report = Report(extent)
+
+    def keep() -> None:
+        if json is not None:
+            json.write_text(dumps(report.found | {"missed": report.failed}, indent=1), encoding="utf-8")
+
+    with plainly():
+        try:
+            keep()  # rather now than after an hour
+        except OSError as wrong:
+            raise CannotStart(f"{json} cannot be written: {said(wrong)}") from None
     for name, part in PARTS.items():
         if not only or name in only:
             for line in part(report):
                 print(f"{name:9} {line}", flush=True)
-    if json is not None:
-        json.write_text(dumps(report.found | {"missed": report.failed}, indent=1), encoding="utf-8")
+            keep()
     raise typer.Exit(1 if report.failed else 0)
 
 
@@ -135,6 +151,7 @@ def agree(
 
     if size not in SIZES:
         raise typer.BadParameter(f"there is no size {size}; there are {', '.join(SIZES)}")
+    _fits(SIZES[size], vehicles)
     found_plant = populate(generate(SIZES[size], seed).plant, vehicles, seed, FULL)
     work, until, rates = orders(found_plant, seed), minutes * 60, []
     for name, run in (("to the byte", to_the_byte), ("fast", fast)):
@@ -143,9 +160,26 @@ def agree(
         rates.append(ran.per_hour(min(120.0, until / 2), until))
         used = process_time() - begun
         print(f"{name:12} {len(ran.delivered):6} delivered, {rates[-1]:8,.1f}/h, {used:6.1f} s CPU", flush=True)
-    off = rates[1] / rates[0] - 1 if rates[0] else float("nan")
+        if len(ran.delivered) + vehicles > len(work):
+            refuse(
+                f"its {len(work)} transfers were used up before the end",
+                "Say fewer minutes or vehicles, or a larger fab.",
+            )
+    if not rates[0]:
+        refuse("nothing was delivered in the time that counts", "Say more minutes.")
+    off = rates[1] / rates[0] - 1
     print(f"the fast plant delivers {off:+.1%} (goal: within 3 %)")
     raise typer.Exit(0 if abs(off) <= 0.03 else 1)
+
+
+def _fits(shape: Shape, vehicles: int) -> None:
+    """Raises typer.BadParameter: so many vehicles do not find room in that fab."""
+    from app.plant.fab import generate, populate
+
+    try:
+        populate(generate(shape, 1).plant, vehicles, 1, FULL)
+    except ValueError as wrong:
+        raise typer.BadParameter(str(wrong)) from None
 
 
 def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:

@@ -4,7 +4,6 @@ Admission keeps such circles from closing; a hand placement, a restart or a clos
 their own rule (``Courtesy``).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from app.domain.errors import NoRoute
@@ -32,10 +31,9 @@ class Circle:
 class Circles:
     """Knows the circles there are now."""
 
-    def __init__(self, books: Books, motion: Motion, ask_way: Callable[[VehicleNow, VehicleNow], None]) -> None:
+    def __init__(self, books: Books, motion: Motion) -> None:
         self._books = books
         self._motion = motion
-        self._ask_way = ask_way
         self._known: list[Circle] = []
 
     def look(self) -> None:
@@ -79,12 +77,8 @@ class Circles:
         books.show_controller()
 
     def _resolve(self, tied: list[VehicleNow]) -> None:
-        """Lead one by another way; else ask those who have nothing to do to go on."""
-        if any(self._reroute(vehicle) for vehicle in tied):
-            return
-        for index, vehicle in enumerate(tied):
-            if vehicle.job is None:
-                self._ask_way(tied[index - 1], vehicle)
+        """Lead one by another way, if there is one: by then the others can go on."""
+        next(filter(self._reroute, tied), None)
 
     def _reroute(self, vehicle: VehicleNow) -> bool:
         """Lead a vehicle that stands to its goal around what it waits for, where it would be let in now."""

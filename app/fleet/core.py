@@ -92,7 +92,7 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
-        self._circles = Circles(self.books, self.motion, self._courtesy.ask_way)
+        self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)

@@ -39,6 +39,8 @@ class Parking:
         rules = books.plant.idle
         self._rules = ParkingRules(farthest=rules.farthest)
         self._names = self._proper() if rules.park else []
+        longest = max((vehicle.length for vehicle in books.plant.hoists), default=Millimetres(0))
+        self._covered = [self._under(barcode, longest) for barcode in self._names]
         self._index = {barcode: n for n, barcode in enumerate(self._names)}
         points = np.array([self._at(barcode) for barcode in self._names], np.float64).reshape(-1, 2)
         count = min(MOST_AREAS, -(-len(points) // PLACES_PER_AREA))
@@ -132,6 +134,5 @@ class Parking:
         """Return at which places somebody stands, or holds what is covered there, or is going to."""
         books = self._books
         goals = {vehicle.errand.goal for vehicle in books.vehicles.values() if vehicle.errand}
-        longest = max((vehicle.length for vehicle in books.plant.hoists), default=Millimetres(0))
-        covered = ((b, self._under(b, longest)) for b in self._names)
-        return np.array([b in goals or any(map(books.traffic.holders, under)) for b, under in covered], np.bool_)
+        places = zip(self._names, self._covered, strict=True)
+        return np.array([b in goals or any(map(books.traffic.holders, under)) for b, under in places], np.bool_)

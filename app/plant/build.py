@@ -235,6 +235,9 @@ def _zones(document: Document, file: file_format.PlantFile, places: Places) -> I
         marks = _marks(document, places, zone.barcodes, ("zones", name, "barcodes"))
         if zone.soft and zone.no_stop:
             document.error(("zones", name), f"zone {name} is soft and no_stop", "leave out one of them", key=True)
+        if not zone.soft and (zone.share, zone.patience) != (file_format.SHARE, file_format.PATIENCE):
+            message = f"zone {name} has a share or a patience, and is not soft: they count for nothing"
+            document.warn(("zones", name), message, "add soft: true", key=True)
         meter = Meter(zone.share, Seconds(zone.patience)) if zone.soft else None
         yield Zone(ZoneId(name), frozenset(marks), zone.capacity, zone.no_stop, zone.name or name, meter)
 

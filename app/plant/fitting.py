@@ -76,6 +76,13 @@ def _check_kinds(document: Document, plant: Plant, floor: set[str]) -> None:
         if vehicle.start in floor:
             message = f"{vehicle.id} is a hoist and starts at {vehicle.start}, on the track of AGVs"
             document.error(("vehicles", vehicle.id, "start"), message, "hoists and AGVs need track of their own")
+    if plant.idle.park and not any(point.park and point.barcode not in floor for point in plant.points):
+        message = "idle hoists have no place to park"
+        document.warn(("idle",), message, "give barcodes of their track under parking", key=True)
+    for zone in plant.zones:
+        if zone.meter is not None and zone.barcodes <= floor:
+            message = f"zone {zone.id} is soft and lies on the track of AGVs, where soft zones count for nothing"
+            document.warn(("zones", zone.id), message, "give it a capacity instead", key=True)
     agvs = [vehicle for vehicle in plant.vehicles if vehicle.kind is VehicleKind.AGV]
     rules = plant.charging
     if agvs and not plant.chargers and (rules.trips or rules.after or rules.windows):

@@ -38,6 +38,8 @@ Byte = Annotated[int, _number("DeviceType on the wire (PROTOCOLS 3.2)", "", 0, 2
 DriveId = Annotated[int, _number("A drive's id on its line (PROTOCOLS 2.2)", "", 1, 15)]
 Trips = Annotated[int, _number("Transfers of one AGV", "transfers", 1, 100_000)]
 Time = Annotated[int, _number("Time, seconds", "s", 1, 10_000_000)]
+SHARE, PATIENCE = 0.35, 60
+"""Of a soft zone that does not say otherwise (TRAFFIC section 4)."""
 Share = Annotated[float, Meta(ge=0.01, le=1.0, description="A share of the whole, 0.01 to 1")]
 Code = Annotated[int, _number("Code as it stands on the wire or in an event", "", 0, (1 << 32) - 1)]
 
@@ -122,8 +124,8 @@ class Zone(Strict, frozen=True):
     capacity: Count = 1
     no_stop: bool = False
     soft: bool = False
-    share: Share = 0.35
-    patience: Time = 60
+    share: Share = SHARE
+    patience: Time = PATIENCE
     name: Text = ""
 
 

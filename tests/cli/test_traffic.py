@@ -1,6 +1,7 @@
 """``hoistway bench traffic``: its parts on a small fab."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
@@ -53,6 +54,27 @@ def test_a_part_that_is_not_there_is_refused_with_those_that_are() -> None:
     assert asked.exit_code == 2
     assert "sweeep" in asked.output
     assert "routes" in asked.output
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        (["traffic", "--fleet", "50000"], "70000 vehicles do not fit"),
+        (["traffic", "--only", "soak", "--peak", "30000"], "42000 vehicles do not fit"),
+        (["agree", "--vehicles", "5000"], "5000 vehicles do not fit"),
+        (["agree", "--size", "7k"], "there is no size 7k; there are 1k"),
+    ],
+)
+def test_what_cannot_be_run_is_refused_before_it_begins(asked: list[str], said: str) -> None:
+    found = CliRunner().invoke(commands, asked)
+    assert found.exit_code == 2
+    assert said in found.output
+
+
+def test_a_file_that_cannot_be_written_is_said_before_an_hour_is_spent(tmp_path: Path) -> None:
+    found = CliRunner().invoke(commands, ["traffic", "--only", "routes", "--json", str(tmp_path / "none" / "x.json")])
+    assert found.exit_code == 1
+    assert "cannot be written" in found.output
 
 
 def test_fleets_seeds_and_minutes_can_be_said(monkeypatch: pytest.MonkeyPatch) -> None:

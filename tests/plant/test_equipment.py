@@ -130,6 +130,12 @@ CASES = {
     "chargers that are never used": warning(
         'charging: {trips: 20, after: 3600, windows: ["12:00-12:30"]}', "charging: {}", 17, "are never sent to charge"
     ),
+    "a soft zone on the floor": warning(
+        "chargers:\n",
+        'zones: {Z: {barcodes: ["0103"], soft: true}}\nchargers:\n',
+        17,
+        "Z is soft and lies on the track of AGVs",
+    ),
     "rules without a charger": warning('chargers:\n  CHG1: {at: "0106", alias: C1}\n', "", 17, "there is no charger"),
     "a link that nobody uses": warning(
         "axes: {protocol: hi, serial", "spare: {protocol: hi, serial", 12, "nothing is on"

@@ -230,6 +230,10 @@ ZONES = {
     "a soft zone where nobody may stop": Case(
         "capacity: 1", "soft: true, no_stop: true", 11, "zone Z1 is soft and no_stop", "leave out one of them"
     ),
+    "a share of a zone that is not soft": warning(
+        "capacity: 1", "share: 0.2", 11, "Z1 has a share or a patience", "add soft"
+    ),
+    "nowhere to park": warning("parking: [1, 4]", "idle: {park: true}", 5, "idle hoists have no place to park"),
     "a share that is none": Case(
         "capacity: 1", "soft: true, share: 1.5", 11, "zones.Z1.share: expected a number from 0.01 to 1.0, got 1.5"
     ),

@@ -10,6 +10,7 @@ from typing import Any
 
 from app.domain.layout import IdleRules, Plant
 from app.domain.units import Seconds
+from app.domain.view import Update, VehicleView
 from app.plant import read
 from app.sim.run import run
 from app.sim.truth import Act
@@ -19,7 +20,7 @@ PLANTS = Path(__file__).parents[2] / "plants"
 HALF_AN_HOUR, ONE_HOUR, TWO_HOURS = 1800.0, 3600.0, 7200.0
 AGAIN = """
 import json, sys
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 from app.plant import read
 from app.sim.world import World
@@ -106,7 +107,19 @@ def test_a_controller_killed_at_random_moments_loses_no_job_and_breaks_no_rule()
 
 
 def test_with_idle_hoists_parked_every_job_ends_and_no_rule_is_broken() -> None:
-    result = run(replace(plant_of("demo"), idle=IdleRules(park=True, after=Seconds(5.0))), 1, 240.0, keep_open=3)
+    plant = replace(plant_of("demo"), idle=IdleRules(park=True, after=Seconds(5.0)))
+    world = World(plant, 1)
+    parked: set[object] = set()
+
+    def seen(update: Update) -> None:
+        if isinstance(update.value, VehicleView) and update.value.parked:
+            parked.add(update.key)
+
+    world.seen = seen
+    world.work(until=240.0, keep_open=3)
+    world.run(240.0)
+    assert world.finish(1800.0)
+    result = world.result()
     assert result.violations == ()
-    assert result.open == ()
     assert result.takes == result.puts == result.completed > 0
+    assert len(parked) > 3, "hardly anyone was parked"

@@ -26,7 +26,9 @@ OVER = 1.4
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """How much is tried. ``fleets`` of the sweep; ``soak`` and ``drill`` in hours; ``growth`` fleets for CPU per vehicle."""
+    """How much is tried. ``fleets`` of the sweep; ``soak`` and ``drill`` in hours; ``growth`` fleets for CPU per
+    vehicle; ``peak`` what counts as the fleet that delivers most, where no sweep has found out.
+    """
 
     pairs: int = 1000
     networks: int = 300
@@ -38,6 +40,7 @@ class Extent:
     drill: float = 2.0
     per_hour: float = 20.0
     growth: tuple[int, ...] = (250, 500, 1000, 2000, 3000)
+    peak: int = 560
 
 
 FULL = replace(Extent(), networks=1000, soak=8.0, drill=8.0)
@@ -125,7 +128,7 @@ def sweep(report: Report) -> Iterator[str]:
 @part("soak")
 def soak(report: Report) -> Iterator[str]:
     """Hours with a fleet larger than the one that delivers most."""
-    peak, usual = report.found.get("peak", 1000), report.found.get("peak_per_hour")
+    peak, usual = report.found.get("peak", report.extent.peak), report.found.get("peak_per_hour")
     if usual is None:
         usual = run(fab_of(FAB, peak, Plant(), 1), report.extent.minutes).per_hour
     vehicles, minutes = round(OVER * peak), round(report.extent.soak * 60)

@@ -7,9 +7,10 @@ from random import Random
 
 import numpy as np
 
-from app.sim.kinematic.events import ask_again, fail, repair, think_again
+from app.sim.kinematic.events import fail, repair, think_again
 from app.sim.kinematic.fab import Fab
 from app.sim.kinematic.state import BROKEN, DWELLING
+from app.sim.kinematic.waiting import ask_again
 
 SHUT = 1e6
 """Seconds that a way costs over track that nobody may enter: driven only by whom no other way leads out. Our choice."""
