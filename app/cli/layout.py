@@ -52,13 +52,23 @@ class Unit(StrEnum):
 def import_(
     files: Annotated[list[Path], typer.Argument(help="the layout; several files where they are tables of one layout")],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="where to write the plant file")] = None,
-    format: Annotated[From | None, typer.Option(help="the format, where it is not found out rightly")] = None,
+    given: Annotated[
+        From | None, typer.Option("--format", help="the format, where it is not found out rightly")
+    ] = None,
     kind: Annotated[Drives | None, typer.Option(help="what drives there (without: what the layout tells)")] = None,
     name: Annotated[str, typer.Option(help="the plant's name")] = "",
-    names: Annotated[Path | None, typer.Option(help="CSV with name and barcode: barcodes for the layout's own names")] = None,
-    vehicles: Annotated[int, typer.Option(min=0, max=2000, help="so many simulated vehicles beside those of the layout")] = 0,
-    max_speed: Annotated[int | None, typer.Option(min=1, max=100_000, help="vehicles' own speed, mm/s: 100 percent")] = None,
-    clearance: Annotated[int, typer.Option(min=0, max=100_000, help="least distance of vehicles on other track, mm")] = 0,
+    names: Annotated[
+        Path | None, typer.Option(help="CSV with name and barcode: barcodes for the layout's own names")
+    ] = None,
+    vehicles: Annotated[
+        int, typer.Option(min=0, max=2000, help="so many simulated vehicles beside those of the layout")
+    ] = 0,
+    max_speed: Annotated[
+        int | None, typer.Option(min=1, max=100_000, help="vehicles' own speed, mm/s: 100 percent")
+    ] = None,
+    clearance: Annotated[
+        int, typer.Option(min=0, max=100_000, help="least distance of vehicles on other track, mm")
+    ] = 0,
     unit: Annotated[Unit | None, typer.Option(help="unit of positions and lengths (lists and graphs)")] = None,
     y_up: Annotated[bool, typer.Option("--y-up", help="y grows upwards (lists and graphs)")] = False,
     encoding: Annotated[str, typer.Option(help="of a CSV file, where it is not found out rightly")] = "",
@@ -80,15 +90,13 @@ def import_(
     from app.plant.exchange.units import Reading
 
     wishes = Wishes(
-        format=Format(format.value) if format else None,
+        format=Format(given.value) if given else None,
         encoding=encoding,
         layout=layout,
         vehicle_type=vehicle_type,
         keep_locked=keep_locked,
         reading=Reading(unit.value if unit else "", y_up, in_order or loop, loop),
-        options=Options(
-            VehicleKind(kind.value) if kind else None, _names(names), vehicles, max_speed, name, clearance
-        ),
+        options=Options(VehicleKind(kind.value) if kind else None, _names(names), vehicles, max_speed, name, clearance),
     )
     imported = _imported(files, wishes)
     if output is not None:

@@ -1,7 +1,7 @@
 """A plant as the text of a plant file, the same text for the same plant; what is read back is the very same plant."""
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from math import hypot
 from typing import TypeAlias
@@ -30,7 +30,7 @@ def write(plant: Plant, head: Sequence[str] = (), notes: Notes | None = None) ->
         ["track:" if plant.edges else "track: []", *_track(plant)],
         _parking(plant),
         entries("stations", (_station(station) for station in plant.stations)),
-        entries("zones", (_zone(zone, plant.points) for zone in plant.zones)),
+        _zones(plant),
         entries("dialects", (f"{word(name)}: {_plain(given)}" for name, given in plant.dialects.items())),
         *equipment(plant),
         _rules(plant),
@@ -175,8 +175,12 @@ def _station(station: Station) -> str:
     return f"{word(station.id)}: {flow(given)}"
 
 
-def _zone(zone: Zone, points: Sequence[Point]) -> str:
-    inside = [point.barcode for point in points if point.barcode in zone.barcodes]
+def _zones(plant: Plant) -> list[str]:
+    order = {point.barcode: i for i, point in enumerate(plant.points)}
+    return entries("zones", (_zone(zone, sorted(zone.barcodes, key=order.__getitem__)) for zone in plant.zones))
+
+
+def _zone(zone: Zone, inside: Sequence[Barcode]) -> str:
     given: dict[str, Value | None] = {
         "barcodes": f"[{', '.join(_ranges(inside))}]",
         "capacity": zone.capacity if zone.capacity != 1 else None,
@@ -186,4 +190,3 @@ def _zone(zone: Zone, points: Sequence[Point]) -> str:
     if zone.meter is not None:
         given |= {"soft": "true", "share": str(zone.meter.share), "patience": f"{zone.meter.patience:.0f}"}
     return f"{word(zone.id)}: {flow(given)}"
-

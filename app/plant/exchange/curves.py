@@ -1,10 +1,10 @@
 """How long a drawn curve is."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import comb, hypot
 
 import numpy as np
-from scipy.interpolate import BSpline
 
 Spot = tuple[float, float]
 STEPS = 200
@@ -13,7 +13,7 @@ STEPS = 200
 
 def polyline(spots: Sequence[Spot]) -> float:
     """Return the length of straight pieces from spot to spot."""
-    return sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(spots, spots[1:], strict=False))
+    return sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(spots))
 
 
 def bezier(spots: Sequence[Spot]) -> float:
@@ -32,10 +32,13 @@ def nurbs(spots: Sequence[Spot], weights: Sequence[float], knots: Sequence[float
         raise ValueError(f"degree {degree} needs more than {degree} control points, there are {len(spots)}")
     if len(knots) != len(spots) + degree + 1:
         raise ValueError(f"the knot vector has {len(knots)} values where {len(spots) + degree + 1} are needed")
-    if any(b < a for a, b in zip(knots, knots[1:], strict=False)) or knots[degree] >= knots[len(spots)]:
+    if any(b < a for a, b in pairwise(knots)) or knots[degree] >= knots[len(spots)]:
         raise ValueError("the knot vector does not rise")
     if min(weights) <= 0:
         raise ValueError("a weight is not above 0")
+    # Loading scipy's splines takes longer than reading most layouts.
+    from scipy.interpolate import BSpline
+
     held = np.array([(x * w, y * w, w) for (x, y), w in zip(spots, weights, strict=True)])
     along = np.linspace(knots[degree], knots[len(spots)], STEPS + 1)
     drawn = BSpline(np.array(knots, dtype=float), held, degree)(along)

@@ -24,7 +24,10 @@ XML_FORMATS = frozenset({Format.OPENTCS, Format.GRAPHML})
 
 
 def family(data: bytes) -> str:
-    """Return ``workbook``, ``xml``, ``json`` or ``text``, by the first bytes. Raises: UnreadableLayout: a plant file, or nothing."""
+    """Return ``workbook``, ``xml``, ``json`` or ``text``, by the first bytes.
+
+    Raises: UnreadableLayout: it is a plant file, or empty.
+    """
     if not data.strip(b" \t\r\n\0"):
         raise UnreadableLayout("the file is empty")
     if data.startswith((_ZIP, _OLE)):
@@ -60,10 +63,7 @@ def of_json(data: Any) -> Format:
 
 def of_xml(root: Element) -> Format:
     """Return the format of an XML file. Raises: UnreadableLayout: none that is read."""
-    match local(root):
-        case "model":
-            return Format.OPENTCS
-        case "graphml":
-            return Format.GRAPHML
+    if (found := {"model": Format.OPENTCS, "graphml": Format.GRAPHML}.get(local(root))) is not None:
+        return found
     known = "openTCS begins with <model>, GraphML with <graphml>"
     raise UnreadableLayout(f"this XML is no layout that is known: it begins with <{local(root)}>", remedy=known)

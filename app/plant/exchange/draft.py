@@ -1,4 +1,4 @@
-"""What every foreign layout says, before names, units and contradictions are settled: millimetres, y downwards, names as given."""
+"""What every foreign layout says, before names and contradictions are settled: mm, y downwards, names as given."""
 
 from dataclasses import dataclass, field
 

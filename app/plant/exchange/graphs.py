@@ -21,7 +21,9 @@ _WORDS = {"stations": "station", "pos": "pos", "position": "pos", "weight": "len
 def draft_of_json(data: Any, reading: Reading, report: Report) -> Draft:
     """Return the layout of a node-link file. Raises: UnreadableLayout: it is none."""
     if not isinstance(data, dict) or not isinstance(data.get("nodes"), list):
-        raise UnreadableLayout("this JSON is no node-link graph", remedy="it is an object with nodes, and links or edges")
+        raise UnreadableLayout(
+            "this JSON is no node-link graph", remedy="it is an object with nodes, and links or edges"
+        )
     key = next((name for name in ("links", "edges") if isinstance(data.get(name), list)), None)
     if key is None:
         report.wrong("", "the graph has neither links nor edges", "write it with networkx's node_link_data")
@@ -36,9 +38,7 @@ def draft_of_json(data: Any, reading: Reading, report: Report) -> Draft:
     return builder.finished(reading)
 
 
-def _by_index(
-    nodes: list[tuple[str, Any]], edges: list[tuple[str, Any]], report: Report
-) -> Iterable[tuple[str, Any]]:
+def _by_index(nodes: list[tuple[str, Any]], edges: list[tuple[str, Any]], report: Report) -> Iterable[tuple[str, Any]]:
     """Give the edges with names for ends; networkx 1 and d3 wrote the nodes' positions in the list."""
     names = [node.get("id") for _, node in nodes if isinstance(node, dict)]
     ends = [e.get(end) for _, e in edges if isinstance(e, dict) for end in ("source", "target")]
@@ -105,7 +105,9 @@ class _Builder:
         if str(about.get("kind")) == VehicleKind.AGV.value:
             self._draft.kind = VehicleKind.AGV
         if not directed:
-            report.assumed("", "the graph is undirected: all track is two-way", "write a directed graph for one-way track")
+            report.assumed(
+                "", "the graph is undirected: all track is two-way", "write a directed graph for one-way track"
+            )
 
     def nodes(self, nodes: Iterable[tuple[str, Any]]) -> None:
         """Read nodes."""
@@ -191,13 +193,13 @@ class _Builder:
 
     def edges(self, edges: Iterable[tuple[str, Any]]) -> None:
         """Read edges."""
-        for where, edge in edges:
+        for place, edge in edges:
             start, end = (_text(edge.get(key)) for key in ("source", "target")) if isinstance(edge, dict) else ("", "")
             if not start or not end:
-                self._report.wrong(where, "the edge has no source or no target: left out", "give both")
+                self._report.wrong(place, "the edge has no source or no target: left out", "give both")
                 continue
-            roles = self._roles(edge)
-            way = Way(start, end, f"{where} {shown(start)} → {shown(end)}", self._number(roles, "length", where))
+            roles, where = self._roles(edge), f"{place} {shown(start)} → {shown(end)}"
+            way = Way(start, end, where, self._number(roles, "length", where))
             way.speed = self._number(roles, "speed", where)
             way.sensor = int(self._number(roles, "sensor", where) or 0)
             way.curve = self._truth(roles, "curve", where) if "curve" in roles else None

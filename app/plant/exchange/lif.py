@@ -98,7 +98,10 @@ class _Reader:
         for key in ("layoutId", "layoutVersion"):
             if not layout.text(key):
                 self._report.repaired(layout.where, f"there is no {key}")
-        for node in layout.items("nodes", "nodeId", path=f"{_short(layout)}."):
+        nodes = layout.items("nodes", "nodeId", path=f"{_short(layout)}.")
+        maps = (str(node.value.get("mapId") or "") for node in nodes)
+        level = layout.text("layoutLevelId") or next(filter(None, maps), "") or layout.text("layoutId")
+        for node in nodes:
             name = node.text("nodeId")
             if not name:
                 self._report.wrong(node.where, "the node has no nodeId: left out", "give it one")
@@ -107,7 +110,6 @@ class _Reader:
             if spot is None:
                 self._report.wrong(node.where, "the node has no position: left out", "give nodePosition with x and y")
                 continue
-            level = layout.text("layoutLevelId") or node.text("mapId") or layout.text("layoutId")
             self._levels[name] = level
             self._actions(node, name)
             self._draft.spots.append(Spot(name, spot[0] * MM, -spot[1] * MM, node.where, level=level))
@@ -254,7 +256,9 @@ class _Reader:
         found = [str(name) for name in given if isinstance(name, str | int)] if isinstance(given, list) else []
         for name in found:
             if name not in self._levels:
-                self._report.wrong(station.where, f"node {shown(name)} of it is nowhere given", "correct interactionNodeIds")
+                self._report.wrong(
+                    station.where, f"node {shown(name)} of it is nowhere given", "correct interactionNodeIds"
+                )
         return found
 
     def lone_places(self) -> None:
@@ -262,7 +266,9 @@ class _Reader:
         for name, where in self._charging.items():
             if name not in self._served:
                 self._draft.charges.append(Charge(f"CHARGER-{name}", name, where))
-                self._report.repaired(where, "vehicles charge at the node, and no station names it: it becomes a charger")
+                self._report.repaired(
+                    where, "vehicles charge at the node, and no station names it: it becomes a charger"
+                )
         for name, where in self._handling.items():
             if name not in self._served and name not in self._charging:
                 self._draft.places.append(Place(f"ST-{name}", [name], where))

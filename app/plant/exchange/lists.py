@@ -1,6 +1,7 @@
 """Barcode lists: tables of marks, track, stations and vehicles, in one table or several."""
 
 from collections import defaultdict
+
 from app.domain.layout import PulseSet, StationKind, VehicleKind
 from app.domain.units import Pulses
 from app.plant.exchange.columns import (
@@ -20,7 +21,7 @@ from app.plant.exchange.report import Report, UnreadableLayout, shown
 from app.plant.exchange.sheets import Row, Table
 from app.plant.exchange.units import Reading, scale, settle_speeds
 
-_SEPARATORS = ",;/|\n"
+_SEPARATORS = ",;/|"
 
 
 class Rows:
@@ -43,9 +44,9 @@ class Rows:
         return next((_text(row[i]) for i in self._at.get(role, ()) if i < len(row)), "")
 
     def texts(self, row: Row, role: str) -> list[str]:
-        """Return what all columns of a role hold, several names in a cell apart."""
+        """Return what all columns of a role hold, several names in a cell apart; names of stations may have spaces."""
         cells = [_text(row[i]) for i in self._at.get(role, ()) if i < len(row)]
-        return [name for cell in cells for name in _names(cell)]
+        return [name for cell in cells for name in (_names(cell) if role == "next" else _apart(cell))]
 
     def number(self, at: int, row: Row, role: str) -> float | None:
         """Return a cell's number, None where there is none; what is no number is noted."""
@@ -70,9 +71,13 @@ def _text(cell: object) -> str:
 
 
 def _names(cell: str) -> list[str]:
+    return [name for part in _apart(cell) for name in part.split()]
+
+
+def _apart(cell: str) -> list[str]:
     for separator in _SEPARATORS:
-        cell = cell.replace(separator, " ")
-    return cell.split()
+        cell = cell.replace(separator, "\n")
+    return [part.strip() for part in cell.split("\n") if part.strip()]
 
 
 def draft_of(tables: list[Table], reading: Reading, report: Report) -> Draft:
@@ -146,11 +151,16 @@ def _read_mark(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -> N
 
 
 def _read_next(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -> None:
-    name, onward = rows.text(row, "barcode"), [n for n in rows.texts(row, "next") if n not in {"-", "none", "end", "없음"}]
+    name, onward = (
+        rows.text(row, "barcode"),
+        [n for n in rows.texts(row, "next") if n not in {"-", "none", "end", "없음"}],
+    )
     cell = rows.text(row, "length")
     lengths = _names(cell) if len(onward) > 1 and len(_names(cell)) == len(onward) else [cell] * len(onward)
     if len(onward) > 1 and cell and len(set(lengths)) == 1 and len(_names(cell)) == 1:
-        report.assumed(rows.table.where(at), "one length for several ways on: it is taken for each", "give one for each")
+        report.assumed(
+            rows.table.where(at), "one length for several ways on: it is taken for each", "give one for each"
+        )
     for end, given in zip(onward, lengths, strict=True):
         length = rows.parsed(at, given, "length") if given else None
         _add_ways(draft, rows, at, row, (name, end), length, report)
@@ -188,7 +198,9 @@ def _truth(rows: Rows, at: int, row: Row, role: str, report: Report) -> bool:
         return False
     if word in TRUE or fold(given) in PARK_WORDS:
         return True
-    report.wrong(rows.table.where(at), f"{shown(rows.name[role])}: {shown(given)} is neither yes nor no", "write yes or no")
+    report.wrong(
+        rows.table.where(at), f"{shown(rows.name[role])}: {shown(given)} is neither yes nor no", "write yes or no"
+    )
     return False
 
 
@@ -254,7 +266,11 @@ def _read_machine(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -
 def _in_order(draft: Draft, reading: Reading, report: Report) -> None:
     if not reading.in_order:
         what = "no column says which barcode comes next: the plan has no track"
-        report.wrong("", what, "add a column next (다음 바코드), or say --in-order: each row leads to the next (--loop: in a ring)")
+        report.wrong(
+            "",
+            what,
+            "add a column next (다음 바코드), or say --in-order: each row leads to the next (--loop: in a ring)",
+        )
         return
     spots = draft.spots
     pairs = list(zip(spots, spots[1:] + (spots[:1] if reading.loop else []), strict=False))

@@ -54,14 +54,12 @@ def crew(
     ``top`` is their speed in mm/s, ``taken`` are names that other things have, ``text``: barcodes are no numbers.
     """
     machines = [*draft.machines, *_made_up(draft, kind, more, report)]
+    agvs = kind is VehicleKind.AGV
     names = ids_of(((machine.name, machine.where) for machine in machines), taken, "V", report)
     usual = _usual(kind, machines, top)
     starts = _starts(plant, machines, barcodes, usual.length, report)
     specs = [_spec(names[m.name], m, usual, start) for m, start in zip(machines, starts, strict=True)]
-    if kind is VehicleKind.AGV:
-        plant = _linked(plant, specs, report)
-    else:
-        plant = _addressed(plant, machines, specs, report, text=text)
+    plant = _linked(plant, specs, report) if agvs else _addressed(plant, machines, specs, report, text=text)
     _note_needs(plant, kind, report)
     return plant
 
@@ -133,7 +131,8 @@ def _candidates(plant: Plant) -> list[Barcode]:
     reached = [point for point in plant.points if into[point.barcode] and out[point.barcode]]
     parks = [point.barcode for point in reached if point.park]
     plain = [p.barcode for p in reached if into[p.barcode] == 1 and out[p.barcode] == 1 and not p.park]
-    rest = [point.barcode for point in reached if point.barcode not in {*parks, *plain}]
+    known = {*parks, *plain}
+    rest = [point.barcode for point in reached if point.barcode not in known]
     closed = {barcode for zone in plant.zones for barcode in zone.barcodes}
     ordered = [*parks, *plain] if len(plain) > len(parks) else [*parks, *plain, *rest]
     return [barcode for barcode in ordered if barcode not in closed]
@@ -196,11 +195,12 @@ def _addressed(plant: Plant, machines: list[Machine], specs: list[VehicleSpec], 
         if machine.dev_id is None:
             spec = replace(spec, dev_id=DevId(next(free)))
             report.needed(spec.id, "the vehicle's number is made up", "write the real one as dev_id")
-        placed.append(replace(spec, **_reached(machine, spec, FIRST_PORT + i, report)))
+        host, port = _reached(machine, spec, FIRST_PORT + i, report)
+        placed.append(replace(spec, host=host, port=port))
     return replace(plant, vehicles=tuple(placed), dialects=dialects)
 
 
-def _reached(machine: Machine, spec: VehicleSpec, port: int, report: Report) -> dict[str, str | int]:
+def _reached(machine: Machine, spec: VehicleSpec, port: int, report: Report) -> tuple[str, int]:
     if machine.address:
         try:
             host, given = address(machine.address)
@@ -208,10 +208,10 @@ def _reached(machine: Machine, spec: VehicleSpec, port: int, report: Report) -> 
             report.wrong(machine.where, str(wrong), "write HOST:PORT")
         else:
             if given:
-                return {"host": host, "port": given}
+                return host, given
             report.wrong(machine.where, f"{shown(machine.address)} has no port", "write HOST:PORT")
     report.needed(spec.id, "an address at this machine, for simulation", "write the real one as address: HOST:PORT")
-    return {"host": "127.0.0.1", "port": port}
+    return "127.0.0.1", port
 
 
 def _note_needs(plant: Plant, kind: VehicleKind, report: Report) -> None:
@@ -224,7 +224,9 @@ def _note_needs(plant: Plant, kind: VehicleKind, report: Report) -> None:
         report.needed("", "parking: where idle vehicles may wait", "a list of barcodes under parking")
     for vehicle in plant.hoists:
         if vehicle.offset is None:
-            report.needed(vehicle.id, "the vehicle's offset is not known", "teach it (docs/teaching.md), or give offset")
+            report.needed(
+                vehicle.id, "the vehicle's offset is not known", "teach it (docs/teaching.md), or give offset"
+            )
     untaught = [s.id for s in plant.stations if s.kind.value == "port" and s.dest is None]
     for name in untaught:
         report.needed(name, "the port's target pulses are not known", "teach it (docs/teaching.md), or give dest")

@@ -41,4 +41,8 @@ def _parsed(text: str, *, comma: bool) -> float:
 def has_decimal_commas(values: Iterable[object]) -> bool:
     """Whether commas in these values are decimal points: some are no thousands, and none stands beside a point."""
     texts = [value.strip() for value in values if isinstance(value, str) and "," in value]
-    return bool(texts) and all(_COMMA.fullmatch(text) for text in texts) and any(not _THOUSANDS.fullmatch(t) for t in texts)
+    return (
+        bool(texts)
+        and all(_COMMA.fullmatch(text) for text in texts)
+        and any(not _THOUSANDS.fullmatch(t) for t in texts)
+    )

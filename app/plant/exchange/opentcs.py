@@ -1,4 +1,4 @@
-"""Plant models of openTCS, versions 6 and 7 (older ones tolerantly): points, paths, locations, blocks, vehicles; mm, y upwards."""
+"""Plant models of openTCS 6 and 7 (older ones tolerantly): points, paths, locations, blocks, vehicles; mm, y upwards."""
 
 from collections import Counter, defaultdict
 
@@ -124,7 +124,9 @@ def _add(path: Element, ends: tuple[str, str], where: str, draft: Draft, report:
     if forward is None or forward > 0:
         draft.ways.append(Way(*ends, where, length, velocity=forward, curve=bent or None))
     if backward is not None and backward > 0:
-        report.assumed(where, "driven backwards as well: two-way track", "drop the run that leads back if it is not wanted")
+        report.assumed(
+            where, "driven backwards as well: two-way track", "drop the run that leads back if it is not wanted"
+        )
         draft.ways.append(Way(ends[1], ends[0], where, length, velocity=backward, curve=bent or None))
 
 
@@ -142,7 +144,9 @@ def _locations(root: Element, draft: Draft, report: Report) -> None:
             report.wrong(where, f"its type {shown(location.get('type', ''))} is nowhere given", "correct it")
         links = [link.get("point", "") for link in children(location, "link")]
         if location.get("locked") in ("true", "1"):
-            report.needed(where, "a locked location: put it out of service in the running plant", "PATCH /api/v1/stations/ID")
+            report.needed(
+                where, "a locked location: put it out of service in the running plant", "PATCH /api/v1/stations/ID"
+            )
         if not links:
             report.left_out(where, "a location that is linked to no point", "give it a station at a barcode")
         elif _charges(location, kind):

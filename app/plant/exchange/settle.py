@@ -3,6 +3,7 @@
 from collections import Counter, defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import islice
 from math import hypot, isfinite
 
 from app.domain.devices import DeviceId
@@ -238,13 +239,14 @@ def _in_runs(edges: list[Edge]) -> list[Edge]:
     first = [e for e in edges if into[e.start] != 1 or len(after[e.start]) != 1]
     done: set[tuple[Barcode, Barcode]] = set()
     found: list[Edge] = []
-    for start in (*first, *edges):
-        edge: Edge | None = start
-        while edge is not None and (edge.start, edge.end) not in done:
-            done.add((edge.start, edge.end))
-            found.append(edge)
-            onward = [e for e in after[edge.end] if (e.start, e.end) not in done and e.end != edge.start]
-            edge = onward[0] if onward else None
+    for begin in (*first, *edges):
+        run = [begin] if (begin.start, begin.end) not in done else []
+        while run:
+            here = run.pop()
+            done.add((here.start, here.end))
+            found.append(here)
+            onward = (e for e in after[here.end] if (e.start, e.end) not in done and e.end != here.start)
+            run = list(islice(onward, 1))
     return found
 
 
@@ -268,7 +270,9 @@ def _stations(draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, rep
         others = sorted({barcodes[spot] for spot in spots} - {barcodes[spots[0]]})
         if others:
             what = f"a station is reached from one mark: kept is {shown(spots[0])}"
-            report.left_out(place.where, what, "give stations of their own to the others if they hold carriers of their own")
+            report.left_out(
+                place.where, what, "give stations of their own to the others if they hold carriers of their own"
+            )
         seen[place.name] = place.where
         yield Station(
             id=StationId(names[place.name]),

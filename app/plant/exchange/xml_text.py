@@ -20,7 +20,12 @@ def parsed(data: bytes, name: str) -> Element:
         what = f"{name} declares a document type or entities, which layouts have no need of: refused"
         raise UnreadableLayout(what, remedy="export it anew without a DOCTYPE")
     parser = etree.XMLParser(
-        resolve_entities=False, no_network=True, load_dtd=False, dtd_validation=False, huge_tree=False, remove_comments=True
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
     )
     try:
         return etree.fromstring(data, parser)
