@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -125,6 +126,7 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

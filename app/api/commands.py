@@ -6,6 +6,7 @@ from typing import Any
 from starlette.responses import Response
 
 from app.api import (
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -20,6 +21,7 @@ from app.api import (
 )
 from app.api import drive_inputs as di
 from app.api.calls import answer_of, told
+from app.api.closure_inputs import ClosureIn, OpenIn
 from app.api.device_inputs import DeviceCommandIn, EmergencyIn, PinIn
 from app.api.inputs import JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
 from app.api.spoken import Command, Said, Table, route
@@ -84,6 +86,8 @@ COMMANDS: Table = {
     "controller.resume": _of_controller(plant.resume),
     "controller.emergency": _of_controller(emergency.raise_emergency, EmergencyIn, person=True),
     "controller.emergency.release": _of_controller(emergency.release_emergency, EmergencyIn, person=True),
+    "closure.close": _of_controller(closures.close_place, ClosureIn, person=True),
+    "closure.open": route(closures.open_named, OpenIn, person=True),
     "job.cancel": route(jobs.cancel_job),
     "job.abort": route(jobs.abort_job),
     "job.change": route(jobs.change_job, JobChange),

@@ -8,6 +8,7 @@ from pydantic import TypeAdapter
 from starlette.responses import Response
 
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
+from app.api.room_declared import ROOM
 from app.api.teaching_declared import TEACHING
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
@@ -327,7 +328,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS | TEACHING)
+    schemas.update(view_schemas() | OTHERS | TEACHING | ROOM)
     components["schemas"] = dict(sorted(schemas.items()))
     components["securitySchemes"] = {
         "key": {"type": "http", "scheme": "bearer", "description": "Wanted where the server has an access key."}

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.closures import ClosureRequest
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.devices import DeviceCommand
@@ -258,7 +259,7 @@ PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier 
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
 """About doors, buffers and chargers, and the signals that stop all."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest
+Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest | ClosureRequest
 
 
 @dataclass(frozen=True, slots=True)

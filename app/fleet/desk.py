@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.closures import ClosureRequest
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.requests import (
@@ -36,6 +37,7 @@ from app.domain.requests import (
 from app.domain.teaching_requests import TeachingRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
+from app.fleet.closures import Closures
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
@@ -46,7 +48,20 @@ from app.fleet.refusals import no_vehicle
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
 
-TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
+TARGETS = (
+    "job",
+    "vehicle",
+    "station",
+    "carrier",
+    "drive",
+    "line",
+    "device",
+    "proposal",
+    "session",
+    "side",
+    "closure",
+    "place",
+)
 """Parts of a request that name what it is about, the first that is there."""
 
 UNSAID = frozenset({"actor", "fingerprint", "values"})
@@ -70,6 +85,7 @@ class Desk:
         teaching: TeachingDesk,
         devices: DeviceOrders,
         emergency: EmergencyDesk,
+        closures: Closures,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -80,6 +96,7 @@ class Desk:
         self._teaching = teaching
         self._devices = devices
         self._emergency = emergency
+        self._closures = closures
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -104,6 +121,8 @@ class Desk:
             return self._teaching.answer(request)
         if isinstance(request, HallRequest):
             return self._answer_about_hall(request)
+        if isinstance(request, ClosureRequest):
+            return self._closures.answer(request)
         return self._answer_about_plant(request)
 
     def _answer_about_plant(self, request: CancelJob | AbortJob | ChangeJob | PlantRequest) -> Reply:

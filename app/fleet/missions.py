@@ -413,7 +413,8 @@ class Missions:
             return
         station = self._books.specs[order.station]
         target = target_for(self._books, vehicle, station, order.target)
-        if isinstance(target, Refusal) or station.id in self._books.buffer_trouble:
+        closed = self._books.closures.against(station)
+        if isinstance(target, Refusal) or closed or station.id in self._books.buffer_trouble:
             vehicle.order = None
             return
         if self._buffers.lend(vehicle, station):

@@ -186,7 +186,7 @@ class Motion:
         books = self._books
         if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
             return False
-        return not books.roll_call.misses(vehicle.barcode)
+        return not books.roll_call.misses(vehicle.barcode) and not books.closures.barring(vehicle)
 
     def missing(self, vehicle: VehicleNow) -> tuple[VehicleId, ...]:
         """Return the vehicles that the roll-call still misses in this vehicle's area (COMMANDS section 3.6)."""
@@ -234,6 +234,9 @@ class Motion:
         for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
             enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
+                break
+            if closed := self._books.closures.edge(start_of_edge, barcode):
+                shut = Blocked(barcode, None, BlockReason.CLOSED, note=closed)
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
                 shut = Blocked(barcode, None, BlockReason.DOOR, note=self.passages.wait_for(door))

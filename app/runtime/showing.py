@@ -12,7 +12,9 @@ import msgspec
 
 from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PinView, View
 
-TIMES = frozenset({"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed"})
+TIMES = frozenset(
+    {"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed", "expires"}
+)
 """Names of the fields that are moments, in every view."""
 
 RENAMED: dict[tuple[type, str], str] = {(EventView, "at"): "ts"}

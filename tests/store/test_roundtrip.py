@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
     DriveOperation,
@@ -301,6 +302,22 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
     ),
+    Closure: st.builds(
+        Closure,
+        number=NUMBER,
+        place=st.builds(ClosedPlace, kind=st.sampled_from(PlaceKind), names=NAMES),
+        barcodes=NAMES,
+        reason=TEXT,
+        owner=TEXT,
+        purpose=st.sampled_from(ClosurePurpose),
+        since=TIME,
+        expires=st.none() | TIME,
+        state=st.sampled_from(ClosureState),
+        closed=st.none() | TIME,
+        releases=NAMES,
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+    ),
 }
 
 
@@ -332,6 +349,11 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Closure: lambda one, kept, reader: [
+        reader.closure(one.number),
+        *reader.closures(),
+        *([] if one.state.over else [kept.closures[0]]),
+    ],
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
