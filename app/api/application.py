@@ -31,6 +31,7 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    zones,
 )
 from app.api.calls import Ctl, answer_of
 from app.api.declared import Raw, declare, gives
@@ -127,6 +128,7 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,

@@ -15,9 +15,26 @@ def _list(item: Json, description: str = "") -> Json:
     return {**schema, "description": description} if description else schema
 
 
+def _nullable(schema: Json) -> Json:
+    return {"anyOf": [schema, {"type": "null"}]}
+
+
+_FLAG = {"type": "boolean"}
 _TEXT, _WHOLE, _NUMBER = {"type": "string"}, {"type": "integer"}, {"type": "number"}
 
 ROOM: Json = {
+    "Zone": _object(
+        {
+            "id": _TEXT,
+            "name": _TEXT,
+            "capacity": _WHOLE,
+            "no_stop": _FLAG,
+            "state": {**_TEXT, "enum": ["auto", "paused", "stopped"]},
+            "pause": _nullable({"$ref": "#/components/schemas/Pause"}),
+            "vehicles": _list(_TEXT, "Those that hold track in it."),
+        },
+        "A zone of the plant.",
+    ),
     "ClosurePreview": _object(
         {
             "place": _TEXT,

@@ -140,6 +140,8 @@ class JobEvent(StrEnum):
     PLACE_CLOSING = "PlaceClosing"
     PLACE_CLOSED = "PlaceClosed"
     PLACE_OPENED = "PlaceOpened"
+    ZONE_PAUSED = "ZonePaused"
+    ZONE_RESUMED = "ZoneResumed"
 
 
 HOT_FROM = 90

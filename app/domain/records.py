@@ -7,7 +7,7 @@ from enum import StrEnum
 from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
-from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
+from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId, ZoneId
 from app.domain.job import Job
 from app.domain.layout import Axis
 from app.domain.lockout import Lockout as Lockout
@@ -288,12 +288,31 @@ class Emergency:
 
 
 @dataclass(frozen=True, slots=True)
+class ZonePause:
+    """Nothing begins to move in a zone and nobody comes in; ``stopped``: what drove there was stopped where it was."""
+
+    zone: ZoneId
+    owner: Actor
+    reason: str
+    since: Timestamp
+    stopped: bool = False
+
+    def __str__(self) -> str:
+        """Return it as a clause."""
+        return f"zone {self.zone} is {'stopped' if self.stopped else 'paused'} by {self.owner}: {self.reason}"
+
+
+@dataclass(frozen=True, slots=True)
 class ControllerRecord:
-    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves."""
+    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves.
+
+    ``pauses``: at most one a zone.
+    """
 
     state: ControllerState
     reason: str = ""
     emergencies: tuple[Emergency, ...] = ()
+    pauses: tuple[ZonePause, ...] = ()
 
     @property
     def told(self) -> str:

@@ -198,11 +198,23 @@ class CarrierView:
 
 
 @dataclass(frozen=True, slots=True)
+class PauseView:
+    """A zone in which nothing begins to move; ``stopped``: what drove there was stopped where it was."""
+
+    zone: str
+    owner: str
+    reason: str
+    since: float
+    stopped: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ControllerView:
     """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
 
     ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
+    ``pauses``: zones that are paused or stopped.
     """
 
     plant: str
@@ -216,6 +228,7 @@ class ControllerView:
     circles: tuple[str, ...] = ()
     circles_found: int = 0
     circles_resolved: int = 0
+    pauses: tuple[PauseView, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

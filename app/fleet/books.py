@@ -13,6 +13,7 @@ from app.domain.records import (
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    ControllerState,
     HistoryEvent,
     Intent,
     IntentState,
@@ -66,6 +67,7 @@ class Books:
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
         self.closures = ClosureBook(self.track, self.closed, self.traffic, kept.closures)
+        self.closures.still(kept.controller.pauses)
         self._next_closure = kept.next_closure
         self._closures_shown: dict[int, ClosureView] = {}
         self.circles: tuple[str, ...] = ()
@@ -389,6 +391,8 @@ class Books:
 
     def save_controller(self, record: ControllerRecord) -> None:
         """Keep and show the controller's state."""
+        if record.pauses != self.controller.pauses:
+            self.closures.still(record.pauses)
         self.controller = record
         self.effects.records.append(record)
         self.show_controller()
@@ -442,6 +446,12 @@ class Books:
                 circles_resolved=self.circles_resolved,
             ),
         )
+
+    def stilled(self, vehicle: VehicleNow) -> str:
+        """Return why a vehicle begins nothing where it is, or anywhere; empty if it may."""
+        if self.controller.state is not ControllerState.AUTO:
+            return f"the controller is {self.controller.state.value}"
+        return self.closures.barring(vehicle) or self.closures.paused_at(vehicle.barcode)
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""

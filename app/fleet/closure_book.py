@@ -7,6 +7,7 @@ from itertools import pairwise
 from app.domain.closures import Closure, ClosurePurpose, ClosureState
 from app.domain.ids import StationId
 from app.domain.layout import Station
+from app.domain.records import ZonePause
 from app.domain.units import Barcode
 from app.fleet.closed import Closed, Reason
 from app.fleet.vehicle import VehicleNow
@@ -18,6 +19,8 @@ Edge = tuple[Barcode, Barcode]
 
 class ClosureBook:
     """The closures that are not over. A place that several concern opens with the last of them.
+
+    Zones in which motion is paused count for grants only: vehicles wait before them, and where they are.
 
     Routes are kept from entering a closed place: who is inside still finds the way out. Grants into it are given to nobody but
     those inside; once people work there, to nobody at all.
@@ -32,6 +35,7 @@ class ClosureBook:
         self._stations: defaultdict[str, dict[int, Closure]] = defaultdict(dict)
         self._edges: dict[Edge, dict[int, Closure]] = {}
         self._for_people: tuple[Closure, ...] = ()
+        self._paused: dict[Barcode, str] = {}
         for closure in kept:
             self.put(closure)
 
@@ -63,12 +67,31 @@ class ClosureBook:
         ways: list[Edge] = [closure.edge] if closure.edge else list(self.entrances(closure.barcodes))
         self._closed.shut_only(Reason(closure.name, str(closure)), *([] if closure.state.over else ways))
         for barcode in closure.barcodes:
-            reasons = self._at[barcode].values()
-            if reasons:
-                within = tuple(frozenset(c.barcodes) if self._drains(c) else frozenset() for c in reasons)
-                self._traffic.close([barcode], "; ".join(map(str, reasons)), within)
-            else:
-                self._traffic.open([barcode])
+            self._regrant(barcode)
+
+    def _regrant(self, barcode: Barcode) -> None:
+        """Tell grants what keeps vehicles from a barcode now."""
+        reasons, paused = self._at.get(barcode, {}).values(), self.paused_at(barcode)
+        if reasons or paused:
+            within = tuple(frozenset(c.barcodes) if self._drains(c) else frozenset() for c in reasons)
+            words = "; ".join([*map(str, reasons), *([paused] if paused else [])])
+            self._traffic.close([barcode], words, (*within, frozenset()) if paused else within)
+        else:
+            self._traffic.open([barcode])
+
+    def still(self, pauses: Iterable[ZonePause]) -> None:
+        """Take the zones in which nothing begins to move as they are now."""
+        words = {pause.zone: str(pause) for pause in pauses}
+        before, self._paused = self._paused, {}
+        for zone in self._track.plant.zones:
+            if zone.id in words:
+                self._paused.update(dict.fromkeys(zone.barcodes, words[zone.id]))
+        for barcode in dict.fromkeys((*before, *self._paused)):
+            self._regrant(barcode)
+
+    def paused_at(self, barcode: Barcode | None) -> str:
+        """Return which pause a barcode lies in, as a clause; empty if in none."""
+        return self._paused.get(barcode, "") if self._paused and barcode is not None else ""
 
     def entrances(self, barcodes: Iterable[Barcode]) -> Iterable[Edge]:
         """Give the edges that lead into a set of barcodes from outside."""
@@ -126,7 +149,7 @@ class ClosureBook:
         return not frozenset(closure.barcodes).isdisjoint(self._traffic.held(vehicle.id))
 
     def barring(self, vehicle: VehicleNow) -> str:
-        """Return why a vehicle may not stir: it is where people are at work; empty if it may."""
+        """Return why nothing may be sent to a vehicle: it is where people are at work; empty if it may."""
         found = next((c for c in self._for_people if not c.station and self._is_on(vehicle, c)), None)
         return f"{found.place} is {found}" if found else ""
 

@@ -45,6 +45,7 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
@@ -121,6 +122,7 @@ class Fleet:
             device_orders,
             emergency,
             self._closures,
+            Standstills(self.books, self._plant_orders, self.alarms),
         )
         self._link = link
         self._looks = Looks()

@@ -5,7 +5,6 @@ from heapq import heappop, heappush
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState
 from app.domain.units import Barcode
 from app.domain.vehicle import Oper
 from app.fleet.books import Books
@@ -50,11 +49,8 @@ class Courtesy:
         if emergencies:
             told = ", ".join(f"{e.kind.value}, told by {e.actor}" for e in emergencies)
             return f"{vehicle.id} waits at {vehicle.barcode}: {told}"
-        state = self._books.controller.state
-        if state is not ControllerState.AUTO:
-            return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
-        if people := self._books.closures.barring(vehicle):
-            return f"{vehicle.id} waits at {vehicle.barcode}: {people}"
+        if stilled := self._books.stilled(vehicle):
+            return f"{vehicle.id} waits at {vehicle.barcode}: {stilled}"
         missing = named(self._motion.missing(vehicle))
         return f"{vehicle.id} waits at {vehicle.barcode}: the roll-call still misses {missing}" if missing else ""
 

@@ -2,7 +2,7 @@
 
 from dataclasses import fields
 
-from app.domain.closures import ClosureRequest
+from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.requests import (
@@ -20,13 +20,17 @@ from app.domain.requests import (
     LockVehicle,
     MoveVehicle,
     PauseController,
+    PauseZone,
     PlantRequest,
     RecoverAlarm,
     ReleaseVehicle,
     Reply,
     Request,
     ResumeController,
+    ResumeZone,
+    RoomRequest,
     SetService,
+    StopAll,
     UnlockVehicle,
     VehicleRequest,
     WriteCarrier,
@@ -45,6 +49,7 @@ from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.refusals import no_vehicle
+from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
 
@@ -61,6 +66,7 @@ TARGETS = (
     "side",
     "closure",
     "place",
+    "zone",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
@@ -86,6 +92,7 @@ class Desk:
         devices: DeviceOrders,
         emergency: EmergencyDesk,
         closures: Closures,
+        standstills: Standstills,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -97,6 +104,7 @@ class Desk:
         self._devices = devices
         self._emergency = emergency
         self._closures = closures
+        self._standstills = standstills
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -121,9 +129,16 @@ class Desk:
             return self._teaching.answer(request)
         if isinstance(request, HallRequest):
             return self._answer_about_hall(request)
-        if isinstance(request, ClosureRequest):
-            return self._closures.answer(request)
+        if isinstance(request, RoomRequest):
+            return self._answer_about_room(request)
         return self._answer_about_plant(request)
+
+    def _answer_about_room(self, request: RoomRequest) -> Reply:
+        match request:
+            case ClosePlace() | OpenPlace():
+                return self._closures.answer(request)
+            case StopAll() | PauseZone() | ResumeZone():
+                return self._standstills.answer(request)
 
     def _answer_about_plant(self, request: CancelJob | AbortJob | ChangeJob | PlantRequest) -> Reply:
         match request:

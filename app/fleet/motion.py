@@ -13,7 +13,7 @@ from app.domain.events import Answered
 from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState, IntentState
+from app.domain.records import IntentState
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
@@ -184,9 +184,9 @@ class Motion:
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
         books = self._books
-        if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
+        if not vehicle.fit or vehicle.barcode is None or books.stilled(vehicle):
             return False
-        return not books.roll_call.misses(vehicle.barcode) and not books.closures.barring(vehicle)
+        return not books.roll_call.misses(vehicle.barcode)
 
     def missing(self, vehicle: VehicleNow) -> tuple[VehicleId, ...]:
         """Return the vehicles that the roll-call still misses in this vehicle's area (COMMANDS section 3.6)."""

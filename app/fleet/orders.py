@@ -207,7 +207,7 @@ class VehicleOrders:
 
     def _misplaced(self, vehicle: VehicleNow, station: Station) -> Refusal | None:
         """Return why the vehicle cannot handle at this station from where it is."""
-        if refusal := standstill(self._books):
+        if refusal := standstill(self._books, vehicle):
             return refusal
         tagged = vehicle.status is not None and vehicle.status.condition.at_tag
         if vehicle.barcode != station.barcode or not vehicle.at_rest or not tagged:

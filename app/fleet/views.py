@@ -31,6 +31,7 @@ from app.domain.view import (
     JobView,
     LinkView,
     LockoutView,
+    PauseView,
     StationView,
     VehicleView,
 )
@@ -161,6 +162,7 @@ def view_of_controller(
         started=started,
         waiting_for=tuple(waiting_for),
         emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
+        pauses=tuple(PauseView(p.zone, p.owner, p.reason, p.since, p.stopped) for p in record.pauses),
     )
 
 

@@ -341,6 +341,7 @@ controller = sa.Table(
     _text("state"),
     _text("reason"),
     sa.Column("emergencies", JSON),
+    sa.Column("pauses", JSON),
     sa.CheckConstraint("one = 1", name="only"),
 )
 

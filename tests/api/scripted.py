@@ -41,6 +41,7 @@ from app.domain.view import (
     DeviceView,
     LineView,
     LinkView,
+    PauseView,
     StationView,
     Topic,
     Update,
@@ -338,6 +339,8 @@ class Scripted:
         match request:
             case ClosePlace() | OpenPlace():
                 return self._closure(request)
+            case r.StopAll() | r.PauseZone() | r.ResumeZone():
+                return self._still(request)
             case _:
                 return self._vehicles(request)
 
@@ -366,6 +369,18 @@ class Scripted:
         view = None if row.state.over else view_of_closure(row, ())
         self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
         return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _still(self, request: r.Stilling) -> r.Reply:
+        record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)
+        view = self._controller(record).value
+        assert isinstance(view, ControllerView)
+        if isinstance(request, r.PauseZone):
+            if request.zone not in {zone.id for zone in self.plant.zones}:
+                return Refusal("not-found", f"There is no zone {request.zone}.")
+            pause = PauseView(request.zone, request.actor, request.reason, NOW, request.stop)
+            view = replace(view, pauses=(pause,))
+        self.hub.publish([Update(Topic.CONTROLLER, "controller", view)])
+        return r.Accepted(Topic.CONTROLLER, "controller")
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1

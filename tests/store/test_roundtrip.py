@@ -45,6 +45,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
     VehicleRecord,
+    ZonePause,
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
@@ -88,6 +89,7 @@ READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_i
 PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
 BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
 EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
+PAUSES = st.builds(ZonePause, zone=TEXT, owner=TEXT, reason=TEXT, since=TIME, stopped=st.booleans())
 SECONDS = st.floats(-1e9, 1e9)
 CANDIDATES = st.builds(Candidate, vehicle=TEXT, seconds=st.none() | SECONDS, why_not=TEXT)
 CHOICES = st.builds(
@@ -292,6 +294,7 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         state=st.sampled_from(ControllerState),
         reason=TEXT,
         emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+        pauses=st.lists(PAUSES, max_size=2).map(tuple),
     ),
     DeviceRecord: st.builds(
         DeviceRecord,
