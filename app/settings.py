@@ -42,6 +42,8 @@ class Settings(BaseSettings):
     """The plant file."""
     access_key: Annotated[SecretStr | None, Field(min_length=16)] = None
     """When set, every request must bring it: ``Authorization: Bearer KEY``."""
+    metrics_key: Annotated[SecretStr | None, Field(min_length=16)] = None
+    """Where ``access_key`` is set: a second key that opens ``/metrics`` and nothing else, for Prometheus."""
     allowed_hosts: tuple[str, ...] = ()
     """Host names, besides loopback's, under which a server without a key may be called (a proxy's name)."""
     allowed_origins: tuple[str, ...] = ()

@@ -22,6 +22,7 @@ from app.api import (
     jobs,
     links,
     live,
+    metrics,
     operations,
     plant,
     problems,
@@ -32,9 +33,10 @@ from app.api import (
     vehicles,
 )
 from app.api.calls import Ctl, answer_of
+from app.api.calls_counted import CountedCalls
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard, Tickets
-from app.api.orders import Orders
+from app.api.orders import PATH, Orders
 from app.api.port import Controller
 from app.domain.view import Topic
 from app.settings import Settings
@@ -71,11 +73,14 @@ class Api(FastAPI):
     """FastAPI, with orders answered before its own layers."""
 
     orders: ASGIApp
+    counted: CountedCalls
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
         if Orders.take(scope):
-            await self.orders(scope, receive, send)
+            await self.counted(self.orders, PATH, scope, receive, send)
+        elif scope["type"] == "http":
+            await self.counted(super().__call__, "", scope, receive, send)
         else:
             await super().__call__(scope, receive, send)
 
@@ -103,6 +108,7 @@ def described(settings: Settings) -> FastAPI:
     )
     app.state.settings = settings
     app.state.tickets = tickets
+    app.counted = app.state.counted = CountedCalls()
     app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, tickets), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
@@ -134,6 +140,7 @@ def described(settings: Settings) -> FastAPI:
         api.include_router(router)
     app.include_router(api)
     app.include_router(probes)
+    app.include_router(metrics.router)
     problems.install(app)
     declare(app)
     _serve_docs(app)

@@ -11,6 +11,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app.api.problems import Problem
 from app.settings import Settings, is_loopback
 
+METRICS = "/metrics"
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})
 TICKET_LIFE = 30.0
 """Seconds in which a ticket for the live stream can be used, once. Our choice."""
@@ -51,6 +52,7 @@ class Guard:
         self._tickets = tickets
         self._known_hosts: set[bytes] = set()
         self._key = settings.access_key.get_secret_value().encode() if settings.access_key else None
+        self._metrics_key = settings.metrics_key.get_secret_value().encode() if settings.metrics_key else None
         self._hosts = frozenset(host.lower() for host in settings.allowed_hosts)
         self._origins = frozenset(origin.rstrip("/").lower() for origin in settings.allowed_origins)
 
@@ -113,11 +115,17 @@ class Guard:
         return Problem("foreign-origin", detail, "Use the server's own page, or add the origin to allowed_origins.")
 
     def _access(self, scope: Scope, header: bytes) -> Problem | None:
-        """The page, its parts, the descriptions and the probes are open; everything under ``/api/v1`` wants the key."""
-        if self._key is None or not scope["path"].startswith("/api/v1"):
+        """The page, its parts, the descriptions and the probes are open; everything under ``/api/v1`` wants the key.
+
+        So does ``/metrics``, which takes the key for it as well.
+        """
+        if self._key is None or not scope["path"].startswith(("/api/v1", METRICS)):
             return None
         scheme, _, given = header.partition(b" ")
         if scheme.lower() == b"bearer" and hmac.compare_digest(given.strip(), self._key):
+            return None
+        scraped = self._metrics_key if scope["path"].startswith(METRICS) else None
+        if scheme.lower() == b"bearer" and scraped is not None and hmac.compare_digest(given.strip(), scraped):
             return None
         if scope["type"] == "websocket" and self._ticket(scope):
             return None
