@@ -1,13 +1,12 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
 from app.domain.layout import Plant, Station, StationKind
-from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
     CarrierGone,
@@ -18,18 +17,18 @@ from app.domain.records import (
     IntentState,
     Kept,
     Provenance,
-    Record,
     StationDest,
     StationRecord,
     VehicleOffset,
     VehicleRecord,
 )
-from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import Topic, Update, View
 from app.domain.why import Why
 from app.fleet.backlog import Backlog
+from app.fleet.closed import Closed
+from app.fleet.effects import Effects
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
@@ -52,25 +51,6 @@ REMEMBERED = 20_000
 """How many ended jobs are remembered for the idempotency of a host that repeats itself at once (our choice; older: database)."""
 
 
-@dataclass(slots=True)
-class Effects:
-    """What was decided: to be kept first, then told (ARCHITECTURE section 1)."""
-
-    records: list[Record] = field(default_factory=list)
-    sends: list[Send] = field(default_factory=list)
-    link_sends: list[LinkSend] = field(default_factory=list)
-    polls: list[VehicleId] = field(default_factory=list)
-    stored: list[tuple[VehicleId, int]] = field(default_factory=list)
-    updates: list[Update] = field(default_factory=list)
-    replies: list[tuple[int, Reply]] = field(default_factory=list)
-
-    @property
-    def empty(self) -> bool:
-        """Whether nothing was decided."""
-        told = self.updates or self.replies
-        return not (self.records or self.sends or self.link_sends or self.polls or self.stored or told)
-
-
 class Books:
     """State of one plant in memory, written to only through methods that also say what must be kept and shown."""
 
@@ -78,6 +58,8 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
+        self.closed = Closed(self.router.close, self.router.open)
+        """What routes are kept off, and why: nobody else closes or opens anything for the router."""
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
         self.circles: tuple[str, ...] = ()

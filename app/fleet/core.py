@@ -20,7 +20,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
-from app.fleet.books import Books, Effects
+from app.fleet.books import Books
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
@@ -31,6 +31,7 @@ from app.fleet.devices import Devices
 from app.fleet.dispatch import Dispatch
 from app.fleet.doors import Doors
 from app.fleet.drives import Drives
+from app.fleet.effects import Effects
 from app.fleet.emergency import EmergencyDesk
 from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
