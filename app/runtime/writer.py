@@ -103,7 +103,7 @@ class Writer:
         return len(self._waiting)
 
     def silent_for(self) -> Seconds:
-        """Return for how long the thread has tried nothing: some seconds at rest, more while a commit hangs, infinite at the end."""
+        """Return for how long the thread has tried nothing: some seconds at rest, infinite at its end."""
         ended = self._thread.ident is not None and not self._thread.is_alive()
         return Seconds(math.inf if ended else self._clock() - self._beat)
 
