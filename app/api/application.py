@@ -32,11 +32,14 @@ from app.api import (
     teaching,
     vehicles,
 )
+from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
 from app.api.calls_counted import CountedCalls
+from app.api.commands import COMMANDS
 from app.api.declared import Raw, declare, gives
-from app.api.guard import Guard, Tickets
+from app.api.guard import Guard
 from app.api.orders import PATH, Orders
+from app.api.policy import Policy
 from app.api.port import Controller
 from app.domain.view import Topic
 from app.settings import Settings
@@ -94,7 +97,7 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
 
 def described(settings: Settings) -> FastAPI:
     """Return the application without a controller: enough for its description."""
-    tickets = Tickets()
+    callers = Callers(settings)
     app = Api(
         title="Hoistway",
         version=VERSION,
@@ -104,12 +107,12 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
+        middleware=[Middleware(Guard, settings=settings, callers=callers)],
     )
     app.state.settings = settings
-    app.state.tickets = tickets
+    app.state.callers = callers
     app.counted = app.state.counted = CountedCalls()
-    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, tickets), app.state), problems.defect)
+    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
         jobs.router,
@@ -146,6 +149,7 @@ def described(settings: Settings) -> FastAPI:
     _serve_docs(app)
     _serve_page(app)
     app.add_api_websocket_route("/{path:path}", problems.no_stream)
+    callers.policy = Policy(app.routes, COMMANDS)
     return app
 
 

@@ -10,6 +10,7 @@ from prometheus_client.metrics_core import Metric
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from structlog.typing import FilteringBoundLogger
 
+from app.api.callers import caller_of
 from app.api.problems import MEDIA_TYPE, METHODS
 from app.runtime.metrics import Spread
 from app.runtime.metrics.shapes import alone, counters, histograms
@@ -88,7 +89,7 @@ class CountedCalls:
             self._left_out += 1
             return
         left_out, self._left_out = self._left_out, 0
-        client = scope.get("client")
+        client, caller = scope.get("client"), caller_of(scope)
         self._log.info(
             "call refused",
             method=scope["method"],
@@ -98,6 +99,7 @@ class CountedCalls:
             detail=problem.detail,
             field=problem.field or None,
             address=client[0] if client else None,
+            caller=caller.name if caller else None,
             **({"left_out": str(left_out)} if left_out else {}),
             **_about(scope),
         )

@@ -5,7 +5,7 @@ XMOVE goes on from it; where that comes too late, the vehicle stops by itself an
 """
 
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
@@ -231,7 +231,7 @@ class Motion:
         last = vehicle.ahead[-1] if vehicle.ahead else start
         wanted: list[Barcode] = []
         shut: Blocked | None = None
-        for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
+        for start_of_edge, barcode in pairwise(chain((last,), vehicle.rest)):
             enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
                 break
@@ -244,9 +244,16 @@ class Motion:
             if shut:
                 self._books.traffic.forget(vehicle.id)
             return shut
-        beyond = vehicle.rest[len(wanted) :]
-        cut_short, now = len(wanted) >= room, self._books.now
-        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=now, cut_short=cut_short)
+        count, rest = len(wanted), vehicle.rest
+        grant = self._books.traffic.claim(
+            vehicle.id,
+            wanted,
+            count == len(rest),
+            beyond=rest,
+            begun=count,
+            now=self._books.now,
+            cut_short=count >= room,
+        )
         self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]

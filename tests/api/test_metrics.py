@@ -126,7 +126,7 @@ async def keyed(controller: Scripted) -> AsyncIterator[httpx.AsyncClient]:
         ("/metrics", SCRAPER, 200),
         ("/metrics/lines", SCRAPER, 200),
         ("/metrics", KEY, 200),
-        ("/api/v1/vehicles", SCRAPER, 401),
+        ("/api/v1/vehicles", SCRAPER, 403),
         ("/api/v1/vehicles", KEY, 200),
     ],
 )
