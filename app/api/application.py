@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -31,6 +32,7 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    zones,
 )
 from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
@@ -134,6 +136,8 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
