@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    alarms,
     closures,
     devices,
     drive_backups,
@@ -131,6 +132,7 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        alarms.router,
         zones.router,
         plant.controller_routes,
         plant.layout,

@@ -6,6 +6,7 @@ from typing import Any
 from starlette.responses import Response
 
 from app.api import (
+    alarms,
     closures,
     devices,
     drive_backups,
@@ -88,6 +89,7 @@ COMMANDS: Table = {
     "controller.resume": _of_controller(plant.resume),
     "controller.emergency": _of_controller(emergency.raise_emergency, EmergencyIn, person=True),
     "controller.emergency.release": _of_controller(emergency.release_emergency, EmergencyIn, person=True),
+    "alarm.acknowledge": route(alarms.acknowledge_named, alarms.NoteIn, person=True),
     "closure.close": _of_controller(closures.close_place, ClosureIn, person=True),
     "closure.open": route(closures.open_named, OpenIn, person=True),
     "zone.pause": route(zones.pause_zone, ReasonIn),

@@ -22,7 +22,32 @@ def _nullable(schema: Json) -> Json:
 _FLAG = {"type": "boolean"}
 _TEXT, _WHOLE, _NUMBER = {"type": "string"}, {"type": "integer"}, {"type": "number"}
 
+_TIME = {"type": "string", "format": "date-time"}
+_MAYBE, _MAYBE_NUMBER = _nullable(_TEXT), _nullable(_NUMBER)
+
 ROOM: Json = {
+    "AlarmCount": _object(
+        {
+            "kind": _MAYBE,
+            "source": _MAYBE,
+            "code": _MAYBE,
+            "times": _WHOLE,
+            "minutes": {**_NUMBER, "description": "Within the period, altogether."},
+            "share": {**_NUMBER, "description": "Of the minutes of all rows, 0 to 1."},
+            "newest": _TIME,
+        },
+        "How often and how long something was wrong; null: not told apart by that.",
+    ),
+    "Reliability": _object(
+        {
+            "vehicle": _TEXT,
+            "failures": {**_WHOLE, "description": "Alarms and holds for a doubt; those that overlap are one."},
+            "down_minutes": _NUMBER,
+            "mtbf_hours": _MAYBE_NUMBER,
+            "mttr_minutes": _MAYBE_NUMBER,
+            "availability": {**_NUMBER, "description": "Share of the period without a failure, 0 to 1."},
+        }
+    ),
     "Zone": _object(
         {
             "id": _TEXT,

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Protocol
 
+from app.domain.alarms import Alarm, AlarmCount
 from app.domain.closures import Closure
 
 
@@ -15,4 +16,32 @@ class RoomReader(Protocol):
 
     def closures(self, after: int | None = None, limit: int = 100) -> Sequence[Closure]:
         """Return closures numbered below ``after``, newest first."""
+        ...
+
+    def alarm(self, number: int) -> Alarm | None:
+        """Return one alarm."""
+        ...
+
+    def alarms(
+        self,
+        *,
+        kind: str | None = None,
+        source: str | None = None,
+        code: str | None = None,
+        active: bool | None = None,
+        acknowledged: bool | None = None,
+        begin: float | None = None,
+        end: float | None = None,
+        after: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[Alarm]:
+        """Return alarms numbered below ``after``, newest first."""
+        ...
+
+    def alarm_counts(self, by: tuple[str, ...], begin: float, end: float, limit: int = 100) -> Sequence[AlarmCount]:
+        """Return how often and how long each was there between two moments, the longest first."""
+        ...
+
+    def failures(self, begin: float, end: float) -> Sequence[tuple[str, float, float | None]]:
+        """Return vehicle, begin and end of each failure between two moments, in order of begin."""
         ...

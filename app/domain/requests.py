@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosureRequest
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
@@ -285,7 +286,7 @@ PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier 
 Stilling = StopAll | PauseZone | ResumeZone
 """About motion in the whole plant, or in a zone."""
 
-RoomRequest = ClosureRequest | Stilling
+RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm
 """What a control room asks besides."""
 
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency

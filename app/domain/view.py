@@ -27,6 +27,7 @@ class Topic(StrEnum):
     PARAMETERS = "parameters"
     TEACHING = "teaching"
     CLOSURES = "closures"
+    ALARMS = "alarms"
 
 
 @dataclass(frozen=True, slots=True)
@@ -503,6 +504,29 @@ class ClosureView:
     waiting: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class AlarmView:
+    """Something that is, or was, wrong with ``source``. ``kind``: vehicle (it reports an alarm), hold (we hold it for a doubt),
+    link (nothing is heard of it), device, drive, traffic (vehicles wait for each other in a circle), plant (fire, earthquake).
+
+    ``code`` is what it is counted by. ``ended`` null: it is there now; ``outcome`` says how it ended.
+    """
+
+    id: int
+    kind: str
+    source: str
+    code: str
+    cause: str
+    remedy: str
+    begun: float
+    ended: float | None
+    outcome: str
+    job: str | None
+    acknowledged: float | None
+    acknowledged_by: str | None
+    note: str
+
+
 View = (
     VehicleView
     | JobView
@@ -519,6 +543,7 @@ View = (
     | ProposalView
     | TeachingSessionView
     | ClosureView
+    | AlarmView
 )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from app.domain.alarms import OF_VEHICLES, Alarm, AlarmKind
 from app.domain.closures import Closure
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
@@ -28,6 +29,7 @@ from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import ClosureView, Topic, Update, View
 from app.domain.why import Why
+from app.fleet.alarm_book import AlarmBook
 from app.fleet.backlog import Backlog
 from app.fleet.closed import Closed
 from app.fleet.closure_book import ClosureBook
@@ -37,6 +39,7 @@ from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
+    view_of_alarm,
     view_of_carrier,
     view_of_closure,
     view_of_controller,
@@ -113,6 +116,7 @@ class Books:
         """Why the buffer of a station cannot be used now."""
         self.sensed: dict[StationId, bool] = {}
         """Whether the buffer of a station reports a cart, where it says so now."""
+        self.alarms = AlarmBook(kept.alarms, kept.next_alarm, self._keep_alarm, lambda: self.utc)
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch
@@ -259,11 +263,29 @@ class Books:
         """Change and keep the durable part of a vehicle."""
         record = replace(vehicle.record, **changes)  # type: ignore[arg-type]
         if record != vehicle.record:
+            if record.hold != vehicle.record.hold or record.off_rail != vehicle.record.off_rail:
+                self._mind_hold(record)
             vehicle.record = record
             self.effects.records.append(record)
             if vehicle.id in self.roll_call:
                 self.roll_call.miss(vehicle)
         self.touch(vehicle)
+
+    def _mind_hold(self, record: VehicleRecord) -> None:
+        """A hold for a doubt of ours is an alarm; one by a person is none, and an alarm of its own has one already."""
+        name, hold = record.vehicle, record.hold
+        if hold is not None and not hold.by_person and not hold.for_alarm:
+            self.alarms.begin_only(AlarmKind.HOLD, name, "held", hold.reason, hold.remedy)
+        else:
+            self.alarms.end(AlarmKind.HOLD, name, "released" if hold is None else f"now: {hold.reason}")
+        if record.off_rail:
+            for kind in OF_VEHICLES:
+                self.alarms.end(kind, name, f"off the rail: {record.off_rail}")
+
+    def _keep_alarm(self, alarm: Alarm) -> None:
+        """Keep and show an alarm; one that has ended leaves the live ones."""
+        self.effects.records.append(alarm)
+        self.show(Topic.ALARMS, str(alarm.number), None if alarm.ended is not None else view_of_alarm(alarm))
 
     def open_intent(
         self,

@@ -19,6 +19,7 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
+from app.fleet.alarm_watch import AlarmWatch
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
 from app.fleet.buffers import Buffers
@@ -51,7 +52,7 @@ from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
-from app.fleet.views import view_of_job, view_of_vehicle
+from app.fleet.views import view_of_alarm, view_of_job, view_of_vehicle
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -130,6 +131,7 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
+        self._watch = AlarmWatch(self.books)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -158,6 +160,9 @@ class Fleet:
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
         for closure in books.closures.live.values():
             books.show_closure(closure)
+        self._watch.start()
+        for alarm in books.alarms.live.values():
+            books.show(Topic.ALARMS, str(alarm.number), view_of_alarm(alarm))
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -193,6 +198,7 @@ class Fleet:
         self._charging.run()
         self._parking.run(self._free)
         self._closures.tick()
+        self._watch.tick()
         self._dispatch.run()
         self._circles.look()
         self._go_on(all_devices=True)

@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
@@ -67,10 +68,11 @@ TARGETS = (
     "closure",
     "place",
     "zone",
+    "alarm",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "known"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -137,6 +139,8 @@ class Desk:
         match request:
             case ClosePlace() | OpenPlace():
                 return self._closures.answer(request)
+            case AcknowledgeAlarm():
+                return self._books.alarms.acknowledge(request)
             case StopAll() | PauseZone() | ResumeZone():
                 return self._standstills.answer(request)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
@@ -21,6 +22,7 @@ from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
     AgvView,
+    AlarmView,
     BitView,
     CarrierView,
     ClosureView,
@@ -83,6 +85,25 @@ def view_of_event(event: HistoryEvent) -> EventView:
         destination=event.destination,
         result=event.result,
         detail=event.detail,
+    )
+
+
+def view_of_alarm(alarm: Alarm) -> AlarmView:
+    """Return an alarm as people see it."""
+    return AlarmView(
+        id=alarm.number,
+        kind=alarm.kind.value,
+        source=alarm.source,
+        code=alarm.code,
+        cause=alarm.cause,
+        remedy=alarm.remedy,
+        begun=alarm.begun,
+        ended=alarm.ended,
+        outcome=alarm.outcome,
+        job=alarm.job,
+        acknowledged=alarm.acknowledged,
+        acknowledged_by=alarm.acknowledged_by,
+        note=alarm.note,
     )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive import DriveId, Parameter
@@ -54,6 +55,7 @@ class MemoryLedger:
         self._sessions: dict[int, TeachingSession] = {}
         self._next_taught = 1
         self._closures: dict[int, Closure] = {}
+        self._alarms: dict[int, Alarm] = {}
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -82,6 +84,8 @@ class MemoryLedger:
             next_proposal=max(self._proposals, default=0) + 1,
             next_session=max(self._sessions, default=0) + 1,
             closures=tuple(c for c in self._closures.values() if not c.state.over),
+            alarms=tuple(a for a in self._alarms.values() if a.ended is None),
+            next_alarm=max(self._alarms, default=0) + 1,
             next_closure=max(self._closures, default=0) + 1,
             fresh=self._fresh,
         )
@@ -138,6 +142,8 @@ class MemoryLedger:
         match record:
             case Why():
                 self._whys[record.order] = record
+            case Alarm():
+                self._alarms[record.number] = record
             case Closure():
                 self._closures[record.number] = record
             case DriveRecord():

@@ -5,9 +5,11 @@ import sqlalchemy as sa
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
 from app.store import drive_rows, rows, teaching, why_rows
+from app.store.alarm_rows import alarm
 from app.store.closure_rows import closure
 from app.store.device_rows import device
 from app.store.tables import (
+    alarms,
     carriers,
     closures,
     controller,
@@ -27,6 +29,7 @@ from app.store.tables import (
     teaching_events,
     teaching_proposals,
     teaching_sessions,
+    there_now,
     undecided,
     under_way,
     unsettled,
@@ -73,6 +76,8 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         next_proposal=_next(connection, teaching_proposals.c.number),
         next_session=_next(connection, teaching_sessions.c.number),
         closures=tuple(map(closure, _those(connection, closures, in_force))),
+        alarms=tuple(map(alarm, _those(connection, alarms, there_now))),
+        next_alarm=_next(connection, alarms.c.number),
         next_closure=_next(connection, closures.c.number),
         fresh=fresh,
     )

@@ -6,6 +6,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
@@ -46,6 +47,7 @@ REPLACED: dict[type, sa.Table] = {
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
     Closure: tables.closures,
+    Alarm: tables.alarms,
 }
 """A record replaces the row of its key: the table's first columns."""
 

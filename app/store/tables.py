@@ -377,3 +377,26 @@ closures = sa.Table(
 in_force = closures.c.state.not_in([sa.literal_column(f"'{state}'") for state in sorted(ClosureState) if state.over])
 """Closures that a restart must take up again."""
 sa.Index("ix_closures_in_force", closures.c.number, sqlite_where=in_force, postgresql_where=in_force)
+
+alarms = sa.Table(
+    "alarms",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    _text("source"),
+    _text("code"),
+    _text("cause"),
+    _text("remedy"),
+    _at("begun"),
+    _maybe("job"),
+    sa.Column("ended", UTC),
+    _text("outcome"),
+    sa.Column("acknowledged", UTC),
+    _maybe("acknowledged_by"),
+    _text("note"),
+)
+there_now = alarms.c.ended.is_(None)
+"""Alarms that a restart must take up again."""
+sa.Index("ix_alarms_there_now", alarms.c.number, sqlite_where=there_now, postgresql_where=there_now)
+sa.Index("ix_alarms_begun", alarms.c.begun)
+sa.Index("ix_alarms_source_number", alarms.c.source, alarms.c.number)

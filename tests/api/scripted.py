@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.alarms import AcknowledgeAlarm, Alarm, AlarmCount, AlarmKind
 from app.domain.closures import ClosePlace, Closure, ClosureState, OpenPlace
 from app.domain.device_requests import (
     CommandDevice,
@@ -50,7 +51,7 @@ from app.domain.view import (
 from app.domain.why import Why
 from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_closure, view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.runtime.hub import Hub, ReadModel
@@ -98,6 +99,22 @@ class MemoryReader:
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
         self.shut: dict[int, Closure] = {}
+        self.wrong: dict[int, Alarm] = {}
+
+    def alarm(self, number: int) -> Alarm | None:
+        return self.wrong.get(number)
+
+    def alarms(self, *, after: int | None = None, limit: int = 100, **asked: object) -> Sequence[Alarm]:
+        self.asked_for = asked
+        return [one for one in reversed(self.wrong.values()) if after is None or one.number < after][:limit]
+
+    def alarm_counts(self, by: tuple[str, ...], begin: float, end: float, limit: int = 100) -> Sequence[AlarmCount]:
+        self.asked_for = {"begin": begin, "end": end}
+        about = {"kind": "vehicle", "source": "V001", "code": "101"}
+        return [AlarmCount({name: about[name] for name in by}, 3, 90.0, NOW)]
+
+    def failures(self, begin: float, end: float) -> Sequence[tuple[str, float, float | None]]:
+        return [("V001", NOW - 3600, NOW - 1800)]
 
     def closure(self, number: int) -> Closure | None:
         return self.shut.get(number)
@@ -337,6 +354,11 @@ class Scripted:
 
     def _of_room(self, request: r.Request) -> r.Reply:
         match request:
+            case AcknowledgeAlarm():
+                row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
+                self.reader.wrong[request.alarm] = row
+                self.hub.publish([Update(Topic.ALARMS, str(row.number), view_of_alarm(row))])
+                return r.Accepted(Topic.ALARMS, str(row.number))
             case ClosePlace() | OpenPlace():
                 return self._closure(request)
             case r.StopAll() | r.PauseZone() | r.ResumeZone():
@@ -474,6 +496,13 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def alarm(self) -> Alarm:
+        """Let V001 have alarm 1."""
+        row = Alarm(1, AlarmKind.VEHICLE, "V001", "101", "alarm 101 wrong barcode", "look", NOW)
+        self.reader.wrong[1] = row
+        self.hub.publish([Update(Topic.ALARMS, "1", view_of_alarm(row))])
+        return row
 
     def teach(self) -> None:
         """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""

@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.alarms import Alarm, AlarmKind
 from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
@@ -305,6 +306,22 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
     ),
+    Alarm: st.builds(
+        Alarm,
+        number=NUMBER,
+        kind=st.sampled_from(AlarmKind),
+        source=TEXT,
+        code=TEXT,
+        cause=TEXT,
+        remedy=TEXT,
+        begun=TIME,
+        job=MAYBE,
+        ended=st.none() | TIME,
+        outcome=TEXT,
+        acknowledged=st.none() | TIME,
+        acknowledged_by=MAYBE,
+        note=TEXT,
+    ),
     Closure: st.builds(
         Closure,
         number=NUMBER,
@@ -352,6 +369,11 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Alarm: lambda one, kept, reader: [
+        reader.alarm(one.number),
+        *reader.alarms(source=one.source, code=one.code, kind=one.kind.value),
+        *([kept.alarms[0]] if one.ended is None else []),
+    ],
     Closure: lambda one, kept, reader: [
         reader.closure(one.number),
         *reader.closures(),
