@@ -1,41 +1,44 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
+from app.domain.closures import Closure
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
 from app.domain.layout import Plant, Station, StationKind
-from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    ControllerState,
     HistoryEvent,
     Intent,
     IntentState,
     Kept,
     Provenance,
-    Record,
     StationDest,
     StationRecord,
     VehicleOffset,
     VehicleRecord,
 )
-from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import Topic, Update, View
+from app.domain.view import ClosureView, Topic, Update, View
 from app.domain.why import Why
 from app.fleet.backlog import Backlog
+from app.fleet.closed import Closed
+from app.fleet.closure_book import ClosureBook
+from app.fleet.effects import Effects
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
     view_of_carrier,
+    view_of_closure,
     view_of_controller,
     view_of_event,
     view_of_intent,
@@ -52,25 +55,6 @@ REMEMBERED = 20_000
 """How many ended jobs are remembered for the idempotency of a host that repeats itself at once (our choice; older: database)."""
 
 
-@dataclass(slots=True)
-class Effects:
-    """What was decided: to be kept first, then told (ARCHITECTURE section 1)."""
-
-    records: list[Record] = field(default_factory=list)
-    sends: list[Send] = field(default_factory=list)
-    link_sends: list[LinkSend] = field(default_factory=list)
-    polls: list[VehicleId] = field(default_factory=list)
-    stored: list[tuple[VehicleId, int]] = field(default_factory=list)
-    updates: list[Update] = field(default_factory=list)
-    replies: list[tuple[int, Reply]] = field(default_factory=list)
-
-    @property
-    def empty(self) -> bool:
-        """Whether nothing was decided."""
-        told = self.updates or self.replies
-        return not (self.records or self.sends or self.link_sends or self.polls or self.stored or told)
-
-
 class Books:
     """State of one plant in memory, written to only through methods that also say what must be kept and shown."""
 
@@ -78,8 +62,14 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
+        self.closed = Closed(self.router.close, self.router.open)
+        """What routes are kept off, and why: nobody else closes or opens anything for the router."""
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
+        self.closures = ClosureBook(self.track, self.closed, self.traffic, kept.closures)
+        self.closures.still(kept.controller.pauses)
+        self._next_closure = kept.next_closure
+        self._closures_shown: dict[int, ClosureView] = {}
         self.circles: tuple[str, ...] = ()
         """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""
         self.circles_found = self.circles_resolved = 0
@@ -385,8 +375,24 @@ class Books:
             self.show_station(session.station)
         return session
 
+    def new_closure(self) -> int:
+        """Return the next number of a closure."""
+        self._next_closure += 1
+        return self._next_closure - 1
+
+    def save_closure(self, closure: Closure) -> None:
+        """Keep and show a closure, and the stations that it concerns."""
+        self.closures.put(closure)
+        self.effects.records.append(closure)
+        self.show_closure(closure)
+        for station in self.closures.stations(closure):
+            if station in self.specs:
+                self.show_station(station)
+
     def save_controller(self, record: ControllerRecord) -> None:
         """Keep and show the controller's state."""
+        if record.pauses != self.controller.pauses:
+            self.closures.still(record.pauses)
         self.controller = record
         self.effects.records.append(record)
         self.show_controller()
@@ -403,9 +409,26 @@ class Books:
             Topic.STATIONS,
             station,
             view_of_station(
-                self.specs[station], self.stations[station], self.dests.get(station), self.teaching.closing(station)
+                self.specs[station],
+                self.stations[station],
+                self.dests.get(station),
+                self.teaching.closing(station),
+                tuple(closure.number for closure in self.closures.of(self.specs[station])),
             ),
         )
+
+    def show_closure(self, closure: Closure, inside: Sequence[VehicleNow] = (), waiting: tuple[str, ...] = ()) -> None:
+        """Show a closure, with who is inside and what those do; one that is over leaves the live ones."""
+        stations = self.closures.stations(closure)
+        names = tuple(vehicle.id for vehicle in inside)
+        if closure.state.over:
+            self._closures_shown.pop(closure.number, None)
+            self.show(Topic.CLOSURES, str(closure.number), None)
+            return
+        view = view_of_closure(closure, stations, names, waiting)
+        if self._closures_shown.get(closure.number) != view:
+            self._closures_shown[closure.number] = view
+            self.show(Topic.CLOSURES, str(closure.number), view)
 
     def show_carrier(self, carrier: CarrierId) -> None:
         """Show a carrier as it is now."""
@@ -423,6 +446,12 @@ class Books:
                 circles_resolved=self.circles_resolved,
             ),
         )
+
+    def stilled(self, vehicle: VehicleNow) -> str:
+        """Return why a vehicle begins nothing where it is, or anywhere; empty if it may."""
+        if self.controller.state is not ControllerState.AUTO:
+            return f"the controller is {self.controller.state.value}"
+        return self.closures.barring(vehicle) or self.closures.paused_at(vehicle.barcode)
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""

@@ -110,6 +110,16 @@ class Router:
             self._seconds[places] = values
             self._change()
 
+    @property
+    def edges(self) -> Mapping[EdgeKey, int]:
+        """The number of each edge, for ``seconds``."""
+        return self._arcs.edges
+
+    @property
+    def seconds(self) -> Floats:
+        """The seconds that each edge takes by the newest weights, by its number. Not to be changed; a new array each time."""
+        return self._seconds
+
     def weight(self, start: Barcode, end: Barcode) -> float:
         """Return the seconds that an edge takes by the newest weights. Raises KeyError: it is no edge of the track."""
         return float(self._seconds[self._arcs.edges[start, end]])
@@ -261,8 +271,9 @@ class Router:
         path = self._search(start, goal, NO_CUTS)
         if path is None:
             return NoRoute(f"no route from {start} to {goal}: the track does not connect them")
-        shut = next((b if b in self._closed else f"{a} to {b}" for a, b in pairwise(path) if self._is_closed(a, b)))
-        return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}")
+        at = next((b if b in self._closed else (a, b)) for a, b in pairwise(path) if self._is_closed(a, b))
+        shut = f"{at[0]} to {at[1]}" if isinstance(at, tuple) else at
+        return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}", closed=at)
 
     def _is_closed(self, start: Barcode, end: Barcode) -> bool:
         return end in self._closed or (start, end) in self._closed
