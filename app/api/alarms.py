@@ -13,7 +13,7 @@ from app.api.inputs import Limit, Older, QueryId, Strict, Text
 from app.api.periods import Begin, End, period
 from app.api.port import Controller
 from app.api.teaching_inputs import Number
-from app.domain.alarms import AcknowledgeAlarm, AlarmKind, reliability
+from app.domain.alarms import AcknowledgeAlarm, AlarmKind, Reliability, reliability
 from app.domain.view import Topic
 from app.fleet.views import view_of_alarm
 from app.runtime.showing import iso, shown
@@ -102,14 +102,13 @@ async def show_reliability(controller: Ctl, begin: Begin = None, end: End = None
         for name, group in groupby(sorted(rows, key=lambda row: (row[0], row[1])), key=lambda row: row[0])
     }
     return items(
-        {"vehicle": spec.id, **held_out(by_vehicle.get(spec.id, []), asked.begin, asked.end)}
+        {"vehicle": spec.id, **held_out(reliability(by_vehicle.get(spec.id, ()), asked.begin, asked.end))}
         for spec in controller.plant.vehicles
     )
 
 
-def held_out(spans: list[tuple[float, float | None]], begin: float, end: float) -> dict[str, object]:
+def held_out(found: Reliability) -> dict[str, object]:
     """Return how a vehicle held out, for people: hours and minutes."""
-    found = reliability(spans, begin, end)
     return {
         "failures": found.failures,
         "down_minutes": round(found.down / 60, 2),

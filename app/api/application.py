@@ -29,10 +29,12 @@ from app.api import (
     plant,
     problems,
     stations,
+    statistics,
     taught,
     taught_files,
     teaching,
     vehicles,
+    walks,
     zones,
 )
 from app.api.callers import Callers
@@ -138,6 +140,8 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        statistics.router,
+        walks.router,
         alarms.router,
         zones.router,
         plant.controller_routes,

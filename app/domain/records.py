@@ -15,6 +15,7 @@ from app.domain.lockout import Lockout as Lockout
 from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 
 
@@ -145,6 +146,8 @@ class Provenance(StrEnum):
     SENSOR = "sensor"
     INFERRED = "inferred"
     PLANT = "plant"
+    VERIFIED = "verified"
+    """Seen on an audit walk, and accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -355,9 +358,11 @@ Record = (
     | Why
     | Closure
     | Alarm
+    | Walk
+    | WalkPlace
 )
 """Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord, Why,
-Closure and Alarm replace the row of their key; the rest append."""
+Closure, Alarm, Walk and WalkPlace replace the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -397,6 +402,10 @@ class Kept:
     alarms: tuple[Alarm, ...] = ()
     """Those that had not ended."""
     next_alarm: int = 1
+    walks: tuple[Walk, ...] = ()
+    """Those that are open, with their places in the next."""
+    walk_places: tuple[WalkPlace, ...] = ()
+    next_walk: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

@@ -28,6 +28,7 @@ class Topic(StrEnum):
     TEACHING = "teaching"
     CLOSURES = "closures"
     ALARMS = "alarms"
+    WALKS = "walks"
 
 
 @dataclass(frozen=True, slots=True)
@@ -527,6 +528,21 @@ class AlarmView:
     note: str
 
 
+@dataclass(frozen=True, slots=True)
+class WalkView:
+    """An audit walk: of so many ``places`` so many have been ``entered``. ``state``: open, accepted or abandoned."""
+
+    id: int
+    actor: str
+    reason: str
+    state: str
+    started: float
+    ended: float | None
+    ended_by: str | None
+    places: int
+    entered: int
+
+
 View = (
     VehicleView
     | JobView
@@ -544,6 +560,7 @@ View = (
     | TeachingSessionView
     | ClosureView
     | AlarmView
+    | WalkView
 )
 
 

@@ -28,6 +28,7 @@ from app.domain.records import (
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import ClosureView, Topic, Update, View
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 from app.fleet.alarm_book import AlarmBook
 from app.fleet.backlog import Backlog
@@ -47,6 +48,7 @@ from app.fleet.views import (
     view_of_intent,
     view_of_job,
     view_of_station,
+    view_of_walk,
 )
 from app.planning.routing import Router
 from app.planning.track import Track
@@ -117,6 +119,13 @@ class Books:
         self.sensed: dict[StationId, bool] = {}
         """Whether the buffer of a station reports a cart, where it says so now."""
         self.alarms = AlarmBook(kept.alarms, kept.next_alarm, self._keep_alarm, lambda: self.utc)
+        self.walks: dict[int, Walk] = {walk.number: walk for walk in kept.walks}
+        """Those that are open; their places by walk and station in the next."""
+        self.walk_places: dict[int, dict[StationId, WalkPlace]] = {number: {} for number in self.walks}
+        for place in kept.walk_places:
+            if place.station in self.specs:
+                self.walk_places[place.walk][place.station] = place
+        self._next_walk = kept.next_walk
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch
@@ -396,6 +405,37 @@ class Books:
         if session.station in self.specs:
             self.show_station(session.station)
         return session
+
+    def new_walk(self) -> int:
+        """Return the next number of an audit walk."""
+        self._next_walk += 1
+        return self._next_walk - 1
+
+    def walk_at(self, station: StationId) -> Walk | None:
+        """Return the open walk that a station is on."""
+        return next((walk for walk in self.walks.values() if station in self.walk_places[walk.number]), None)
+
+    def save_walk_place(self, place: WalkPlace) -> None:
+        """Keep a place of a walk."""
+        self.walk_places.setdefault(place.walk, {})[place.station] = place
+        self.effects.records.append(place)
+
+    def save_walk(self, walk: Walk) -> None:
+        """Keep and show a walk; one that has ended leaves the live ones."""
+        self.effects.records.append(walk)
+        if walk.ended is None:
+            self.walks[walk.number] = walk
+            self.show_walk(walk)
+            return
+        self.walks.pop(walk.number, None)
+        self.walk_places.pop(walk.number, None)
+        self.show(Topic.WALKS, str(walk.number), None)
+
+    def show_walk(self, walk: Walk) -> None:
+        """Show an open walk."""
+        places = self.walk_places[walk.number].values()
+        seen = sum(place.seen is not None for place in places)
+        self.show(Topic.WALKS, str(walk.number), view_of_walk(walk, len(places), seen))
 
     def new_closure(self) -> int:
         """Return the next number of a closure."""

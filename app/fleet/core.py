@@ -53,6 +53,7 @@ from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_alarm, view_of_job, view_of_vehicle
+from app.fleet.walks import Walks
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -124,6 +125,7 @@ class Fleet:
             emergency,
             self._closures,
             Standstills(self.books, self._plant_orders, self.alarms),
+            Walks(self.books, self._plant_orders),
         )
         self._link = link
         self._looks = Looks()
@@ -148,6 +150,12 @@ class Fleet:
             if restored:
                 self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
+        self._watch.start()
+        self._show_all()
+
+    def _show_all(self) -> None:
+        """Show all there is."""
+        books = self.books
         for job in books.jobs.values():
             books.show(Topic.JOBS, job.id, view_of_job(job))
         for station in books.specs:
@@ -160,7 +168,8 @@ class Fleet:
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
         for closure in books.closures.live.values():
             books.show_closure(closure)
-        self._watch.start()
+        for walk in books.walks.values():
+            books.show_walk(walk)
         for alarm in books.alarms.live.values():
             books.show(Topic.ALARMS, str(alarm.number), view_of_alarm(alarm))
         books.show_controller()

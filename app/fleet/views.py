@@ -36,10 +36,12 @@ from app.domain.view import (
     PauseView,
     StationView,
     VehicleView,
+    WalkView,
 )
+from app.domain.walks import Walk
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
-VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR, Provenance.VERIFIED})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
 
 BITS_KEPT = 4096
@@ -104,6 +106,21 @@ def view_of_alarm(alarm: Alarm) -> AlarmView:
         acknowledged=alarm.acknowledged,
         acknowledged_by=alarm.acknowledged_by,
         note=alarm.note,
+    )
+
+
+def view_of_walk(walk: Walk, places: int, entered: int) -> WalkView:
+    """Return an audit walk as people see it."""
+    return WalkView(
+        id=walk.number,
+        actor=walk.actor,
+        reason=walk.reason,
+        state=walk.state.value,
+        started=walk.started,
+        ended=walk.ended,
+        ended_by=walk.ended_by,
+        places=places,
+        entered=entered,
     )
 
 

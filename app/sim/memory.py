@@ -27,6 +27,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, SessionState, TeachingSession
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 
 
@@ -56,6 +57,8 @@ class MemoryLedger:
         self._next_taught = 1
         self._closures: dict[int, Closure] = {}
         self._alarms: dict[int, Alarm] = {}
+        self._walks: dict[int, Walk] = {}
+        self._walk_places: dict[tuple[int, StationId], WalkPlace] = {}
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -86,6 +89,9 @@ class MemoryLedger:
             closures=tuple(c for c in self._closures.values() if not c.state.over),
             alarms=tuple(a for a in self._alarms.values() if a.ended is None),
             next_alarm=max(self._alarms, default=0) + 1,
+            walks=tuple(w for w in self._walks.values() if w.ended is None),
+            walk_places=tuple(p for p in self._walk_places.values() if self._walks[p.walk].ended is None),
+            next_walk=max(self._walks, default=0) + 1,
             next_closure=max(self._closures, default=0) + 1,
             fresh=self._fresh,
         )
@@ -152,6 +158,10 @@ class MemoryLedger:
                 self._values[record.drive, record.parameter] = record
             case DriveOperation():
                 self._operations[record.number] = record
+            case Walk():
+                self._walks[record.number] = record
+            case WalkPlace():
+                self._walk_places[record.walk, record.station] = record
             case _:
                 self._keep_teaching(record)
 

@@ -23,6 +23,7 @@ from app.store.tables import (
     intents,
     job_whys,
     jobs,
+    open_walks,
     operations,
     station_dests,
     stations,
@@ -35,7 +36,10 @@ from app.store.tables import (
     unsettled,
     vehicle_offsets,
     vehicles,
+    walk_places,
+    walks,
 )
+from app.store.walk_rows import walk, walk_place
 
 
 def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
@@ -78,6 +82,9 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         closures=tuple(map(closure, _those(connection, closures, in_force))),
         alarms=tuple(map(alarm, _those(connection, alarms, there_now))),
         next_alarm=_next(connection, alarms.c.number),
+        walks=tuple(map(walk, _those(connection, walks, open_walks))),
+        walk_places=tuple(map(walk_place, _places(connection))),
+        next_walk=_next(connection, walks.c.number),
         next_closure=_next(connection, closures.c.number),
         fresh=fresh,
     )
@@ -90,6 +97,13 @@ def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
 def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
     """Return the rows wanted, in the order of their number."""
     return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
+
+
+def _places(connection: sa.Connection) -> sa.CursorResult[object]:
+    """Return the places of open walks."""
+    live = sa.select(walks.c.number).where(open_walks)
+    query = sa.select(walk_places).where(walk_places.c.walk.in_(live))
+    return connection.execute(query.order_by(walk_places.c.walk, walk_places.c.station))
 
 
 def _whys(connection: sa.Connection) -> sa.CursorResult[object]:

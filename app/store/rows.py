@@ -29,12 +29,14 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.units import Timestamp
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 from app.store import drive_rows, teaching
 from app.store.alarm_rows import alarm_row
 from app.store.closure_rows import closure_row
 from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
 from app.store.device_rows import device_row, emergencies, emergencies_text, pauses, pauses_text
+from app.store.walk_rows import walk_place_row, walk_row
 from app.store.why_rows import why_row
 
 
@@ -265,5 +267,7 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     Why: why_row,
     Closure: closure_row,
     Alarm: alarm_row,
+    Walk: walk_row,
+    WalkPlace: walk_place_row,
 }
 """How each record type becomes a row."""

@@ -27,6 +27,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
@@ -48,6 +49,8 @@ REPLACED: dict[type, sa.Table] = {
     Why: tables.job_whys,
     Closure: tables.closures,
     Alarm: tables.alarms,
+    Walk: tables.walks,
+    WalkPlace: tables.walk_places,
 }
 """A record replaces the row of its key: the table's first columns."""
 

@@ -33,6 +33,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
 )
+from app.domain.statistics import Queued, Transfer, Waited
 from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
@@ -48,10 +49,11 @@ from app.domain.view import (
     Update,
     VehicleView,
 )
+from app.domain.walks import AcceptWalk, EnterSights, StartWalk, Walk, WalkPlace, WalkRequest, WalkState
 from app.domain.why import Why
 from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job, view_of_walk
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
@@ -102,6 +104,32 @@ class MemoryReader:
         self.taught_in: dict[int, TeachingSession] = {}
         self.shut: dict[int, Closure] = {}
         self.wrong: dict[int, Alarm] = {}
+        self.done: list[Transfer] = []
+        self.walked: dict[int, Walk] = {}
+        self.along: list[WalkPlace] = []
+
+    def event_count(self, begin: float, end: float) -> int:
+        return self.events_between
+
+    events_between = 7
+
+    def transfers(self, begin: float, end: float) -> Sequence[Transfer]:
+        return [one for one in self.done if begin <= one.ended < end]
+
+    def queued(self, begin: float, end: float) -> Sequence[Queued]:
+        return [Queued(one.created, one.assigned) for one in self.done]
+
+    def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
+        return [Waited(begin, begin + 60, "P2 is occupied by F1")], 1
+
+    def walk(self, number: int) -> Walk | None:
+        return self.walked.get(number)
+
+    def walks(self, after: int | None = None, limit: int = 100) -> Sequence[Walk]:
+        return [one for one in reversed(self.walked.values()) if after is None or one.number < after][:limit]
+
+    def walk_places(self, number: int) -> Sequence[WalkPlace]:
+        return [place for place in self.along if place.walk == number]
 
     def alarm(self, number: int) -> Alarm | None:
         return self.wrong.get(number)
@@ -367,6 +395,8 @@ class Scripted:
 
     def _of_room(self, request: r.Request) -> r.Reply:
         match request:
+            case _ if isinstance(request, WalkRequest):
+                return self._walk(request)
             case AcknowledgeAlarm():
                 row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
                 self.reader.wrong[request.alarm] = row
@@ -404,6 +434,26 @@ class Scripted:
         view = None if row.state.over else view_of_closure(row, ())
         self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
         return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _walk(self, request: WalkRequest) -> r.Reply:
+        walked = self.reader.walked
+        if isinstance(request, StartWalk):
+            walked[1] = Walk(1, request.actor, request.reason, NOW)
+            self.reader.along = [WalkPlace(1, StationId("L3"), present, None) for present in (None,)]
+        elif request.walk not in walked:
+            return Refusal("not-found", f"There is no open walk {request.walk}.")
+        elif isinstance(request, EnterSights):
+            (sight,) = request.sights
+            self.reader.along = [
+                replace(self.reader.along[0], seen=sight.present, by=request.actor, at=Timestamp(NOW + 1))
+            ]
+        else:
+            state = WalkState.ACCEPTED if isinstance(request, AcceptWalk) else WalkState.ABANDONED
+            walked[1] = replace(walked[1], state=state, ended=NOW, ended_by=request.actor)
+        seen = sum(place.seen is not None for place in self.reader.along)
+        view = None if walked[1].ended else view_of_walk(walked[1], len(self.reader.along), seen)
+        self.hub.publish([Update(Topic.WALKS, "1", view)])
+        return r.Accepted(Topic.WALKS, "1", created=isinstance(request, StartWalk))
 
     def _still(self, request: r.Stilling) -> r.Reply:
         record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)

@@ -94,8 +94,26 @@ def test_a_closure_is_previewed_made_survives_a_kill_and_is_opened_by_its_owner(
     assert refused["detail"] == f"closure {number} is kim's, for people at work; your wish to open it is noted"
     assert room.run("closure-open.sh", number, "rail is back")["state"] == "opened"
     assert room.run("closure-list.sh")["items"] == []
-    assert [row["action"] for row in room.get("/audit")["items"] if "Place" in row["action"]] == [
-        "ClosePlace",
-        "OpenPlace",
-        "OpenPlace",
-    ]
+    asked = [row["action"] for row in room.get("/audit")["items"]]
+    assert [action for action in asked if "Place" in action] == ["ClosePlace", "OpenPlace", "OpenPlace"]
+
+
+def test_a_walk_is_begun_entered_and_accepted_over_a_kill(room: Room) -> None:
+    walk = str(room.run("walk-start.sh", "after the outage", "B1", "B2")["id"])
+    room.run("walk-enter.sh", walk, "B1", "empty")
+    room.kill()
+    refused = room.run("walk-accept.sh", walk, code=22)
+    assert refused["detail"] == "not seen, or changed since: B2"
+    room.run("walk-enter.sh", walk, "B2", "full", "FOUP0002")
+    assert [row["finding"] for row in room.get(f"/walks/{walk}/places")["items"]] == ["differs", "differs"]
+    assert room.run("walk-accept.sh", walk)["state"] == "accepted"
+    carrier = room.get("/carriers/FOUP0002")
+    assert (carrier["place"], carrier["provenance"], carrier["verified"]) == ("B2", "verified", True)
+
+
+def test_every_script_of_the_control_room_is_run_here() -> None:
+    text = Path(__file__).read_text(encoding="utf-8")
+    scripts = {file.name for kind in ("closure", "alarm", "walk") for file in SCRIPTS.glob(f"{kind}-*.sh")}
+    helpers = {"closure-place.sh"}
+    assert scripts >= helpers
+    assert {name for name in scripts - helpers if f'run("{name}"' not in text} == set()
