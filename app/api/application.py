@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -22,6 +23,7 @@ from app.api import (
     jobs,
     links,
     live,
+    metrics,
     operations,
     plant,
     problems,
@@ -30,13 +32,15 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    zones,
 )
 from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
+from app.api.calls_counted import CountedCalls
 from app.api.commands import COMMANDS
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard
-from app.api.orders import Orders
+from app.api.orders import PATH, Orders
 from app.api.policy import Policy
 from app.api.port import Controller
 from app.domain.view import Topic
@@ -74,11 +78,14 @@ class Api(FastAPI):
     """FastAPI, with orders answered before its own layers."""
 
     orders: ASGIApp
+    counted: CountedCalls
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
         if Orders.take(scope):
-            await self.orders(scope, receive, send)
+            await self.counted(self.orders, PATH, scope, receive, send)
+        elif scope["type"] == "http":
+            await self.counted(super().__call__, "", scope, receive, send)
         else:
             await super().__call__(scope, receive, send)
 
@@ -106,6 +113,7 @@ def described(settings: Settings) -> FastAPI:
     )
     app.state.settings = settings
     app.state.callers = callers
+    app.counted = app.state.counted = CountedCalls()
     app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
@@ -128,6 +136,8 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
@@ -137,6 +147,7 @@ def described(settings: Settings) -> FastAPI:
         api.include_router(router)
     app.include_router(api)
     app.include_router(probes)
+    app.include_router(metrics.router)
     problems.install(app)
     declare(app)
     _serve_docs(app)

@@ -13,7 +13,7 @@ from app.domain.events import Answered
 from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState, IntentState
+from app.domain.records import IntentState
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
@@ -184,7 +184,7 @@ class Motion:
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
         books = self._books
-        if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
+        if not vehicle.fit or vehicle.barcode is None or books.stilled(vehicle):
             return False
         return not books.roll_call.misses(vehicle.barcode)
 
@@ -234,6 +234,9 @@ class Motion:
         for start_of_edge, barcode in pairwise(chain((last,), vehicle.rest)):
             enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
+                break
+            if closed := self._books.closures.edge(start_of_edge, barcode):
+                shut = Blocked(barcode, None, BlockReason.CLOSED, note=closed)
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
                 shut = Blocked(barcode, None, BlockReason.DOOR, note=self.passages.wait_for(door))

@@ -49,6 +49,7 @@ class Traffic:
         self._inside: defaultdict[ZoneId, dict[VehicleId, int]] = defaultdict(dict)
         self._maybe: defaultdict[VehicleId, set[Barcode]] = defaultdict(set)
         self._closed: dict[Barcode, str] = {}
+        self._ways_out: dict[Barcode, tuple[AbstractSet[Barcode], ...]] = {}
         self._blocked: dict[VehicleId, Blocked] = {}
         self._blocked_at: defaultdict[Barcode, dict[VehicleId, None]] = defaultdict(dict)
         self._blocked_zone: defaultdict[ZoneId, dict[VehicleId, None]] = defaultdict(dict)
@@ -193,7 +194,7 @@ class Traffic:
 
     def obstacle(self, vehicle: VehicleId, barcode: Barcode) -> Blocked | None:
         """Return what keeps the vehicle from being granted this barcode; None if nothing does."""
-        if barcode in self._closed:
+        if barcode in self._closed and not self._drives_out(vehicle, barcode):
             return Blocked(barcode, None, BlockReason.CLOSED, note=self._closed[barcode])
         if (other := self._other(vehicle, barcode)) is not None:
             return Blocked(barcode, other, BlockReason.HELD)
@@ -254,14 +255,28 @@ class Traffic:
             self.queues.wait_no_more(vehicle)
             self.queues.commit(vehicle, ANY)
 
-    def close(self, barcodes: Iterable[Barcode], why: str) -> None:
-        """Grant these to nobody from now on; who holds them keeps them."""
-        self._closed.update((barcode, why) for barcode in barcodes)
+    def close(self, barcodes: Iterable[Barcode], why: str, within: tuple[AbstractSet[Barcode], ...] = ()) -> None:
+        """Grant these to nobody from now on; who holds them keeps them. The last word for a barcode is what holds.
+
+        ``within``: closed places that each of these lies in; who holds track in all of them is inside, and may drive out.
+        """
+        for barcode in barcodes:
+            self._closed[barcode] = why
+            self._ways_out[barcode] = within
 
     def open(self, barcodes: Iterable[Barcode]) -> None:
         """End the closure. Then ask ``waiters`` who may go on."""
         for barcode in barcodes:
             self._closed.pop(barcode, None)
+            self._ways_out.pop(barcode, None)
+
+    def inside(self, barcodes: Iterable[Barcode]) -> tuple[VehicleId, ...]:
+        """Return who holds any of these, by name."""
+        return tuple(sorted({vehicle for barcode in barcodes for vehicle in self._holders.get(barcode, ())}))
+
+    def _drives_out(self, vehicle: VehicleId, barcode: Barcode) -> bool:
+        held, within = self._held.get(vehicle), self._ways_out[barcode]
+        return bool(held and within) and not any(place.isdisjoint(held or ()) for place in within)
 
     def waiters(self, barcodes: Iterable[Barcode]) -> AbstractSet[VehicleId]:
         """Return who should claim again after these barcodes came free, the longest wait first.
@@ -370,7 +385,7 @@ class Traffic:
         barcode = blocked.at
         if self.queues is not None and blocked.why in OF_BUFFERS:
             return self.queues.needs(vehicle)
-        if barcode in self._closed:
+        if barcode in self._closed and not self._drives_out(vehicle, barcode):
             return []
         holders = (other for near in (barcode, *self._near.get(barcode, ())) for other in self._others(vehicle, near))
         zones = (self._in_the_way(vehicle, zone) for zone in self._zones.get(barcode, ()))
