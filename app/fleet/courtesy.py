@@ -214,6 +214,8 @@ class Courtesy:
                 if best is None:
                     best, bound = here, time + PARK_BONUS
             for ahead in books.track.successors(here):
+                if ahead in books.closed or (here, ahead) in books.closed:
+                    continue
                 edge = books.track.edge(here, ahead)
                 heappush(queue, (time + 100 * edge.length / (edge.speed * other.spec.max_speed), ahead))
         return best

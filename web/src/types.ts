@@ -208,6 +208,11 @@ export interface Controller {
   circles?: string[];
   circles_found?: number;
   circles_resolved?: number;
+  closed?: string[];
+  closed_places?: number;
+  cut_off?: string[];
+  led_round?: number;
+  led_quicker?: number;
 }
 
 export interface Happening {
