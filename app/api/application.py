@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -30,11 +31,15 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    zones,
 )
+from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
+from app.api.commands import COMMANDS
 from app.api.declared import Raw, declare, gives
-from app.api.guard import Guard, Tickets
+from app.api.guard import Guard
 from app.api.orders import Orders
+from app.api.policy import Policy
 from app.api.port import Controller
 from app.domain.view import Topic
 from app.settings import Settings
@@ -89,7 +94,7 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
 
 def described(settings: Settings) -> FastAPI:
     """Return the application without a controller: enough for its description."""
-    tickets = Tickets()
+    callers = Callers(settings)
     app = Api(
         title="Hoistway",
         version=VERSION,
@@ -99,11 +104,11 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
+        middleware=[Middleware(Guard, settings=settings, callers=callers)],
     )
     app.state.settings = settings
-    app.state.tickets = tickets
-    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, tickets), app.state), problems.defect)
+    app.state.callers = callers
+    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
         jobs.router,
@@ -125,6 +130,8 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
@@ -139,6 +146,7 @@ def described(settings: Settings) -> FastAPI:
     _serve_docs(app)
     _serve_page(app)
     app.add_api_websocket_route("/{path:path}", problems.no_stream)
+    callers.policy = Policy(app.routes, COMMANDS)
     return app
 
 

@@ -25,6 +25,7 @@ from app.fleet.breakdowns import Breakdowns
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
+from app.fleet.closures import Closures
 from app.fleet.courtesy import Courtesy
 from app.fleet.cutoff import CutOff
 from app.fleet.desk import Desk
@@ -47,6 +48,7 @@ from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
 from app.fleet.reroutes import Reroutes
+from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
@@ -99,6 +101,7 @@ class Fleet:
         self._breakdowns = Breakdowns(self.books)
         self._cut_off = CutOff(self.books, self._breakdowns)
         self._reroutes = Reroutes(self.books, self.motion)
+        self._closures = Closures(self.books, self.motion, self._courtesy)
         self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
@@ -124,6 +127,8 @@ class Fleet:
             teaching,
             device_orders,
             emergency,
+            self._closures,
+            Standstills(self.books, self._plant_orders, self.alarms),
         )
         self._link = link
         self._looks = Looks()
@@ -158,6 +163,8 @@ class Fleet:
             books.show(Topic.TEACHING, f"session-{session.number}", view_of_session(session))
         for proposal in books.teaching.proposals.values():
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
+        for closure in books.closures.live.values():
+            books.show_closure(closure)
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -197,6 +204,7 @@ class Fleet:
         self._parking.run(self._free)
         self._breakdowns.run()
         self._cut_off.look()
+        self._closures.tick()
         self._dispatch.run()
         self._circles.look()
         self._reroutes.run()

@@ -30,6 +30,7 @@ REGISTRY: Registry[Any] = Registry().with_resources(
         for name, contents in (("openapi.json", DOCUMENT), ("asyncapi.yaml", ASYNC))
     ]
 )
+CLOSE = {"place": {"kind": "zone", "zone": "Z1"}, "reason": "a rail is changed"}
 ORDER = {"job_id": "LOT-1", "source": "P1", "destination": "P2", "carrier": "F1"}
 
 
@@ -95,6 +96,9 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
     controller.teach()
+    await client.post("/zones/Z1/pause", json={"reason": "look"})
+    await client.post("/closures", json=CLOSE, headers={"X-Actor": "kim"})
+    known |= {"closure": "1", "zone": "Z1"}
     known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():

@@ -84,7 +84,7 @@ def test_a_vehicle_in_alarm_out_of_service_locked_out_or_out_of_auto_closes_its_
         each.run(GRACE + 3)
         assert "106" in closed(each), broken
         words = {"alarm": "in alarm 77", "service": "out of service: worn", "lockout": "locked out", "mant": "in MANT"}
-        assert words[broken] in controller(each).closed[0], broken
+        assert words[broken] in controller(each).kept_off[0], broken
 
 
 def test_a_vehicle_taken_from_auto_bars_all_that_it_can_be_moved_to_by_hand_and_can_be_sent_from_there(
@@ -190,8 +190,8 @@ def test_many_that_fall_silent_at_once_are_closed_a_few_at_a_time() -> None:
 def test_what_is_closed_is_shown_with_its_reason_until_it_is_open(script: Script) -> None:
     script.accept(hold())
     script.run(GRACE + 2)
-    assert controller(script).closed == ("106: V001 stands there, on hold: held by kim: it rattles",)
+    assert controller(script).kept_off == ("106: V001 stands there, on hold: held by kim: it rattles",)
     assert controller(script).closed_places == 1
     script.accept(go_on())
     script.run(5)
-    assert (controller(script).closed, controller(script).closed_places) == ((), 0)
+    assert (controller(script).kept_off, controller(script).closed_places) == ((), 0)

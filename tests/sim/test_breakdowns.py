@@ -49,7 +49,7 @@ def test_while_a_hoist_stands_the_others_work_on_and_once_it_is_mended_all_jobs_
     else:
         world.ask(HoldVehicle(KIM, name, "it rattles"))
     world.run(world.now + 30.0)
-    assert any(name in line for line in plant.said[-1].closed)
+    assert any(name in line for line in plant.said[-1].kept_off)
     before = world.result().completed
     world.run(MENDED_AT)
     assert world.result().completed > before + 5, "hardly anything was done while it stood"
@@ -59,4 +59,4 @@ def test_while_a_hoist_stands_the_others_work_on_and_once_it_is_mended_all_jobs_
     assert result.violations == ()
     assert result.open == ()
     assert result.takes == result.puts == result.completed
-    assert plant.said[-1].closed == plant.said[-1].cut_off == ()
+    assert plant.said[-1].kept_off == plant.said[-1].cut_off == ()

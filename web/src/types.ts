@@ -208,7 +208,7 @@ export interface Controller {
   circles?: string[];
   circles_found?: number;
   circles_resolved?: number;
-  closed?: string[];
+  kept_off?: string[];
   closed_places?: number;
   cut_off?: string[];
   led_round?: number;
