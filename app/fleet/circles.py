@@ -18,6 +18,8 @@ AGE = Seconds(5.0)
 """Circles are sought, at most once a second, while a vehicle has waited so long for another (our choice)."""
 WAYS = 8
 """So many of the quickest ways of a vehicle are tried (our choice)."""
+IN_A_CIRCLE = "wait for each other in a circle"
+"""What the alarm says, by which it is told from a vehicle's own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +64,7 @@ class Circles:
     def _words(self, cycle: tuple[VehicleId, ...]) -> str:
         waits = "; ".join(self._books.vehicles[name].waiting or f"{name} waits" for name in cycle)
         return (
-            f"{', '.join(cycle)} wait for each other in a circle ({waits}); if none finds another way, move {cycle[0]} by hand, "
+            f"{', '.join(cycle)} {IN_A_CIRCLE} ({waits}); if none finds another way, move {cycle[0]} by hand, "
             "or take it off the rail"
         )
 
