@@ -86,7 +86,9 @@ def _check_piece(document: Document, plant: Plant, places: Places, piece: "nx.Di
 def reachable(graph: "nx.DiGraph[str]", stations: Iterable[str]) -> set[str]:
     """Return the barcodes that can be reached from the part of the track with the most stations, and lead back there."""
     main = _main_loop(graph, stations)
-    return (nx.descendants(graph, main) & nx.ancestors(graph, main)) | {main}
+    onward: set[str] = nx.descendants(graph, main)
+    back: set[str] = nx.ancestors(graph, main)
+    return onward & back | {main}
 
 
 def _main_loop(piece: "nx.DiGraph[str]", stations: Iterable[str]) -> str:

@@ -94,7 +94,7 @@ def _stations(plant: Plant) -> list[dict[str, Any]]:
         }
         for station in plant.stations
     ]
-    names = {station.id for station in plant.stations}
+    names: set[str] = {station.id for station in plant.stations}
     return stations + [
         {"stationId": charger.id, "interactionNodeIds": [charger.barcode], "stationDescription": "charger"}
         for charger in plant.chargers

@@ -186,7 +186,7 @@ def _label(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palette, labels
     """Write names where they fit: stations and equipment before barcodes, barcodes at branches before the others."""
     size, gap = (11.0, _size(plan) * 0.75 + 3) if plan.step >= 16 else (9.0, 6.0)
     if plan.step >= 9:
-        named = [(s.barcode, s.id, STATIONS[s.kind](palette)) for s in plant.stations]
+        named: list[tuple[Barcode, str, str]] = [(s.barcode, s.id, STATIONS[s.kind](palette)) for s in plant.stations]
         named += [(c.barcode, c.id, palette.charger) for c in plant.chargers]
         named += [(min(pair), door.id, palette.door) for door in plant.doors for pair in sorted(door.passages)[:1]]
         for barcode, text, colour in named:
