@@ -57,7 +57,7 @@ def test_a_graph_carries_track_stations_zones_and_chargers_there_and_back(name: 
 def test_node_link_is_read_by_networkx_itself() -> None:
     text, _ = write_node_link(plant("small"))
     graph: nx.Graph[Any] = nx.node_link_graph(json.loads(text), edges="edges")
-    assert nx.is_strongly_connected(graph)
+    assert nx.is_strongly_connected(nx.DiGraph(graph))
     assert graph.nodes["104"]["stations"][0]["id"] == "P1"
 
 
