@@ -65,7 +65,8 @@ class StatisticsReader(ABC):
         j = jobs.c
         first, last = self._first_since(j.number, begin - BEFORE), self._first_since(j.number, end)
         until = sa.func.coalesce(j.assigned, j.ended).label("until")
-        query: sa.Select[Any] = sa.select(j.created, until).where(j.number >= first, j.number < last)
+        columns: list[sa.ColumnElement[Any]] = [j.created, until]
+        query = sa.select(*columns).where(j.number >= first, j.number < last)
         return self._list(query.where(sa.or_(until.is_(None), until > begin)), lambda r: Queued(r.created, r.until))
 
     def waits(self, begin: float, end: float) -> tuple[list[Waited], int]:
@@ -82,13 +83,14 @@ class StatisticsReader(ABC):
         Numbers rise with time, and no index has the time: about twenty look-ups by number.
         """
         at = events.c.at if number is events.c.seq else jobs.c.created
-        bounds = self._list(
-            sa.select(sa.func.min(number).label("low"), sa.func.max(number).label("high")), lambda row: row
-        )
+        ends: sa.Select[Any] = sa.select(sa.func.min(number).label("low"), sa.func.max(number).label("high"))
+        bounds = self._list(ends, lambda row: row)
         low, high = bounds[0].low or 0, (bounds[0].high or 0) + 1
         while low < high:
             middle = (low + high) // 2
-            query = sa.select(number.label("number"), at.label("at")).where(number >= middle, number < high)
+            query: sa.Select[Any] = sa.select(number.label("number"), at.label("at")).where(
+                number >= middle, number < high
+            )
             found = self._list(query.order_by(number).limit(1), lambda row: (row.number, row.at))
             if not found or found[0][1] >= moment:
                 high = middle

@@ -11,7 +11,8 @@ from app.fleet.statistics import Cause, cause_of, mean_level, statistics, times
 
 def transfer(created: float, *marks: float, state: str = "completed", vehicle: str = "V1") -> Transfer:
     """Return a transfer: assigned, acquire started, acquired, deposit started, deposited (and ended) at these moments."""
-    assigned, start, acquired, deposit, deposited = (*marks, *(None,) * (5 - len(marks)))
+    given: list[float | None] = [*marks, *[None] * (5 - len(marks))]
+    assigned, start, acquired, deposit, deposited = given
     ended = marks[-1] if len(marks) == 5 else created + 1
     return Transfer(
         "J", state, None, "A", "B", 50, vehicle, created, assigned, start, acquired, deposit, deposited, ended
