@@ -83,14 +83,13 @@ class StatisticsReader(ABC):
         Numbers rise with time, and no index has the time: about twenty look-ups by number.
         """
         at = events.c.at if number is events.c.seq else jobs.c.created
-        ends: sa.Select[Any] = sa.select(sa.func.min(number).label("low"), sa.func.max(number).label("high"))
-        bounds = self._list(ends, lambda row: row)
+        ends: list[sa.ColumnElement[Any]] = [sa.func.min(number).label("low"), sa.func.max(number).label("high")]
+        bounds = self._list(sa.select(*ends), lambda row: row)
         low, high = bounds[0].low or 0, (bounds[0].high or 0) + 1
         while low < high:
             middle = (low + high) // 2
-            query: sa.Select[Any] = sa.select(number.label("number"), at.label("at")).where(
-                number >= middle, number < high
-            )
+            both: list[sa.ColumnElement[Any]] = [number.label("number"), at.label("at")]
+            query = sa.select(*both).where(number >= middle, number < high)
             found = self._list(query.order_by(number).limit(1), lambda row: (row.number, row.at))
             if not found or found[0][1] >= moment:
                 high = middle
