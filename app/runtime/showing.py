@@ -56,9 +56,8 @@ def _shower(kind: type) -> Callable[[object], dict[str, object]]:
     def show(view: object) -> dict[str, object]:
         out: dict[str, object] = dict(zip(labels, values(view), strict=True))
         for label in moments:
-            moment = out[label]
-            if isinstance(moment, float | int):
-                out[label] = iso(moment)
+            if (moment := out[label]) is not None:
+                out[label] = iso(moment)  # type: ignore[arg-type]
         for name in nested:
             if type(out[name]) in _SHOWERS:
                 out[name] = shown(out[name])
