@@ -14,7 +14,7 @@ from structlog.typing import FilteringBoundLogger
 
 from app.control import Control, Transaction
 from app.domain.drive_requests import Word
-from app.domain.errors import Refusal
+from app.domain.errors import Refusal, StoreError
 from app.domain.ids import LinkId, VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import Plant
@@ -34,12 +34,15 @@ from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
+from app.runtime.recording import PIECE_SECONDS, Limits, Recorder
 from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
 from app.runtime.writer import Writer
 from app.store.ledger import FOR_EVER, SqlLedger
+from app.store.playback import PlaybackStore
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
@@ -98,6 +101,7 @@ class Controller:
         *,
         restored: bool = False,
         keep_events: Seconds = FOR_EVER,
+        playback: Limits | None = None,
     ) -> None:
         self.plant = plant
         self.trouble = ""
@@ -106,6 +110,10 @@ class Controller:
         self._database = database
         self._restored = restored
         self._keep_events = keep_events
+        self._limits = playback
+        self._recorder: Recorder | None = None
+        self.playback: Playback | None = None
+        """What was recorded, if anything is."""
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self.figures = Figures(plant)
         """What is counted for /metrics."""
@@ -144,7 +152,11 @@ class Controller:
         )
         self._writer.start()
         self._replanner = Replanner(self._replanned, figures=self.figures)
-        self.hub.publish(self._control.snapshot())
+        await self._record()
+        snapshot = self._control.snapshot()
+        self.hub.publish(snapshot)
+        if self._recorder is not None:
+            self._recorder.note(snapshot)
         self.figures.jobs.begin(self.model.all(Topic.JOBS))
         self.figures.start()
         leased = math.isfinite(self._writer.held_until)
@@ -175,7 +187,29 @@ class Controller:
         await self._replanner.stop()
         await asyncio.to_thread(self._ledger.close)
         self.reader.close()
+        if self._recorder is not None:
+            await asyncio.to_thread(self._recorder.close)
+        if self.playback is not None:
+            self.playback.close()
         self._log.info("stopped")
+
+    async def _record(self) -> None:
+        """Begin to record for playback; a plant is controlled without it all the same."""
+        if self._limits is None:
+            return
+        try:
+            store = await asyncio.to_thread(PlaybackStore, self._database)
+            self._recorder = Recorder(store, self._limits, self._clock.utc, self._log)
+            self.playback = Playback(self._database)
+        except StoreError as wrong:
+            self._log.warning("playback is not recorded", reason=wrong.message)
+            return
+        self._loop.call_later(PIECE_SECONDS, self._flush_recorder)
+
+    def _flush_recorder(self) -> None:
+        if self._recorder is not None and not self._over:
+            self._recorder.flush()
+            self._loop.call_later(PIECE_SECONDS, self._flush_recorder)
 
     def ask(self, request: Request) -> asyncio.Future[Reply]:
         """Put a request to the controller; the answer is durable. The future raises TimeoutError: there is none in time."""
@@ -312,6 +346,8 @@ class Controller:
             updates = self._control.updates()
             if updates:
                 self.hub.publish(updates)
+                if self._recorder is not None:
+                    self._recorder.note(updates)
                 self.figures.jobs.take(updates)
                 self._note(updates)
             for ticket, reply in self._control.replies():

@@ -59,6 +59,7 @@ from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
@@ -107,6 +108,9 @@ class MemoryReader:
         self.done: list[Transfer] = []
         self.walked: dict[int, Walk] = {}
         self.along: list[WalkPlace] = []
+
+    def first_event(self, moment: float) -> int:
+        return 1
 
     def event_count(self, begin: float, end: float) -> int:
         return self.events_between
@@ -299,6 +303,8 @@ class Scripted:
 
     def utc(self) -> Timestamp:
         return NOW
+
+    playback: Playback | None = None
 
     def survey(self) -> Survey:
         track = Track(self.plant)
