@@ -64,6 +64,8 @@ class Settings(BaseSettings):
     """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
     log_format: Literal["console", "json"] = "console"
+    traces: bool = False
+    """Whether a trace of each job is sent by OTLP, where OTEL_EXPORTER_OTLP_ENDPOINT says; needs ``hoistway[otel]``."""
 
     @property
     def keep_events(self) -> Seconds:

@@ -16,12 +16,11 @@ from app.control import Control, Transaction
 from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
 from app.domain.ids import LinkId, VehicleId
-from app.domain.job import JobEvent
 from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import EventView, LineView, Topic, Update
+from app.domain.view import LineView, Topic
 from app.fleet.closure_preview import Survey, survey
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.planning.routing import Route
@@ -31,6 +30,7 @@ from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.journal import Journal
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
 from app.runtime.metrics import Figures
@@ -43,23 +43,6 @@ from app.store.ledger import FOR_EVER, SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
-NOTEWORTHY = frozenset(
-    {
-        JobEvent.VEHICLE_HELD,
-        JobEvent.VEHICLE_RELEASED,
-        JobEvent.ALARM_SET,
-        JobEvent.ALARM_CLEARED,
-        JobEvent.DRIVE_OFFLINE,
-        JobEvent.DRIVE_ONLINE,
-        JobEvent.DRIVE_ERROR_SET,
-        JobEvent.DRIVE_ERROR_CLEARED,
-        JobEvent.EMERGENCY_SET,
-        JobEvent.EMERGENCY_RELEASED,
-        JobEvent.PLACE_CLOSING,
-        JobEvent.PLACE_OPENED,
-    }
-)
-"""Events that the log has too, for a person on duty without the page."""
 ANSWER_WITHIN = 30.0
 """Seconds until who asks is told that there is no answer (a database in trouble). Our choice."""
 SWEEP = 1.0
@@ -107,6 +90,7 @@ class Controller:
         self._restored = restored
         self._keep_events = keep_events
         self._log: FilteringBoundLogger = logger(plant=plant.name)
+        self._journal = Journal(self._log)
         self.figures = Figures(plant)
         """What is counted for /metrics."""
         self._in_flight: deque[Transaction] = deque()
@@ -313,7 +297,7 @@ class Controller:
             if updates:
                 self.hub.publish(updates)
                 self.figures.jobs.take(updates)
-                self._note(updates)
+                self._journal.take(updates)
             for ticket, reply in self._control.replies():
                 asked = self._asked.pop(ticket, None)
                 if asked is not None and not asked[0].done():
@@ -327,14 +311,6 @@ class Controller:
             with self._whole:
                 self._control.replanned(tables, self._clock.now())
             self._kick()
-
-    def _note(self, updates: Sequence[Update]) -> None:
-        """Write into the log what a person on duty should see without the page."""
-        for update in updates:
-            event = update.value
-            if isinstance(event, EventView) and event.event in NOTEWORTHY:
-                about = {"vehicle": event.vehicle} if event.vehicle else {"drive": event.source}
-                self._log.warning(event.event, **about, job=event.job, detail=event.detail)
 
     def _defect(self) -> None:
         self._log.exception("defect")
