@@ -32,6 +32,7 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    webhooks,
     zones,
 )
 from app.api.callers import Callers
@@ -143,6 +144,7 @@ def described(settings: Settings) -> FastAPI:
         plant.audit,
         plant.problems,
         live.router,
+        webhooks.router,
     ):
         api.include_router(router)
     app.include_router(api)

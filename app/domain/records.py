@@ -14,6 +14,7 @@ from app.domain.lockout import Lockout as Lockout
 from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 
 
@@ -339,6 +340,9 @@ Record = (
     | DeviceRecord
     | Why
     | Closure
+    | Webhook
+    | WebhookProgress
+    | WebhookTry
 )
 """Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord, Why and
 Closure replace the row of their key; the rest append."""
@@ -378,6 +382,10 @@ class Kept:
     next_session: int = 1
     closures: tuple[Closure, ...] = ()
     next_closure: int = 1
+    webhooks: tuple[Webhook, ...] = ()
+    """All but those removed, with their progress."""
+    webhook_progress: tuple[WebhookProgress, ...] = ()
+    next_webhook: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

@@ -14,6 +14,7 @@ from app.domain.layout import PulseSet, StopAction
 from app.domain.teaching import RowFate
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
+from app.domain.webhooks import WebhookRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -291,7 +292,16 @@ RoomRequest = ClosureRequest | Stilling
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
 """About doors, buffers and chargers, and the signals that stop all."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest | RoomRequest
+Request = (
+    VehicleRequest
+    | JobRequest
+    | PlantRequest
+    | DriveOrder
+    | TeachingRequest
+    | HallRequest
+    | RoomRequest
+    | WebhookRequest
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -52,6 +52,7 @@ from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_job, view_of_vehicle
+from app.fleet.webhooks import Webhooks
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -111,6 +112,7 @@ class Fleet:
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
         emergency = EmergencyDesk(self.books, self._plant_orders, self.alarms, self.drives)
+        self.webhooks = Webhooks(self.books, kept.webhooks, kept.webhook_progress, kept.next_webhook)
         self._desk = Desk(
             self.books,
             self._jobs,
@@ -123,6 +125,7 @@ class Fleet:
             emergency,
             self._closures,
             Standstills(self.books, self._plant_orders, self.alarms),
+            self.webhooks,
         )
         self._link = link
         self._looks = Looks()

@@ -39,6 +39,7 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.domain.teaching_requests import TeachingRequest
+from app.domain.webhooks import WebhookRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.closures import Closures
@@ -52,6 +53,7 @@ from app.fleet.refusals import no_vehicle
 from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
+from app.fleet.webhooks import Webhooks
 
 TARGETS = (
     "job",
@@ -67,10 +69,12 @@ TARGETS = (
     "closure",
     "place",
     "zone",
+    "webhook",
+    "url",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "secret"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -93,6 +97,7 @@ class Desk:
         emergency: EmergencyDesk,
         closures: Closures,
         standstills: Standstills,
+        webhooks: Webhooks,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -105,6 +110,7 @@ class Desk:
         self._emergency = emergency
         self._closures = closures
         self._standstills = standstills
+        self._webhooks = webhooks
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -131,6 +137,8 @@ class Desk:
             return self._answer_about_hall(request)
         if isinstance(request, RoomRequest):
             return self._answer_about_room(request)
+        if isinstance(request, WebhookRequest):
+            return self._webhooks.answer(request)
         return self._answer_about_plant(request)
 
     def _answer_about_room(self, request: RoomRequest) -> Reply:

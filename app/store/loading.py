@@ -4,7 +4,8 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import drive_rows, rows, teaching, why_rows
+from app.domain.webhooks import WebhookState
+from app.store import drive_rows, rows, teaching, webhook_rows, why_rows
 from app.store.closure_rows import closure
 from app.store.device_rows import device
 from app.store.tables import (
@@ -32,6 +33,8 @@ from app.store.tables import (
     unsettled,
     vehicle_offsets,
     vehicles,
+    webhook_progress,
+    webhooks,
 )
 
 
@@ -74,6 +77,13 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         next_session=_next(connection, teaching_sessions.c.number),
         closures=tuple(map(closure, _those(connection, closures, in_force))),
         next_closure=_next(connection, closures.c.number),
+        webhooks=tuple(
+            map(webhook_rows.webhook, _those(connection, webhooks, webhooks.c.state != WebhookState.REMOVED.value))
+        ),
+        webhook_progress=tuple(
+            sorted(map(webhook_rows.progress, _all(connection, webhook_progress)), key=lambda one: one.webhook)
+        ),
+        next_webhook=_next(connection, webhooks.c.number),
         fresh=fresh,
     )
 

@@ -26,6 +26,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
@@ -46,6 +47,9 @@ REPLACED: dict[type, sa.Table] = {
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
     Closure: tables.closures,
+    Webhook: tables.webhooks,
+    WebhookProgress: tables.webhook_progress,
+    WebhookTry: tables.webhook_tries,
 }
 """A record replaces the row of its key: the table's first columns."""
 
