@@ -12,9 +12,8 @@ import msgspec
 
 from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PauseView, PinView, View
 
-TIMES = frozenset(
-    {"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed", "expires"}
-)
+_AT = ("at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed")
+TIMES = frozenset((*_AT, "expires", "begun", "acknowledged"))
 """Names of the fields that are moments, in every view."""
 
 RENAMED: dict[tuple[type, str], str] = {(EventView, "at"): "ts"}
