@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from app.domain.alarms import AlarmKind
 from app.domain.errors import Refusal
 from app.domain.job import JobEvent
 from app.domain.requests import Accepted, Reply
@@ -76,7 +77,9 @@ class Webhooks:
         if failed and webhook.state is WebhookState.ACTIVE:
             self._save(replace(webhook, state=WebhookState.FAILED, reason=failed))
             remedy = f'mend the receiver, then PATCH /api/v1/webhooks/{webhook.number} {{"active": true}}'
-            self._alarm(JobEvent.ALARM_SET, webhook, f"{webhook.name} to {webhook.url} {failed}; {remedy}")
+            cause = f"{webhook.name} to {webhook.url} {failed}"
+            self._books.alarms.begin(AlarmKind.PLANT, self._books.plant.name, _code(webhook), cause, remedy)
+            self._books.event(JobEvent.ALARM_SET, source=_code(webhook), detail=f"{cause}; {remedy}")
 
     def _add(self, request: AddWebhook) -> Reply:
         if len(self.all) >= MOST:
@@ -108,11 +111,11 @@ class Webhooks:
         if request.active or request.url is not None:
             self._keep(replace(self.progress[webhook.number], failing=None, attempts=0, error=""))
         if webhook.state is WebhookState.FAILED and changed.state is not WebhookState.FAILED:
-            self._alarm(JobEvent.ALARM_CLEARED, webhook, f"{webhook.name} is {changed.state.value}: {request.actor}")
+            self._well_again(webhook, f"{webhook.name} is {changed.state.value}: {request.actor}")
 
     def _remove(self, webhook: Webhook) -> None:
         if webhook.state is WebhookState.FAILED:
-            self._alarm(JobEvent.ALARM_CLEARED, webhook, f"{webhook.name} is removed")
+            self._well_again(webhook, f"{webhook.name} is removed")
         gone = replace(webhook, state=WebhookState.REMOVED, secret="", old_secret="", old_until=None)
         self._books.effects.records.append(gone)
         del self.all[webhook.number]
@@ -123,8 +126,9 @@ class Webhooks:
         known = self.progress[webhook.number]
         self._keep(WebhookProgress(webhook.number, after, webhook.replays, known.tries, known.delivered, known.last))
 
-    def _alarm(self, name: JobEvent, webhook: Webhook, detail: str) -> None:
-        self._books.event(name, source=f"webhook-{webhook.number}", detail=detail)
+    def _well_again(self, webhook: Webhook, why: str) -> None:
+        self._books.alarms.end_one(AlarmKind.PLANT, self._books.plant.name, _code(webhook), why)
+        self._books.event(JobEvent.ALARM_CLEARED, source=_code(webhook), detail=why)
 
     def _save(self, webhook: Webhook) -> None:
         self.all[webhook.number] = webhook
@@ -133,3 +137,8 @@ class Webhooks:
     def _keep(self, progress: WebhookProgress) -> None:
         self.progress[progress.webhook] = progress
         self._books.effects.records.append(progress)
+
+
+def _code(webhook: Webhook) -> str:
+    """Return what an alarm about a webhook is counted by."""
+    return f"webhook-{webhook.number}"

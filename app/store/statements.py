@@ -6,6 +6,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
@@ -26,6 +27,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.walks import Walk, WalkPlace
 from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.store import tables
@@ -50,6 +52,9 @@ REPLACED: dict[type, sa.Table] = {
     Webhook: tables.webhooks,
     WebhookProgress: tables.webhook_progress,
     WebhookTry: tables.webhook_tries,
+    Alarm: tables.alarms,
+    Walk: tables.walks,
+    WalkPlace: tables.walk_places,
 }
 """A record replaces the row of its key: the table's first columns."""
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from app.domain.alarms import AlarmKind
 from app.domain.errors import Refusal
 from app.domain.ids import Actor
 from app.domain.job import JobEvent
@@ -123,10 +124,13 @@ def test_a_failure_is_an_alarm_and_taking_it_up_again_clears_it(office: Office) 
     assert "has not taken event 1" in alarm.detail
     assert "PATCH /api/v1/webhooks/1" in alarm.detail
     assert office.hooks.all[1].state is WebhookState.FAILED
+    (shown,) = office.fleet.books.alarms.live.values()
+    assert (shown.kind, shown.code) == (AlarmKind.PLANT, "webhook-1")
     office.ask(ChangeWebhook(WHO, 1, active=True))
     (cleared,) = office.kept(HistoryEvent)
     assert isinstance(cleared, HistoryEvent)
     assert cleared.event == "AlarmCleared"
+    assert not office.fleet.books.alarms.live
     assert (office.hooks.all[1].state, office.hooks.all[1].reason) == (WebhookState.ACTIVE, "")
     assert office.hooks.progress[1] == WebhookProgress(1, 0)
 
