@@ -11,6 +11,7 @@ from app.domain.records import ControllerRecord, ControllerState
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView, Topic, Update
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.fleet.closure_preview import Survey
 from app.fleet.views import view_of_controller
 from app.planning.routing import Route, Router
@@ -21,6 +22,7 @@ from app.runtime.incident import Incident
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
 from app.runtime.recording import PIECE_SECONDS, Change, packed
+from app.runtime.webhooks import Targets
 from app.store.ledger import SqlLedger
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
 from app.store.reading import Reader
@@ -85,6 +87,19 @@ class Recorded:
     def links(self) -> Sequence[LineView]:
         """Return none."""
         return ()
+
+    @property
+    def targets(self) -> Targets:
+        """Nowhere."""
+        return Targets(())
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        """Return none."""
+        return ()
+
+    async def ping_webhook(self, _number: int) -> WebhookTry | None:
+        """Say that there is none."""
+        return None
 
     def waits(self) -> dict[str, int]:
         """Return none."""
