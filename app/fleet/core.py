@@ -26,6 +26,7 @@ from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
 from app.fleet.closures import Closures
+from app.fleet.congestion import Congestion
 from app.fleet.courtesy import Courtesy
 from app.fleet.cutoff import CutOff
 from app.fleet.desk import Desk
@@ -102,6 +103,7 @@ class Fleet:
         self._cut_off = CutOff(self.books, self._breakdowns)
         self._reroutes = Reroutes(self.books, self.motion)
         self._closures = Closures(self.books, self.motion, self._courtesy)
+        self._congestion = Congestion(self.books)
         self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
@@ -136,7 +138,7 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
-        self._told: tuple[object, ...] = (0, (), 0, 0)
+        self._told: tuple[object, ...] = (0, (), 0, 0, 0, 0)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -207,6 +209,7 @@ class Fleet:
         self._closures.tick()
         self._dispatch.run()
         self._circles.look()
+        self._congestion.run()
         self._reroutes.run()
         self._show_traffic()
         self._go_on(all_devices=True)
@@ -215,7 +218,14 @@ class Fleet:
         """Show what is told of the traffic as a whole, if it is other than it was."""
         books = self.books
         state = books.traffic_state
-        told = (books.closed.edition, tuple(state.cut_off), state.led_round, state.led_quicker)
+        told = (
+            books.closed.edition,
+            tuple(state.cut_off),
+            state.led_round,
+            state.led_quicker,
+            state.weighed,
+            state.slow,
+        )
         if told != self._told:
             self._told = told
             books.show_controller()
@@ -344,6 +354,7 @@ class Fleet:
             vehicle = books.vehicles[name]
             self._note_fitness(vehicle)
             self._breakdowns.mind(vehicle)
+            self._congestion.mind(vehicle)
             self._looks.mind(vehicle, books.now)
             if not vehicle.available:
                 self._free.discard(name)
