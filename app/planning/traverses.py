@@ -24,9 +24,9 @@ class Smoothing:
     over: float = 120.0
     doubt: float = 3.0
     usual: float = 0.25
-    most: float = 6.0
+    most: float = 20.0
     weight: float = 3.0
-    power: float = 4.0
+    power: float = 6.0
 
 
 class Traverses:

@@ -17,8 +17,8 @@ SHORT = [Barcode(b) for b in ("104", "105", "106", "107", "110")]
 
 @pytest.fixture(autouse=True)
 def _trusting(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let one vehicle be enough."""
-    trusting = Smoothing(doubt=0.1)
+    """Let one vehicle be enough, and a little slower count."""
+    trusting = Smoothing(doubt=0.1, most=4.0, power=1.0)
     monkeypatch.setattr("app.fleet.congestion.Traverses", lambda free: Traverses(free, trusting))
 
 
@@ -64,7 +64,7 @@ def test_where_many_have_waited_for_long_costs_more_though_nobody_has_got_over_i
     for _ in range(40):
         script.now = Seconds(script.now + WEIGH_EVERY)
         script.fleet.books.now = script.now
-        script.fleet._congestion.run()
+        script.fleet._flow._congestion.run()
     assert short_branch(script) > 2 * free
 
 
