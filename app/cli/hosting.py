@@ -2,6 +2,7 @@
 
 import asyncio
 import gc
+import os
 import resource
 import socket
 from collections.abc import Callable, Iterator
@@ -11,6 +12,7 @@ from typing import Any
 import uvicorn
 
 from app.api import application
+from app.api.application import VERSION
 from app.api.connections import bounded
 from app.api.streams import Stream
 from app.cli.plainly import CannotStart, said
@@ -18,6 +20,8 @@ from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
 from app.runtime.telemetry import logger
+from app.runtime.tracing import Traces, provider
+from app.runtime.webhooks import Sender, Targets
 from app.settings import Settings
 
 COLLECTED = (10_000, 20, 50)
@@ -65,10 +69,16 @@ async def serve(
 
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
     there is one to ``notify``, and it is fed as long as the controller lives.
-    Raises CannotStart, PlantHeld, StoreError.
+    Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     log = logger(plant=plant.name)
-    controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
+    traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
+    sender = _sender(settings)
+    controller = Controller(
+        plant, settings.database, restored=restored, keep_events=settings.keep_events, webhooks=lambda: sender
+    )
+    if traces is not None:
+        controller.figures.jobs.told = traces.take
     try:
         await controller.start()
     except OSError as wrong:
@@ -96,7 +106,17 @@ async def serve(
         stopping.cancel()
     finally:
         await controller.stop()
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
     return 1 if controller.lost.done() else 0
+
+
+def _sender(settings: Settings) -> Sender:
+    """Return what delivers to webhooks. Raises TargetsError, CannotStart."""
+    try:
+        return Sender(Targets(settings.webhook_targets), VERSION, settings.webhook_authorities)
+    except (OSError, ValueError) as wrong:
+        raise CannotStart(f"webhook_authorities {settings.webhook_authorities} cannot be read: {wrong}") from None
 
 
 def _files() -> int:
