@@ -272,7 +272,7 @@ def test_the_same_id_and_data_under_another_code_are_no_duplicate() -> None:
     body = Resp2(status1(STANDING1), status2(AUTO_IDLE), 7, 0)
     status = bench.codec.encode(Enq(12, TOP + 9, Code.STATUS, body))
     bench.session.received(status, bench.now)
-    bench.session.received(bench.codec.encode(Enq(12, TOP + 9, 0x7F99, Raw(status[15:31])), strict=False), bench.now)
+    bench.session.received(bench.codec.encode(Enq(12, TOP + 9, 0x6F99, Raw(status[15:31])), strict=False), bench.now)
     assert bench.session.link.duplicates == 0
     assert [event.reason for event in garbled(bench)] == ["unfit packet"]
 
