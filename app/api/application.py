@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    alarms,
     closures,
     devices,
     drive_backups,
@@ -20,6 +21,7 @@ from app.api import (
     drives,
     emergency,
     events,
+    history,
     jobs,
     links,
     live,
@@ -28,10 +30,13 @@ from app.api import (
     plant,
     problems,
     stations,
+    statistics,
     taught,
     taught_files,
     teaching,
     vehicles,
+    walks,
+    webhooks,
     zones,
 )
 from app.api.callers import Callers
@@ -137,12 +142,17 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        history.router,
+        statistics.router,
+        walks.router,
+        alarms.router,
         zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
         plant.problems,
         live.router,
+        webhooks.router,
     ):
         api.include_router(router)
     app.include_router(api)

@@ -11,6 +11,7 @@ from app.api.policy import API, OUTSIDE, ROUTES
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
 from app.api.room_declared import ROOM
 from app.api.teaching_declared import TEACHING
+from app.api.webhook_declared import WEBHOOKS
 from app.domain.access import Scope, who_may
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
@@ -257,7 +258,17 @@ OTHERS: Json = {
                 _object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT, "buffer": _nullable(_TEXT)})
             ),
             "zones": _list(
-                _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
+                _object(
+                    {
+                        "id": _TEXT,
+                        "name": _TEXT,
+                        "barcodes": _list(_TEXT),
+                        "capacity": _WHOLE,
+                        "no_stop": _FLAG,
+                        "soft": _nullable(_object({"share": {"type": "number"}, "patience": {"type": "number"}}))
+                        | {"description": "No hard cap: a share of its slots is filled from outside, for so many s."},
+                    }
+                )
             ),
             "vehicles": _list(
                 _object(
@@ -343,7 +354,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS | TEACHING | ROOM)
+    schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM)
     components["schemas"] = dict(sorted(schemas.items()))
     components["securitySchemes"] = SECURITY
     components["responses"] = {

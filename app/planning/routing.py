@@ -12,6 +12,7 @@ from app.domain.units import Barcode, Seconds
 from app.planning.alternatives import by_present, by_table, drawn, search, ways
 from app.planning.arcs import EdgeKey, contract
 from app.planning.compiled import NO_CUTS, Cuts, View, is_open
+from app.planning.reach import reached
 from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
@@ -77,6 +78,11 @@ class Router:
         return self.view.version
 
     @property
+    def newly_open(self) -> bool:
+        """Whether track is open again that the tables do not lead over yet: ``time`` may be infinite where there is a way."""
+        return self._newly_open
+
+    @property
     def view(self) -> View:
         """What routes are planned by: fixed, to be held as long as one likes."""
         if self._stale:
@@ -108,6 +114,16 @@ class Router:
         if not np.array_equal(values, self._seconds[places]):
             self._seconds = self._seconds.copy()
             self._seconds[places] = values
+            self._change()
+
+    def slow(self, factors: Floats) -> None:
+        """Let each edge, by its number in ``edges``, take so many times as long as on an empty track from now on; at least once.
+
+        Nor more than ``LONGEST``, unless the empty track takes more.
+        """
+        values = np.minimum(np.fmax(factors, 1.0) * self._free, np.maximum(LONGEST, self._free))
+        if not np.array_equal(values, self._seconds):
+            self._seconds = values
             self._change()
 
     @property
@@ -228,6 +244,11 @@ class Router:
             return 0.0 if start in self._track else inf
         return self.view.time(start, goal, self._cuts)
 
+    def along(self, way: Sequence[Barcode]) -> float:
+        """Return the seconds of this way by the weights that ``time`` goes by, whatever is closed on it."""
+        edges = self._arcs.edges
+        return float(self.view.seconds[[edges[edge] for edge in pairwise(way)]].sum())
+
     def times(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> list[list[float]]:
         """Return a row for each start with the time to each goal, in seconds, infinite if there is no route."""
         times: list[list[float]] = self.table(starts, goals).tolist()
@@ -236,6 +257,10 @@ class Router:
     def table(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> Floats:
         """Return what ``times`` does, as an array."""
         return self.view.times(starts, goals, self._cuts)
+
+    def reached(self, starts: Iterable[Barcode], goals: Sequence[Barcode], *, anyway: bool = False) -> list[bool]:
+        """Return for each goal whether an open way leads there from any of the starts; ``anyway``: whatever is closed."""
+        return reached(self._arcs, NO_CUTS if anyway else self._cuts, starts, goals)
 
     def _timed(self, path: tuple[Barcode, ...]) -> Route:
         view = self.view

@@ -44,6 +44,7 @@ class Place:
     look_down: int = 0
     speed: int = 100
     fallbacks: tuple[str, ...] = ()
+    carrier: str = ""
 
 
 @dataclass(slots=True)
@@ -92,6 +93,7 @@ class Draft:
     title: str = ""
     kind: VehicleKind = VehicleKind.HOIST
     maps: bool = False
+    clearance: int = 0
     spots: list[Spot] = field(default_factory=list)
     ways: list[Way] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
