@@ -3,6 +3,7 @@ import { controller, keyWanted, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
 import { Below } from "./Below";
+import { Closures } from "./Closures";
 import { DevicePanel } from "./DevicePanel";
 import { DrivePanel } from "./DrivePanel";
 import { Header } from "./Header";
@@ -11,6 +12,8 @@ import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { KeyPrompt } from "./KeyPrompt";
 import { StationPanel } from "./StationPanel";
+import { Stations } from "./Stations";
+import { Teaching } from "./Teaching";
 import { TrackMap } from "./TrackMap";
 import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
@@ -52,6 +55,19 @@ function Plan() {
   );
 }
 
+/** Closing track is best done on the map. */
+function Closing() {
+  return (
+    <div class="plan closing">
+      <div class="stage">
+        <Circles />
+        <TrackMap />
+      </div>
+      <Closures />
+    </div>
+  );
+}
+
 /** Hoists that wait for each other: nothing else matters as much. */
 function Circles() {
   const now = controller.value;
@@ -73,6 +89,12 @@ function Room() {
       return <JobRoom />;
     case "alarms":
       return <Alarms />;
+    case "closures":
+      return <Closing />;
+    case "stations":
+      return <Stations />;
+    case "teaching":
+      return <Teaching />;
     default:
       return null;
   }

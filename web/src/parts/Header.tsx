@@ -4,6 +4,7 @@ import { actor, nameActor } from "../api";
 import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubles, vehicleList } from "../store";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
+import { Master } from "./Master";
 import { language, said, speak, t, tell, type Word } from "../texts";
 import { choose, theme } from "../theme";
 
@@ -20,6 +21,7 @@ export function Header() {
       <span class="plant">{layout.value?.name ?? ""}</span>
       <Rooms />
       <ControllerState />
+      <Master />
       <span class="grow" />
       <Counts />
       <Actor />

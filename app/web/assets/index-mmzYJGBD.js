@@ -1720,7 +1720,7 @@ function least(values, pick) {
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 var EVENTS_SHOWN = 200;
 var ENDED_SHOWN = 100;
-var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,events";
+var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,events";
 /** Compares names as people do: V2 before V10. */
 var NATURAL = new Intl.Collator(void 0, { numeric: true });
 var ENDED = /* @__PURE__ */ new Set([
@@ -1751,6 +1751,9 @@ var stations = /* @__PURE__ */ new Map();
 var carriers = /* @__PURE__ */ new Map();
 var devices = /* @__PURE__ */ new Map();
 var drives = /* @__PURE__ */ new Map();
+var closures = /* @__PURE__ */ new Map();
+/** Proposals and sessions of teaching; their details are asked for. */
+var teaching = /* @__PURE__ */ new Map();
 var controllers = /* @__PURE__ */ new Map();
 var ended = /* @__PURE__ */ new Map();
 var maps = {
@@ -1760,7 +1763,9 @@ var maps = {
 	stations,
 	carriers,
 	devices,
-	drives
+	drives,
+	closures,
+	teaching
 };
 var changes = {
 	controller: y$1(0),
@@ -1769,7 +1774,9 @@ var changes = {
 	stations: y$1(0),
 	carriers: y$1(0),
 	devices: y$1(0),
-	drives: y$1(0)
+	drives: y$1(0),
+	closures: y$1(0),
+	teaching: y$1(0)
 };
 var touched = /* @__PURE__ */ new Set();
 var controller = O(() => {
@@ -1818,6 +1825,18 @@ var driveList = O(() => {
 function byId(a, b) {
 	return NATURAL.compare(a.id, b.id);
 }
+var closureList = O(() => {
+	changes.closures.value;
+	return [...closures.values()].sort((a, b) => b.id - a.id);
+});
+var stationList = O(() => {
+	changes.stations.value;
+	return [...stations.values()].sort(byId);
+});
+var carrierList = O(() => {
+	changes.carriers.value;
+	return [...carriers.values()].sort(byId);
+});
 /** Open and ended jobs, newest first. */
 var jobList = O(() => {
 	changes.jobs.value;
@@ -1978,7 +1997,7 @@ async function start() {
 	});
 	watcher.open();
 }
-function begin$2() {
+function begin$3() {
 	onKeyWanted(() => keyWanted.value = true);
 	window.setInterval(() => tick.value++, 1e3);
 	start();
@@ -1989,7 +2008,10 @@ var ROOMS = [
 	"map",
 	"vehicles",
 	"jobs",
-	"alarms"
+	"alarms",
+	"closures",
+	"stations",
+	"teaching"
 ];
 var KINDS = /* @__PURE__ */ new Set([
 	"vehicle",
@@ -2012,7 +2034,7 @@ function read() {
 	};
 }
 /** Follow the address, and keep it up to date. */
-function begin$1() {
+function begin$2() {
 	read();
 	window.addEventListener("hashchange", read);
 	x(() => {
@@ -2023,592 +2045,10 @@ function begin$1() {
 	});
 }
 // ../app/texts/en.json
-var page$1 = {
-	"live": "Live",
-	"connecting": "Connecting",
-	"lost": "Reconnecting",
-	"lost_age": "Reconnecting · data {0} s old",
-	"lost_none": "The server does not answer; trying again",
-	"controller": "Controller",
-	"auto": "Auto",
-	"pausing": "Pausing",
-	"waiting_for": "Roll-call: waiting for {0}",
-	"vehicles": "Vehicles",
-	"choose_vehicle": "Choose a vehicle…",
-	"jobs": "Jobs",
-	"open_jobs": "Open jobs",
-	"open": "Open",
-	"ended": "Ended",
-	"all": "All",
-	"no_jobs": "No jobs here. Post one above.",
-	"events": "Events",
-	"no_events": "Nothing has happened yet.",
-	"new_transfer": "New transfer",
-	"source": "From",
-	"destination": "To",
-	"carrier": "Carrier",
-	"carrier_optional": "as it stands there",
-	"priority": "Priority",
-	"order": "Order",
-	"ordering": "Ordering…",
-	"ordered": "Job {0} accepted",
-	"choose": "Choose…",
-	"ports": "Ports",
-	"buffers": "Side buffers",
-	"agv_buffers": "AGV buffers",
-	"loaded_vehicles": "Vehicles with a carrier",
-	"cancel": "Cancel",
-	"abort": "Abort",
-	"sure": "Sure?",
-	"close": "Close",
-	"fit": "Fit",
-	"zoom_in": "Zoom in",
-	"zoom_out": "Zoom out",
-	"map": "Map",
-	"state": "State",
-	"activity": "Activity",
-	"mode": "Mode",
-	"oper": "Operation",
-	"place": "Place",
-	"job": "Job",
-	"goal": "Goal",
-	"link": "Link",
-	"link_up": "up since {0}",
-	"link_down": "down since {0}",
-	"round_trip": "Round trip",
-	"frames_io": "Frames in / out",
-	"trouble_counts": "Garbled / resent / repeated",
-	"seen": "Last status",
-	"ago": "{0} ago",
-	"dialect": "Dialect",
-	"address": "Address",
-	"none": "none",
-	"empty": "empty",
-	"loaded": "loaded",
-	"unknown": "not known",
-	"waits": "Waits",
-	"held_note": "Held",
-	"held": "held",
-	"locked": "Locked out by {0}",
-	"hold": "Hold",
-	"release": "Release",
-	"reason": "Reason",
-	"verdict": "What you found",
-	"verdict_go_on": "What it reports is true: go on",
-	"verdict_off_rail": "It is off the rail",
-	"verdict_stands_at": "It stands at a barcode",
-	"barcode": "Barcode",
-	"your_name": "Your name",
-	"name_hint": "Kept with everything that you ask for",
-	"status_bits": "Status bits",
-	"status": "Status",
-	"tag": "Tag",
-	"last_tag": "Last tag read",
-	"beyond": "Stopped on its way to",
-	"charges_now": "Charging",
-	"cart": "Cart",
-	"lift": "Lift",
-	"steering": "Direction",
-	"in_position": "In position",
-	"path": "Moves taken",
-	"agv_none": "none",
-	"agv_present": "present",
-	"agv_unknown": "not known",
-	"agv_up": "up",
-	"agv_down": "down",
-	"agv_straight": "straight on",
-	"agv_left": "left",
-	"agv_right": "right",
-	"agv_mark_stop": "stops at a mark",
-	"no_status": "No status yet",
-	"last_frames": "Last frames",
-	"no_frames": "No traffic yet",
-	"kind": "Kind",
-	"port": "Port",
-	"sbfl": "Side buffer, left",
-	"sbfr": "Side buffer, right",
-	"agv_buffer": "AGV buffer",
-	"present": "Occupied",
-	"yes": "yes",
-	"no": "no",
-	"believed": "believed",
-	"verified": "verified",
-	"provenance": "Known from",
-	"host": "the host",
-	"placed": "a vehicle put it there",
-	"picked": "a vehicle took it",
-	"person": "a person",
-	"inferred": "inferred",
-	"sensor": "its sensor",
-	"plant": "the plant file",
-	"reserved": "Reserved",
-	"out_of_service": "Out of service",
-	"target": "Target pulses",
-	"use_source": "Order from here",
-	"use_destination": "Order to here",
-	"key_title": "This server wants an access key",
-	"key_label": "Access key",
-	"key_hint": "Kept in this tab only, until you close it.",
-	"key_use": "Use key",
-	"legend_carrier": "carrier",
-	"legend_zone": "no-stop zone",
-	"legend_door": "door closed, open",
-	"look_idle": "idle",
-	"look_moving": "moving",
-	"look_waiting": "waiting",
-	"look_handling": "pick / place",
-	"look_charging": "charging",
-	"look_held": "held",
-	"look_alarm": "alarm",
-	"look_gone": "absent",
-	"idle": "idle",
-	"moving": "moving",
-	"waiting": "waiting",
-	"busy": "busy",
-	"settling": "settling",
-	"absent": "absent",
-	"off_rail": "off the rail",
-	"locked_out": "locked out",
-	"recovering": "recovering",
-	"alarm": "alarm",
-	"charging": "charging",
-	"acquiring": "picking up",
-	"depositing": "putting down",
-	"paused": "paused",
-	"removed": "removed",
-	"not_assigned": "not assigned",
-	"enroute": "en route",
-	"parked": "parked",
-	"queued": "queued",
-	"transferring": "transferring",
-	"cancelling": "cancelling",
-	"aborting": "aborting",
-	"completed": "completed",
-	"failed": "failed",
-	"cancelled": "cancelled",
-	"aborted": "aborted",
-	"in_service": "in service",
-	"devices": "Devices",
-	"door": "Door",
-	"buffer": "Buffer",
-	"charger": "Charger",
-	"device_open": "open",
-	"device_closed": "closed",
-	"device_cart": "cart there",
-	"device_no_cart": "no cart",
-	"device_charging": "charging",
-	"device_free": "free",
-	"device_busy": "busy",
-	"device_unknown": "not known",
-	"device_error": "error",
-	"device_silent": "not heard",
-	"since": "since {0}",
-	"last_word": "last said: {0}",
-	"passing": "Passing",
-	"charges": "Charging",
-	"nobody": "nobody",
-	"wait_for_it": "Waiting",
-	"lock_for": "Locked for",
-	"lock_unsure": "not confirmed",
-	"not_locked": "nobody",
-	"pinned": "Kept {0} by {1}",
-	"pending": "Under way",
-	"contradicts": "Differs from the books",
-	"at_station": "Station",
-	"on_line": "Line",
-	"line_number": "{0} · number {1}",
-	"cmd_open": "Open door",
-	"cmd_close": "Close door",
-	"cmd_lock": "Lock",
-	"cmd_unlock": "Unlock",
-	"asked": "Asked for: {0}",
-	"drives": "Drives",
-	"drive": "Drive",
-	"drive_parameter_select": "parameter select",
-	"drive_parameter_value": "parameter setting",
-	"drive_monitoring": "monitoring",
-	"drive_jog": "jog",
-	"drive_error": "error",
-	"drive_offline": "offline",
-	"drive_not_heard": "not heard yet",
-	"drive_online": "online",
-	"error_fact": "Error",
-	"operation_fact": "Operates",
-	"output": "Output",
-	"turn": "Turns",
-	"cw": "clockwise",
-	"ccw": "counter-clockwise",
-	"distance": "Distance",
-	"model": "Model",
-	"moves": "Moves",
-	"stop_reset": "Stop / reset",
-	"parameters": "Parameters",
-	"read_parameters": "Read parameters",
-	"reading": "Read {0} of {1}",
-	"no_parameters": "None read yet",
-	"op_done": "{0}: done",
-	"op_running": "{0}: asked for",
-	"op_unknown": "It is not known whether it took effect",
-	"no_model": "none: parameters by number",
-	"map_label": "Map of the track. Drag to move, wheel to zoom, click what you want to know about.",
-	"vehicle": "Vehicle",
-	"alarms": "Alarms",
-	"no_alarms": "Nothing is wrong.",
-	"rooms": "Rooms",
-	"find": "Find",
-	"nothing_found": "Nothing of that name",
-	"filter": "Filter",
-	"more_rows": "{0} more",
-	"show_more": "Show more",
-	"layers": "Layers",
-	"layer_grants": "Granted track",
-	"layer_zones": "Zones",
-	"layer_closures": "Closures",
-	"layer_holds": "Holds and lockouts",
-	"heat": "Heat since this page was opened",
-	"heat_off": "none",
-	"heat_waiting": "Waiting",
-	"heat_traffic": "Traffic",
-	"little": "little",
-	"much": "much",
-	"follow": "Follow",
-	"follow_hint": "Keep the chosen vehicle in the middle (F)",
-	"keys": "Keys of the map",
-	"key_find": "find something",
-	"key_pan": "move the map",
-	"key_zoom": "zoom",
-	"key_fit": "show everything",
-	"key_follow": "follow the chosen vehicle",
-	"key_none": "choose nothing",
-	"legend_soft": "soft zone",
-	"theme_light": "Light colours",
-	"theme_dark": "Dark colours",
-	"idle_parked": "idle, parked",
-	"why": "Why",
-	"circle": "Circle of hoists",
-	"circles_counted": "found {0}, over {1} since the start",
-	"job_details": "All about this job",
-	"fallbacks": "else {0}",
-	"wished": "wished: {0}",
-	"ordered_by": "Ordered by",
-	"ordered_at": "Ordered",
-	"result": "Result",
-	"phases": "How long each phase took",
-	"phase_queued": "queued",
-	"phase_fetching": "fetching",
-	"phase_carrying": "carrying",
-	"why_vehicle": "Why this vehicle",
-	"not_assigned_yet": "It has no vehicle yet.",
-	"why_waits": "What it waited for",
-	"never_waited": "It did not have to wait.",
-	"still": "still",
-	"left_out": "{0} between the first and the latest are left out",
-	"to_source": "{0} to the source",
-	"hot_lot": "hot lot",
-	"instead_of": "instead of {0}: {1} nearer",
-	"worth": "waiting counted for {0}, a change had to save {1}",
-	"no_way": "no way",
-	"change": "Change",
-	"any": "any",
-	"taken": "Done",
-	"older": "Older ones",
-	"takes": "Takes",
-	"device": "Device"
-};
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\"}");
 var sayings$2 = {};
 // ../app/texts/ko.json
-var page = {
-	"live": "실시간",
-	"connecting": "연결 중",
-	"lost": "재연결 중",
-	"lost_age": "재연결 중 · {0}초 전 데이터",
-	"lost_none": "서버가 응답하지 않습니다. 다시 시도합니다",
-	"controller": "제어기",
-	"auto": "자동",
-	"pausing": "일시정지 중",
-	"waiting_for": "점호: {0} 대기",
-	"vehicles": "차량",
-	"choose_vehicle": "차량 선택…",
-	"jobs": "작업",
-	"open_jobs": "진행 작업",
-	"open": "진행",
-	"ended": "종료",
-	"all": "전체",
-	"no_jobs": "작업이 없습니다. 위에서 등록하세요.",
-	"events": "이벤트",
-	"no_events": "아직 이벤트가 없습니다.",
-	"new_transfer": "새 반송",
-	"source": "출발",
-	"destination": "도착",
-	"carrier": "캐리어",
-	"carrier_optional": "현재 캐리어",
-	"priority": "우선순위",
-	"order": "등록",
-	"ordering": "등록 중…",
-	"ordered": "작업 {0} 접수됨",
-	"choose": "선택…",
-	"ports": "포트",
-	"buffers": "사이드 버퍼",
-	"agv_buffers": "AGV 버퍼",
-	"loaded_vehicles": "적재 차량",
-	"cancel": "취소",
-	"abort": "중단",
-	"sure": "확인?",
-	"close": "닫기",
-	"fit": "전체 보기",
-	"zoom_in": "확대",
-	"zoom_out": "축소",
-	"map": "지도",
-	"state": "상태",
-	"activity": "동작",
-	"mode": "모드",
-	"oper": "운전",
-	"place": "위치",
-	"job": "작업",
-	"goal": "목표",
-	"link": "링크",
-	"link_up": "{0}부터 연결",
-	"link_down": "{0}부터 끊김",
-	"round_trip": "왕복 시간",
-	"frames_io": "프레임 수신 / 송신",
-	"trouble_counts": "손상 / 재전송 / 중복",
-	"seen": "최근 상태 보고",
-	"ago": "{0} 전",
-	"dialect": "프로토콜 변형",
-	"address": "주소",
-	"none": "없음",
-	"empty": "비어 있음",
-	"loaded": "적재",
-	"unknown": "모름",
-	"waits": "대기",
-	"held_note": "보류",
-	"held": "보류",
-	"locked": "{0} 정비 잠금",
-	"hold": "보류",
-	"release": "해제",
-	"reason": "사유",
-	"verdict": "확인 결과",
-	"verdict_go_on": "보고가 맞음: 계속",
-	"verdict_off_rail": "레일에서 제거됨",
-	"verdict_stands_at": "바코드 위치에 서 있음",
-	"barcode": "바코드",
-	"your_name": "이름",
-	"name_hint": "모든 요청에 기록됩니다",
-	"status_bits": "상태 비트",
-	"status": "상태 보고 내용",
-	"tag": "태그",
-	"last_tag": "마지막 태그",
-	"beyond": "정지 전 이동 목표",
-	"charges_now": "충전 중",
-	"cart": "카트",
-	"lift": "리프트",
-	"steering": "방향",
-	"in_position": "정위치",
-	"path": "수락한 이동",
-	"agv_none": "없음",
-	"agv_present": "있음",
-	"agv_unknown": "모름",
-	"agv_up": "상승",
-	"agv_down": "하강",
-	"agv_straight": "직진",
-	"agv_left": "좌",
-	"agv_right": "우",
-	"agv_mark_stop": "마크 정지",
-	"no_status": "상태 보고 없음",
-	"last_frames": "최근 프레임",
-	"no_frames": "통신 없음",
-	"kind": "종류",
-	"port": "포트",
-	"sbfl": "좌측 사이드 버퍼",
-	"sbfr": "우측 사이드 버퍼",
-	"agv_buffer": "AGV 버퍼",
-	"present": "점유",
-	"yes": "예",
-	"no": "아니오",
-	"believed": "추정",
-	"verified": "확인됨",
-	"provenance": "근거",
-	"host": "호스트",
-	"placed": "차량이 내려놓음",
-	"picked": "차량이 가져감",
-	"person": "작업자",
-	"inferred": "추론",
-	"sensor": "센서",
-	"plant": "플랜트 파일",
-	"reserved": "예약",
-	"out_of_service": "사용 중지",
-	"target": "목표 펄스",
-	"use_source": "여기서 출발",
-	"use_destination": "여기로 도착",
-	"key_title": "접근 키가 필요합니다",
-	"key_label": "접근 키",
-	"key_hint": "이 탭에만 저장되며 닫으면 지워집니다.",
-	"key_use": "사용",
-	"legend_carrier": "캐리어",
-	"legend_zone": "정지 금지 구역",
-	"legend_door": "도어 닫힘, 열림",
-	"look_idle": "유휴",
-	"look_moving": "이동",
-	"look_waiting": "대기",
-	"look_handling": "이적재",
-	"look_charging": "충전",
-	"look_held": "보류",
-	"look_alarm": "알람",
-	"look_gone": "부재",
-	"idle": "유휴",
-	"moving": "이동 중",
-	"waiting": "대기",
-	"busy": "작업 중",
-	"settling": "확인 중",
-	"absent": "응답 없음",
-	"off_rail": "레일 밖",
-	"locked_out": "정비 잠금",
-	"recovering": "복구 중",
-	"alarm": "알람",
-	"charging": "충전 중",
-	"acquiring": "적재 중",
-	"depositing": "이재 중",
-	"paused": "일시정지",
-	"removed": "제거됨",
-	"not_assigned": "미할당",
-	"enroute": "이동 중",
-	"parked": "정차",
-	"queued": "대기열",
-	"transferring": "반송 중",
-	"cancelling": "취소 중",
-	"aborting": "중단 중",
-	"completed": "완료",
-	"failed": "실패",
-	"cancelled": "취소됨",
-	"aborted": "중단됨",
-	"in_service": "사용 중",
-	"devices": "장치",
-	"door": "도어",
-	"buffer": "버퍼",
-	"charger": "충전기",
-	"device_open": "열림",
-	"device_closed": "닫힘",
-	"device_cart": "카트 있음",
-	"device_no_cart": "카트 없음",
-	"device_charging": "충전 중",
-	"device_free": "비어 있음",
-	"device_busy": "동작 중",
-	"device_unknown": "상태 모름",
-	"device_error": "오류",
-	"device_silent": "응답 없음",
-	"since": "{0}부터",
-	"last_word": "마지막 상태: {0}",
-	"passing": "통과 차량",
-	"charges": "충전 차량",
-	"nobody": "없음",
-	"wait_for_it": "대기 차량",
-	"lock_for": "잠금 요청자",
-	"lock_unsure": "확인되지 않음",
-	"not_locked": "잠금 없음",
-	"pinned": "{1} 님이 {0} 상태로 유지",
-	"pending": "진행 중 명령",
-	"contradicts": "기록과 다름",
-	"at_station": "스테이션",
-	"on_line": "라인",
-	"line_number": "{0} · 번호 {1}",
-	"cmd_open": "도어 열기",
-	"cmd_close": "도어 닫기",
-	"cmd_lock": "잠금",
-	"cmd_unlock": "잠금 해제",
-	"asked": "요청됨: {0}",
-	"drives": "드라이브",
-	"drive": "드라이브",
-	"drive_parameter_select": "파라미터 선택",
-	"drive_parameter_value": "파라미터 설정",
-	"drive_monitoring": "모니터링",
-	"drive_jog": "조그",
-	"drive_error": "오류",
-	"drive_offline": "오프라인",
-	"drive_not_heard": "아직 응답 없음",
-	"drive_online": "온라인",
-	"error_fact": "오류",
-	"operation_fact": "운전 방식",
-	"output": "출력",
-	"turn": "회전 방향",
-	"cw": "시계 방향",
-	"ccw": "반시계 방향",
-	"distance": "이동 거리",
-	"model": "모델",
-	"moves": "움직임",
-	"stop_reset": "정지 / 리셋",
-	"parameters": "파라미터",
-	"read_parameters": "파라미터 읽기",
-	"reading": "{1}개 중 {0}개 읽음",
-	"no_parameters": "아직 읽지 않음",
-	"op_done": "{0}: 완료",
-	"op_running": "{0}: 요청됨",
-	"op_unknown": "적용 여부를 알 수 없음",
-	"no_model": "없음: 번호로만 파라미터 접근",
-	"map_label": "트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.",
-	"vehicle": "차량",
-	"alarms": "알람",
-	"no_alarms": "이상이 없습니다.",
-	"rooms": "화면",
-	"find": "찾기",
-	"nothing_found": "일치하는 항목 없음",
-	"filter": "필터",
-	"more_rows": "{0}개 더 있음",
-	"show_more": "더 보기",
-	"layers": "레이어",
-	"layer_grants": "허가된 경로",
-	"layer_zones": "구역",
-	"layer_closures": "폐쇄",
-	"layer_holds": "보류·정비 잠금",
-	"heat": "페이지를 연 이후 히트맵",
-	"heat_off": "없음",
-	"heat_waiting": "대기 시간",
-	"heat_traffic": "통행량",
-	"little": "적음",
-	"much": "많음",
-	"follow": "따라가기",
-	"follow_hint": "선택한 차량을 가운데에 유지 (F)",
-	"keys": "지도 단축키",
-	"key_find": "찾기",
-	"key_pan": "지도 이동",
-	"key_zoom": "확대·축소",
-	"key_fit": "전체 보기",
-	"key_follow": "선택한 차량 따라가기",
-	"key_none": "선택 해제",
-	"legend_soft": "완화 구역",
-	"theme_light": "밝은 화면",
-	"theme_dark": "어두운 화면",
-	"idle_parked": "유휴, 주차",
-	"why": "사유",
-	"circle": "호이스트 순환 대기",
-	"circles_counted": "시작 이후 발견 {0}, 해소 {1}",
-	"job_details": "작업 상세",
-	"fallbacks": "대체 {0}",
-	"wished": "지정 차량: {0}",
-	"ordered_by": "등록자",
-	"ordered_at": "등록 시각",
-	"result": "결과",
-	"phases": "단계별 소요 시간",
-	"phase_queued": "대기",
-	"phase_fetching": "인수 이동",
-	"phase_carrying": "운반",
-	"why_vehicle": "왜 이 차량인가",
-	"not_assigned_yet": "아직 배정된 차량이 없습니다.",
-	"why_waits": "무엇을 기다렸나",
-	"never_waited": "기다리지 않았습니다.",
-	"still": "계속",
-	"left_out": "처음과 최근 사이 {0}건 생략",
-	"to_source": "출발지까지 {0}",
-	"hot_lot": "긴급 로트",
-	"instead_of": "{0} 대신: {1} 가까움",
-	"worth": "대기 가산 {0}, 변경 최소 이득 {1}",
-	"no_way": "경로 없음",
-	"change": "변경",
-	"any": "아무 차량",
-	"taken": "완료",
-	"older": "이전 작업",
-	"takes": "소요",
-	"device": "장치"
-};
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\"}");
 var sayings$1 = {};
 // src/sayings.ts
 /** Sentences within sentences are translated too, so deep. */
@@ -2727,11 +2167,11 @@ function Alarms() {
 			children: [list.length === 0 && /* @__PURE__ */ a("li", {
 				class: "nothing",
 				children: t("no_alarms")
-			}), list.map((wrong) => /* @__PURE__ */ a(Line$1, { wrong }, wrong.key))]
+			}), list.map((wrong) => /* @__PURE__ */ a(Line$2, { wrong }, wrong.key))]
 		})]
 	});
 }
-function Line$1({ wrong }) {
+function Line$2({ wrong }) {
 	const { kind, source } = wrong;
 	return /* @__PURE__ */ a("li", {
 		"data-alarm": wrong.key,
@@ -2879,10 +2319,10 @@ function Events() {
 		children: [list.length === 0 && /* @__PURE__ */ a("li", {
 			class: "nothing",
 			children: t("no_events")
-		}), list.slice(0, SHOWN$2).map((event) => /* @__PURE__ */ a(Line, { event }, event.seq))]
+		}), list.slice(0, SHOWN$2).map((event) => /* @__PURE__ */ a(Line$1, { event }, event.seq))]
 	});
 }
-function Line({ event }) {
+function Line$1({ event }) {
 	const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
 	const where = [event.source, event.destination].filter(Boolean).join(" → ");
 	return /* @__PURE__ */ a("li", {
@@ -2963,6 +2403,574 @@ function Below() {
 		]
 	});
 }
+// src/closed.ts
+/** Which track people have closed or are about to close, for the map. */
+/** Told which barcode was clicked, while somebody chooses track on the map. */
+var choosing = y$1(null);
+/** Barcodes that a closure that is only looked at would keep empty. */
+var previewed = y$1([]);
+/** Pairs of barcodes: the way from the first to the second is closed. */
+var closedWays = O(() => {
+	const list = closureList.value;
+	const barcodes = new Set(list.filter(({ kind }) => kind !== "edge" && kind !== "station").flatMap((one) => one.barcodes));
+	return [...list.filter(({ kind }) => kind === "edge").map(({ names }) => [names[0], names[1]]), ...waysInto(barcodes)];
+});
+var previewedWays = O(() => waysInto(new Set(previewed.value)));
+function waysInto(barcodes) {
+	if (barcodes.size === 0) return [];
+	return (layout.value?.edges ?? []).filter(({ end }) => barcodes.has(end)).map(({ start, end }) => [start, end]);
+}
+// src/parts/Problem.tsx
+/** What the server said, and what would help. */
+function Problem({ error }) {
+	if (!error) return null;
+	const message = error instanceof Error ? error.message : String(error);
+	const remedy = error instanceof Refused ? error.remedy : "";
+	return /* @__PURE__ */ a("div", {
+		class: "problem",
+		role: "alert",
+		children: [/* @__PURE__ */ a("b", { children: tell(message) }), remedy && /* @__PURE__ */ a("span", { children: tell(remedy) })]
+	});
+}
+// src/parts/asking.tsx
+/** Asking the server for something, and telling what came of it. */
+function useAsking() {
+	const error = useSignal(null);
+	const done = useSignal("");
+	const busy = useSignal(false);
+	const ask = async (what, words = t("taken")) => {
+		error.value = null;
+		done.value = "";
+		busy.value = true;
+		try {
+			await what();
+			done.value = words;
+			return true;
+		} catch (failure) {
+			error.value = failure;
+			return false;
+		} finally {
+			busy.value = false;
+		}
+	};
+	return {
+		error,
+		done,
+		busy,
+		ask
+	};
+}
+/** What came of it: a refusal with what helps, or that it is done. */
+function Told({ asking }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Problem, { error: asking.error.value }), asking.done.value && /* @__PURE__ */ a("span", {
+		class: "done",
+		role: "status",
+		children: asking.done.value
+	})] });
+}
+/** What a path gives, read again whenever one of these changes; the last answer stays until the next. */
+function useRead(path, ...again) {
+	const value = useSignal(null);
+	const error = useSignal(null);
+	A$1(() => {
+		let here = true;
+		if (path !== null) get(path).then((found) => here && (value.value = found, error.value = null), (failure) => here && (error.value = failure));
+		return () => {
+			here = false;
+		};
+	}, [
+		path,
+		language.value,
+		...again
+	]);
+	return {
+		value: value.value,
+		error: error.value
+	};
+}
+/** A labelled text or number to be written. */
+function Field(props) {
+	const { label, value, wide, hint, list, ...rest } = props;
+	return /* @__PURE__ */ a("label", {
+		class: wide ? "wide" : "",
+		children: [/* @__PURE__ */ a("span", { children: label }), /* @__PURE__ */ a("input", {
+			...rest,
+			...list ? { list } : {},
+			placeholder: hint ?? "",
+			autocomplete: "off",
+			value: value.value,
+			onInput: (event) => value.value = event.currentTarget.value
+		})]
+	});
+}
+/** A labelled choice. */
+function Choice$1(props) {
+	return /* @__PURE__ */ a("label", {
+		class: props.wide ? "wide" : "",
+		children: [/* @__PURE__ */ a("span", { children: props.label }), /* @__PURE__ */ a("select", {
+			value: props.value.value,
+			onChange: (event) => props.value.value = event.currentTarget.value,
+			children: props.of.map(([value, words]) => /* @__PURE__ */ a("option", {
+				value,
+				children: words
+			}, value))
+		})]
+	});
+}
+// src/parts/Name.tsx
+/** The name of something, which chooses it: of whatever kind there is one of that name. */
+function Name({ id }) {
+	if (!id) return null;
+	const kind = vehicles.has(id) ? "vehicle" : stations.has(id) ? "station" : devices.has(id) ? "device" : drives.has(id) ? "drive" : jobs.has(id) ? "job" : null;
+	if (!kind) return /* @__PURE__ */ a($, { children: id });
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "text",
+		onClick: () => selected.value = {
+			kind,
+			id
+		},
+		children: id
+	});
+}
+// src/parts/Sure.tsx
+/** A button that wants to be pressed twice. */
+var PATIENCE = 3500;
+function Sure(props) {
+	const armed = useSignal(false);
+	A$1(() => {
+		if (!armed.value) return void 0;
+		const timer = window.setTimeout(() => armed.value = false, PATIENCE);
+		return () => window.clearTimeout(timer);
+	}, [armed.value]);
+	const press = () => {
+		if (armed.value) props.does();
+		armed.value = !armed.value;
+	};
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: `sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`,
+		disabled: props.disabled ?? false,
+		onClick: press,
+		children: armed.value ? t("sure") : props.label
+	});
+}
+// src/parts/Reasoned.tsx
+/** Decisions that want a reason: one line to write it, and the buttons. */
+function Reasoned({ decisions, title, asking }) {
+	const reason = useSignal("");
+	const own = useAsking();
+	const { ask, busy } = asking ?? own;
+	const send = async ({ does }) => {
+		if (await ask(() => does(reason.value.trim()))) reason.value = "";
+	};
+	const wanted = decisions.some((one) => !one.bare);
+	return /* @__PURE__ */ a("div", {
+		class: "stack reasoned",
+		children: [
+			title && /* @__PURE__ */ a("h3", { children: title }),
+			wanted && /* @__PURE__ */ a("input", {
+				"aria-label": t("reason"),
+				placeholder: t("reason"),
+				maxLength: 200,
+				value: reason.value,
+				onInput: (event) => reason.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: decisions.map((one) => {
+					const idle = busy.value || !one.bare && !reason.value.trim();
+					return one.grave ? /* @__PURE__ */ a(Sure, {
+						label: one.label,
+						disabled: idle,
+						does: () => void send(one)
+					}, one.label) : /* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: idle,
+						onClick: () => void send(one),
+						children: one.label
+					}, one.label);
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking: asking ?? own })
+		]
+	});
+}
+// src/parts/Closures.tsx
+/** What is closed, and closing more: a look at what it would do comes first. Track can be chosen on the map above. */
+function Closures() {
+	tick.value;
+	return /* @__PURE__ */ a("section", {
+		class: "room closing",
+		"aria-label": t("closures"),
+		children: /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a("div", {
+				tabIndex: 0,
+				role: "region",
+				"aria-label": t("closures"),
+				children: [
+					/* @__PURE__ */ a("h2", {
+						class: "sub",
+						children: [
+							t("closures"),
+							" ",
+							closureList.value.length
+						]
+					}),
+					closureList.value.length === 0 && /* @__PURE__ */ a("p", {
+						class: "nothing",
+						children: t("nothing_closed")
+					}),
+					/* @__PURE__ */ a("ul", {
+						class: "alarms",
+						children: closureList.value.map((closure) => /* @__PURE__ */ a(Line, { closure }, closure.id))
+					}),
+					/* @__PURE__ */ a(Zones, {})
+				]
+			}), /* @__PURE__ */ a(Close, {})]
+		})
+	});
+}
+function Line({ closure }) {
+	const left = closure.expires ? Date.parse(closure.expires) - serverNow() : null;
+	return /* @__PURE__ */ a("li", {
+		"data-closure": closure.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${closure.state === "draining" ? "wait" : ""}`,
+				children: closure.state === "draining" ? "…" : "✕"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: closure.place }),
+				" · ",
+				said(closure.state),
+				" · ",
+				said(closure.purpose),
+				": ",
+				closure.reason
+			] }),
+			/* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: [
+					closure.owner,
+					" · ",
+					t("since", clock(closure.since)),
+					left !== null && ` · ${t("ends_in", span(left))}`,
+					closure.releases.length > 0 && ` · ${t("release_wished", closure.releases.join(", "))}`
+				]
+			}),
+			closure.waiting.map((words) => /* @__PURE__ */ a("p", {
+				class: "wait",
+				children: tell(words)
+			}, words)),
+			/* @__PURE__ */ a("div", {
+				class: "wide",
+				children: /* @__PURE__ */ a(Reasoned, { decisions: [{
+					label: t("open_it"),
+					bare: true,
+					grave: true,
+					does: () => post(`/closures/${closure.id}/open`, {})
+				}] })
+			})
+		]
+	});
+}
+/** Zones of the plant: paused, stopped, resumed. */
+function Zones() {
+	const { value } = useRead("/zones", controller.value?.pauses, Math.floor(tick.value / 3));
+	if (!value?.items.length) return null;
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h2", {
+		class: "sub",
+		children: t("layer_zones")
+	}), /* @__PURE__ */ a("ul", {
+		class: "alarms",
+		children: value.items.map((zone) => /* @__PURE__ */ a("li", {
+			"data-zone": zone.id,
+			children: [
+				/* @__PURE__ */ a("span", {
+					class: "sign wait",
+					children: zone.state === "auto" ? "" : "‖"
+				}),
+				/* @__PURE__ */ a("span", { children: [
+					/* @__PURE__ */ a("b", { children: zone.name || zone.id }),
+					" · ",
+					said(zone.state),
+					" · ",
+					zone.vehicles.length,
+					" / ",
+					zone.capacity,
+					" ",
+					zone.vehicles.map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id))
+				] }),
+				zone.pause && /* @__PURE__ */ a("p", {
+					class: "remedy",
+					children: [
+						zone.pause.owner,
+						": ",
+						zone.pause.reason
+					]
+				}),
+				/* @__PURE__ */ a("details", {
+					class: "wide",
+					children: [/* @__PURE__ */ a("summary", { children: t("change") }), /* @__PURE__ */ a(Reasoned, { decisions: [
+						{
+							label: t("pause"),
+							does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/pause`, { reason })
+						},
+						{
+							label: t("stop_zone"),
+							grave: true,
+							does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/stop`, { reason })
+						},
+						{
+							label: t("resume"),
+							bare: true,
+							does: () => post(`/zones/${encodeURIComponent(zone.id)}/resume`)
+						}
+					] })]
+				})
+			]
+		}, zone.id))
+	})] });
+}
+function Close() {
+	const kind = useSignal("stretch");
+	const from = useSignal("");
+	const to = useSignal("");
+	const purpose = useSignal("traffic");
+	const minutes = useSignal("");
+	const reason = useSignal("");
+	const preview = useSignal(null);
+	const asking = useAsking();
+	const two = kind.value === "stretch" || kind.value === "edge";
+	A$1(() => {
+		choosing.value = (barcode) => {
+			if (kind.value === "zone" || kind.value === "station") return;
+			if (!from.value || two && to.value || !two) [from.value, to.value] = [barcode, ""];
+			else to.value = barcode;
+		};
+		return () => {
+			choosing.value = null;
+			previewed.value = [];
+		};
+	}, [two]);
+	const place = () => {
+		const [a, b] = [from.value.trim(), to.value.trim()];
+		if (kind.value === "stretch" || kind.value === "edge") return {
+			kind: kind.value,
+			from: a,
+			to: b
+		};
+		if (kind.value === "zone") return {
+			kind: "zone",
+			zone: a
+		};
+		return kind.value === "station" ? {
+			kind: "station",
+			station: a
+		} : {
+			kind: "barcode",
+			barcodes: a.split(/[\s,]+/)
+		};
+	};
+	const look = async () => {
+		preview.value = null;
+		await asking.ask(async () => {
+			preview.value = await post("/closures/preview", { place: place() });
+			previewed.value = preview.value.barcodes;
+		}, "");
+	};
+	const close = async () => {
+		const body = {
+			place: place(),
+			reason: reason.value.trim(),
+			purpose: purpose.value,
+			...minutes.value ? { minutes: Number(minutes.value) } : {}
+		};
+		if (!await asking.ask(() => post("/closures", body), t("closes_now"))) return;
+		[preview.value, previewed.value, reason.value] = [
+			null,
+			[],
+			""
+		];
+	};
+	const whole = Boolean(from.value.trim() && (!two || to.value.trim()));
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("close_place"),
+		onSubmit: (event) => {
+			event.preventDefault();
+			preview.value ? close() : look();
+		},
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("close_place")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				onInput: () => preview.value = null,
+				children: [
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("kind"),
+						value: kind,
+						of: [
+							["stretch", t("close_stretch")],
+							["edge", t("close_edge")],
+							["barcode", t("close_barcode")],
+							["zone", t("close_zone")],
+							["station", t("at_station")]
+						]
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: two ? t("close_from") : t("name"),
+						name: "from",
+						value: from,
+						list: kind.value === "zone" ? "zone-names" : "place-names"
+					}),
+					two && /* @__PURE__ */ a(Field, {
+						label: t("close_to"),
+						name: "to",
+						value: to
+					}),
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("purpose"),
+						value: purpose,
+						of: [["traffic", t("traffic")], ["work", t("work")]]
+					}),
+					purpose.value === "traffic" && /* @__PURE__ */ a(Field, {
+						label: t("minutes"),
+						name: "minutes",
+						type: "number",
+						min: 1,
+						value: minutes,
+						hint: t("until_opened")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("reason"),
+						name: "reason",
+						value: reason,
+						wide: true
+					})
+				]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "zone-names",
+				children: layout.value?.zones.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "place-names",
+				children: kind.value === "station" && layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("p", {
+				class: "calm",
+				children: t(kind.value === "station" || kind.value === "zone" ? "look_first" : "choose_on_map")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: !whole,
+					onClick: () => void look(),
+					children: t("preview")
+				}), /* @__PURE__ */ a("button", {
+					type: "submit",
+					class: "halt",
+					disabled: !whole || !reason.value.trim() || !preview.value,
+					children: t("close_place")
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			preview.value && /* @__PURE__ */ a(Effects, { preview: preview.value })
+		]
+	});
+}
+function Effects({ preview }) {
+	const { routes } = preview;
+	const names = (label, list) => list.length > 0 && /* @__PURE__ */ a("p", { children: [
+		/* @__PURE__ */ a("b", { children: label }),
+		" ",
+		list.slice(0, 30).map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id)),
+		list.length > 30 && t("more_rows", list.length - 30)
+	] });
+	return /* @__PURE__ */ a("div", {
+		class: "note stack",
+		"data-preview": true,
+		children: [
+			/* @__PURE__ */ a("b", { children: preview.place }),
+			names(t("stations_closed"), preview.stations),
+			names(t("cut_off"), preview.cut_off),
+			names(t("drive_out"), preview.inside),
+			names(t("shut_in"), preview.shut_in),
+			/* @__PURE__ */ a("p", { children: [
+				t("jobs_touched", preview.jobs_touched),
+				" · ",
+				t("routes_longer", routes.longer, routes.compared),
+				" · ",
+				t("routes_lost", routes.lost)
+			] }),
+			/* @__PURE__ */ a("p", { children: t("routes_mean", routes.mean_seconds.toFixed(1), routes.mean_seconds_after.toFixed(1)) }),
+			routes.worst.slice(0, 3).map((one) => /* @__PURE__ */ a("p", {
+				class: "calm",
+				children: [
+					one.from,
+					" → ",
+					one.to,
+					": ",
+					one.seconds.toFixed(0),
+					" → ",
+					one.seconds_after.toFixed(0),
+					" s"
+				]
+			}, one.from + one.to))
+		]
+	});
+}
+// src/parts/DeviceDecisions.tsx
+/** What people decide about a door, buffer or charger: kept open or closed, locked out, out of service. */
+function DeviceDecisions({ device }) {
+	const path = `/devices/${encodeURIComponent(device.id)}`;
+	const decisions = [
+		...device.kind !== "door" ? [] : device.pin ? [{
+			label: t("unpin"),
+			bare: true,
+			does: () => call("DELETE", `${path}/pin`)
+		}] : ["open", "closed"].map((position) => ({
+			label: t(`pin_${position}`),
+			does: (reason) => call("PUT", `${path}/pin`, {
+				position,
+				reason
+			})
+		})),
+		device.lockout ? {
+			label: t("lift_lockout"),
+			bare: true,
+			grave: true,
+			does: () => call("DELETE", `${path}/lockout`)
+		} : {
+			label: t("lock_out"),
+			grave: true,
+			does: (reason) => post(`${path}/lockout`, { reason })
+		},
+		device.out_of_service ? {
+			label: t("put_back"),
+			bare: true,
+			does: () => call("PUT", `${path}/service`, { in_service: true })
+		} : {
+			label: t("take_out"),
+			grave: true,
+			does: (reason) => call("PUT", `${path}/service`, {
+				in_service: false,
+				reason
+			})
+		}
+	];
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("decide") }), /* @__PURE__ */ a(Reasoned, { decisions })]
+	});
+}
 // src/parts/Panel.tsx
 function Panel(props) {
 	return /* @__PURE__ */ a("section", {
@@ -2993,40 +3001,6 @@ function Panel(props) {
 }
 function Fact(props) {
 	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("dt", { children: props.name }), /* @__PURE__ */ a("dd", { children: props.children })] });
-}
-// src/parts/Problem.tsx
-/** What the server said, and what would help. */
-function Problem({ error }) {
-	if (!error) return null;
-	const message = error instanceof Error ? error.message : String(error);
-	const remedy = error instanceof Refused ? error.remedy : "";
-	return /* @__PURE__ */ a("div", {
-		class: "problem",
-		role: "alert",
-		children: [/* @__PURE__ */ a("b", { children: tell(message) }), remedy && /* @__PURE__ */ a("span", { children: tell(remedy) })]
-	});
-}
-// src/parts/Sure.tsx
-/** A button that wants to be pressed twice. */
-var PATIENCE = 3500;
-function Sure(props) {
-	const armed = useSignal(false);
-	A$1(() => {
-		if (!armed.value) return void 0;
-		const timer = window.setTimeout(() => armed.value = false, PATIENCE);
-		return () => window.clearTimeout(timer);
-	}, [armed.value]);
-	const press = () => {
-		if (armed.value) props.does();
-		armed.value = !armed.value;
-	};
-	return /* @__PURE__ */ a("button", {
-		type: "button",
-		class: `sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`,
-		disabled: props.disabled ?? false,
-		onClick: press,
-		children: armed.value ? t("sure") : props.label
-	});
 }
 // src/parts/DevicePanel.tsx
 /** One door, buffer or charger: its state and since when, who has it, what is wrong, and the two commands it takes. */
@@ -3097,7 +3071,8 @@ function DeviceBody({ id }) {
 		/* @__PURE__ */ a(Commands, {
 			id,
 			commands: COMMANDS[kind]
-		})
+		}),
+		now && /* @__PURE__ */ a(DeviceDecisions, { device: now })
 	] });
 }
 function State({ look, device }) {
@@ -3306,12 +3281,285 @@ function Parameters({ id }) {
 						/* @__PURE__ */ a("td", { children: [
 							parameter.name,
 							" ",
-							parameter.at && /* @__PURE__ */ a("small", { children: ["· ", clock(parameter.at)] })
+							parameter.at && /* @__PURE__ */ a("small", { children: ["· ", clock(parameter.at)] }),
+							parameter.named && !parameter.read_only && parameter.raw !== null && /* @__PURE__ */ a(Write, {
+								path: `${path}/${parameter.number}`,
+								parameter,
+								after: refresh
+							})
 						] })
 					]
 				}, parameter.number)) })
 			})
 		]
+	});
+}
+/** A new value, in the catalogue's unit; written only if the drive still has what is shown, and read back. */
+function Write({ path, parameter, after }) {
+	const value = useSignal(parameter.value === null ? "" : String(parameter.value));
+	const operation = useSignal(null);
+	const error = useSignal(null);
+	const write = async () => {
+		error.value = operation.value = null;
+		try {
+			operation.value = await call("PUT", `${path}?wait=10`, { value: Number(value.value) }, { "If-Match": `"${parameter.raw}"` });
+			await after();
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	const range = parameter.lowest === null ? "" : `${parameter.lowest} … ${parameter.highest ?? ""} ${parameter.unit}`;
+	return /* @__PURE__ */ a("details", {
+		class: "write",
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("write") }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a("input", {
+						"aria-label": `${parameter.number} ${parameter.name}`,
+						title: range,
+						placeholder: range,
+						value: value.value,
+						onInput: (event) => value.value = event.currentTarget.value
+					}),
+					/* @__PURE__ */ a(Sure, {
+						label: t("write"),
+						disabled: value.value.trim() === "" || Number.isNaN(Number(value.value)),
+						does: () => void write()
+					}),
+					/* @__PURE__ */ a("small", {
+						class: "calm",
+						children: range
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value }),
+			/* @__PURE__ */ a(Outcome, {
+				operation: operation.value,
+				label: t("write")
+			})
+		]
+	});
+}
+// src/parts/DriveTools.tsx
+/** What can be done to a drive: jog, write a parameter, back up, compare, restore; each an operation that ends in one known way. */
+function DriveTools({ drive }) {
+	const path = `/drives/${encodeURIComponent(drive.id)}`;
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a(Jog, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a(Backups, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a("details", {
+			class: "part acts",
+			children: [/* @__PURE__ */ a("summary", { children: t("lockout") }), /* @__PURE__ */ a(Reasoned, { decisions: [drive.lockout ? {
+				label: t("lift_lockout"),
+				bare: true,
+				grave: true,
+				does: () => call("DELETE", `${path}/lockout`)
+			} : {
+				label: t("lock_out"),
+				grave: true,
+				does: (reason) => post(`${path}/lockout`, { reason })
+			}] })]
+		})
+	] });
+}
+/** The key is said to be held so often, ms; the axis stops by itself when it is not. */
+var HELD = 200;
+/** Runs as long as the button is held: let go, hidden or left, it is released. */
+function Jog({ drive, path }) {
+	const asking = useAsking();
+	const way = useSignal(null);
+	const held = T(null);
+	const release = () => {
+		const now = held.current;
+		held.current = null;
+		way.value = null;
+		if (!now) return;
+		window.clearInterval(now.timer);
+		if (now.jog !== null) asking.ask(() => call("DELETE", `${path}/jog/${now.jog}`), "");
+	};
+	A$1(() => {
+		window.addEventListener("blur", release);
+		document.addEventListener("visibilitychange", release);
+		return () => {
+			window.removeEventListener("blur", release);
+			document.removeEventListener("visibilitychange", release);
+			release();
+		};
+	}, [path]);
+	const press = async (direction) => {
+		if (held.current) return;
+		const mine = {
+			jog: null,
+			timer: 0
+		};
+		held.current = mine;
+		way.value = direction;
+		await asking.ask(async () => {
+			const { jog } = await post(`${path}/jog`, { direction });
+			mine.jog = jog;
+			if (held.current !== mine) {
+				await call("DELETE", `${path}/jog/${jog}`);
+				return;
+			}
+			mine.timer = window.setInterval(() => void post(`${path}/jog/${jog}`).catch(release), HELD);
+		}, "");
+		if (asking.error.value) release();
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("jog") }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [["ccw", "cw"].map((direction) => /* @__PURE__ */ a("button", {
+					type: "button",
+					class: "jog",
+					"aria-pressed": way.value === direction,
+					disabled: !drive.online || drive.lockout !== null,
+					onPointerDown: (event) => {
+						event.currentTarget.setPointerCapture(event.pointerId);
+						press(direction);
+					},
+					onPointerUp: release,
+					onPointerCancel: release,
+					onKeyDown: (event) => event.key === " " && !event.repeat && void press(direction),
+					onKeyUp: (event) => event.key === " " && release(),
+					children: [
+						direction === "ccw" ? "◀ " : "",
+						t(direction),
+						direction === "cw" ? " ▶" : ""
+					]
+				}, direction)), /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: t("jog_hint")
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Backups({ drive, path }) {
+	const again = useSignal(0);
+	const operation = useSignal(null);
+	const label = useSignal("");
+	const note = useSignal("");
+	const other = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead(`${path}/backups?limit=20`, again.value);
+	const begin = (what, body, words) => {
+		label.value = words;
+		operation.value = null;
+		asking.ask(async () => {
+			let now = await post(`${path}/${what}`, body);
+			operation.value = now;
+			while (now.state === "running") {
+				now = await get(`/operations/${encodeURIComponent(now.id)}?wait=2`);
+				operation.value = now;
+			}
+			again.value++;
+		}, "");
+	};
+	const differences = operation.value?.result["differences"] ?? operation.value?.result["rows"];
+	const others = driveList.value.filter(({ id }) => id !== drive.id);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("backups") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("note"),
+						value: note
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => begin("backups", { note: note.value.trim() }, t("back_up")),
+							children: t("back_up")
+						})
+					})]
+				}),
+				others.length > 0 && /* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("compare_with") }), /* @__PURE__ */ a("select", {
+						value: other.value,
+						onChange: (event) => other.value = event.currentTarget.value,
+						children: [/* @__PURE__ */ a("option", {
+							value: "",
+							children: t("choose")
+						}), others.map(({ id }) => /* @__PURE__ */ a("option", { children: id }, id))]
+					})] }), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a("button", {
+							type: "button",
+							disabled: !other.value,
+							onClick: () => begin("compare", { drive: other.value }, t("compare")),
+							children: t("compare")
+						})
+					})]
+				}),
+				value?.items.map((backup) => /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-backup": backup.id,
+					children: [
+						/* @__PURE__ */ a("span", { children: [
+							"#",
+							backup.id,
+							" · ",
+							clock(backup.at),
+							" · ",
+							backup.actor,
+							" ",
+							backup.note
+						] }),
+						/* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => begin("compare", { backup: backup.id }, t("compare")),
+							children: t("compare")
+						}),
+						/* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => begin("restore", {
+								backup: backup.id,
+								dry_run: true
+							}, t("restore_dry")),
+							children: t("restore_dry")
+						}),
+						/* @__PURE__ */ a(Sure, {
+							label: t("restore"),
+							does: () => begin("restore", { backup: backup.id }, t("restore"))
+						})
+					]
+				}, backup.id)),
+				/* @__PURE__ */ a(Told, { asking }),
+				operation.value?.state === "running" && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
+				/* @__PURE__ */ a(Outcome, {
+					operation: operation.value,
+					label: label.value
+				}),
+				Array.isArray(differences) && /* @__PURE__ */ a(Differences, { rows: differences })
+			]
+		})]
+	});
+}
+function Differences({ rows }) {
+	if (rows.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("no_differences")
+	});
+	const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
+	return /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name.replaceAll("_", " ") }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("td", { children: row[name] === null || row[name] === void 0 ? "–" : String(row[name]) }, name)) }, i)) })]
 	});
 }
 // src/parts/DrivePanel.tsx
@@ -3380,6 +3628,7 @@ function DrivePanel({ id }) {
 				})
 			] }),
 			/* @__PURE__ */ a(StopKey, { id }),
+			/* @__PURE__ */ a(DriveTools, { drive: now }),
 			/* @__PURE__ */ a(Parameters, { id })
 		]
 	});
@@ -3414,9 +3663,9 @@ function Notes$1({ drive }) {
 		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
 			class: "note alarm",
 			children: [
-				/* @__PURE__ */ a("b", { children: drive.error || drive.meaning }),
+				/* @__PURE__ */ a("b", { children: tell(drive.error || drive.meaning) }),
 				" ",
-				drive.remedy && /* @__PURE__ */ a("em", { children: drive.remedy })
+				drive.remedy && /* @__PURE__ */ a("em", { children: tell(drive.remedy) })
 			]
 		}),
 		!drive.online && drive.reason && /* @__PURE__ */ a("p", {
@@ -3424,7 +3673,7 @@ function Notes$1({ drive }) {
 			children: [
 				/* @__PURE__ */ a("b", { children: t(drive.online === null ? "drive_not_heard" : "drive_offline") }),
 				" ",
-				drive.reason
+				tell(drive.reason)
 			]
 		}),
 		drive.lockout && /* @__PURE__ */ a("p", {
@@ -3436,6 +3685,54 @@ function Notes$1({ drive }) {
 			]
 		})
 	] });
+}
+// src/parts/Master.tsx
+/** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
+function Master() {
+	const open = useSignal(false);
+	const now = controller.value;
+	if (!now) return null;
+	const emergencies = ["fire", "earthquake"].filter((kind) => now.emergencies.some((words) => words.includes(kind)));
+	return /* @__PURE__ */ a("div", {
+		class: "layers master",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			onClick: () => open.value = !open.value,
+			children: t("master")
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("master"),
+			children: [now.emergencies.map((words) => /* @__PURE__ */ a("p", {
+				class: "note alarm",
+				children: tell(words)
+			}, words)), /* @__PURE__ */ a(Reasoned, { decisions: [
+				{
+					label: t("pause"),
+					does: (reason) => post("/controller/pause", { reason })
+				},
+				{
+					label: t("stop_all"),
+					grave: true,
+					does: (reason) => post("/controller/stop", { reason })
+				},
+				{
+					label: t("resume"),
+					bare: true,
+					does: () => post("/controller/resume")
+				},
+				...emergencies.map((kind) => ({
+					label: t(`release_${kind}`),
+					grave: true,
+					does: (reason) => post("/controller/emergency/release", {
+						kind,
+						reason
+					})
+				}))
+			] })]
+		})]
+	});
 }
 // src/theme.ts
 /** Light or dark: the colours themselves are custom properties of the style sheet, which the map reads too. */
@@ -3452,7 +3749,7 @@ function choose$1(next) {
 	localStorage.setItem(KEPT$1, next);
 	wear(next);
 }
-function begin() {
+function begin$1() {
 	wear(theme.value);
 	LIGHT.addEventListener("change", () => {
 		if (!localStorage.getItem(KEPT$1)) wear(LIGHT.matches ? "light" : "dark");
@@ -3487,6 +3784,7 @@ function Header() {
 		}),
 		/* @__PURE__ */ a(Rooms, {}),
 		/* @__PURE__ */ a(ControllerState, {}),
+		/* @__PURE__ */ a(Master, {}),
 		/* @__PURE__ */ a("span", { class: "grow" }),
 		/* @__PURE__ */ a(Counts, {}),
 		/* @__PURE__ */ a(Actor, {}),
@@ -3606,22 +3904,6 @@ function LinkState() {
 		role: "status",
 		"aria-live": "polite",
 		children: [/* @__PURE__ */ a("i", { class: "dot" }), text]
-	});
-}
-// src/parts/Name.tsx
-/** The name of something, which chooses it: of whatever kind there is one of that name. */
-function Name({ id }) {
-	if (!id) return null;
-	const kind = vehicles.has(id) ? "vehicle" : stations.has(id) ? "station" : devices.has(id) ? "device" : drives.has(id) ? "drive" : jobs.has(id) ? "job" : null;
-	if (!kind) return /* @__PURE__ */ a($, { children: id });
-	return /* @__PURE__ */ a("button", {
-		type: "button",
-		class: "text",
-		onClick: () => selected.value = {
-			kind,
-			id
-		},
-		children: id
 	});
 }
 // src/parts/JobPanel.tsx
@@ -4349,64 +4631,230 @@ function KeyPrompt() {
 		})
 	});
 }
-// src/paint/ink.ts
-var NAMES = [
-	"ground",
-	"rail",
-	"tape",
-	"core",
-	"arrow",
-	"zone",
-	"soft",
-	"mark",
-	"frame",
-	"text",
-	"faint",
-	"park",
-	"carrier",
-	"reserved",
-	"closed",
-	"picked",
-	"plate",
-	"plan"
+// src/parts/StationWrite.tsx
+/** A person writes down what is at a station, or that it is not to be used. */
+function StationWrite({ station }) {
+	const present = useSignal(station.present ? "yes" : "no");
+	const carrier = useSignal(station.carrier ?? "");
+	const reserved = useSignal(station.reserved);
+	const closed = useSignal(station.out_of_service);
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const there = present.value === "yes";
+		const body = {
+			present: there,
+			carrier: there ? carrier.value.trim() : "",
+			reserved: reserved.value.trim(),
+			out_of_service: closed.value.trim(),
+			by_person: true
+		};
+		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
+			class: "stack",
+			onSubmit: send,
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [
+						/* @__PURE__ */ a(Choice$1, {
+							label: t("present"),
+							value: present,
+							of: [["yes", t("yes")], ["no", t("no")]]
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("carrier"),
+							name: "carrier",
+							value: carrier,
+							hint: t("unknown")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("reserved"),
+							name: "reserved",
+							value: reserved,
+							hint: t("no")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("out_of_service"),
+							name: "out_of_service",
+							value: closed,
+							hint: t("no")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a("button", {
+						type: "submit",
+						children: t("write_down")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		})]
+	});
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
 ];
-/** The colours of the present theme, read from the style sheet by `dip`. */
-var INK = Object.fromEntries(NAMES.map((name) => [name, "#888"]));
-var LOOK_INK = { ...LOOKS };
-var DEVICE_INK = { ...DEVICE_LOOKS };
-/** From little to much; a scale that is also told apart without red and green. */
-var HEAT = [];
-var STEPS = 6;
-/** Take the colours of the theme that is worn now. */
-function dip() {
-	const style = getComputedStyle(document.documentElement);
-	const of = (name) => style.getPropertyValue(name).trim() || "#888888";
-	for (const name of NAMES) INK[name] = of(`--ink-${name}`);
-	for (const look of Object.keys(LOOK_INK)) LOOK_INK[look] = of(`--look-${look}`);
-	for (const look of Object.keys(DEVICE_INK)) DEVICE_INK[look] = of(`--device-${look}`);
-	HEAT.splice(0, HEAT.length, ...Array.from({ length: STEPS }, (_, i) => of(`--heat-${i + 1}`)));
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
 }
-var LETTERS = "\"Segoe UI\", Roboto, \"Noto Sans KR\", \"Malgun Gothic\", \"NanumGothic\", Arial, system-ui, sans-serif";
-function font(px, weight = 400) {
-	return `${weight} ${px}px ${LETTERS}`;
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
 }
-function text(ctx, words, x, y, colour, letters) {
-	ctx.font = letters;
-	ctx.textAlign = "center";
-	ctx.fillStyle = colour;
-	ctx.fillText(words, x, y);
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
 }
-var widths = /* @__PURE__ */ new Map();
-/** Width of words in px; measured once, since names do not change. */
-function widthOf(ctx, words, letters) {
-	const key = `${letters}${words}`;
-	const known = widths.get(key);
-	if (known !== void 0) return known;
-	if (widths.size > 2e4) widths.clear();
-	ctx.font = letters;
-	const { width } = ctx.measureText(words);
-	widths.set(key, width);
-	return width;
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	if (!newest) return /* @__PURE__ */ a("p", {
+		class: "nothing",
+		children: t("never_taught")
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							said(version.source),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
+	});
 }
 // src/parts/StationPanel.tsx
 function StationPanel({ id }) {
@@ -4418,7 +4866,7 @@ function StationPanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: now.id,
 		tag: said(now.kind),
-		colour: now.present ? INK.carrier : INK.mark,
+		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
 		children: [
 			/* @__PURE__ */ a("dl", { children: [
 				/* @__PURE__ */ a(Fact, {
@@ -4479,6 +4927,11 @@ function StationPanel({ id }) {
 					children: t("use_destination")
 				})]
 			}),
+			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
+			now.kind === "port" && /* @__PURE__ */ a(Taught, {
+				kind: "station",
+				id
+			}),
 			buffer && /* @__PURE__ */ a("section", {
 				class: "part",
 				children: [/* @__PURE__ */ a("h3", { children: [
@@ -4486,6 +4939,713 @@ function StationPanel({ id }) {
 					" ",
 					buffer
 				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
+			})
+		]
+	});
+}
+// src/parts/Stations.tsx
+/** Stations and carriers: where everything is believed to be, and how well that is known. */
+function Stations() {
+	const tab = useSignal("stations");
+	const letters = useSignal("");
+	const group = useSignal("all");
+	tick.value;
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
+	const groups = {
+		all: () => true,
+		present: (station) => station.present === true,
+		free: (station) => station.present === false,
+		unknown: (station) => station.present === null,
+		believed: (station) => !station.verified,
+		out_of_service: (station) => station.out_of_service !== "",
+		reserved: (station) => station.reserved !== ""
+	};
+	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
+	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
+	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("stations"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "tabs-head",
+					children: /* @__PURE__ */ a("span", {
+						class: "tabs",
+						children: [/* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "stations",
+							onClick: () => tab.value = "stations",
+							children: [
+								t("stations"),
+								" ",
+								stationList.value.length
+							]
+						}), /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "carriers",
+							onClick: () => tab.value = "carriers",
+							children: [
+								t("carriers"),
+								" ",
+								carrierList.value.length
+							]
+						})]
+					})
+				}),
+				tab.value === "stations" && /* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: group.value,
+					onChange: (event) => group.value = event.currentTarget.value,
+					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "free" ? t("empty") : said(name)
+					}, name))
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
+			label: t("stations"),
+			rows: stations,
+			keyOf: ({ id }) => id,
+			pick: ({ id }) => selected.value = {
+				kind: "station",
+				id
+			},
+			chosen: selected.value?.kind === "station" ? selected.value.id : null,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("at_station"),
+					by: ({ id }) => id,
+					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
+				},
+				{
+					name: t("kind"),
+					by: ({ kind }) => kind,
+					of: ({ kind }) => said(kind)
+				},
+				{
+					name: t("barcode"),
+					by: ({ barcode }) => barcode,
+					of: ({ barcode }) => barcode
+				},
+				{
+					name: t("present"),
+					by: ({ present }) => present === null ? null : Number(present),
+					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
+				},
+				{
+					name: t("carrier"),
+					by: ({ carrier }) => carrier,
+					of: ({ carrier }) => carrier ?? ""
+				},
+				{
+					name: t("provenance"),
+					by: ({ provenance }) => provenance,
+					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+				},
+				{
+					name: t("age"),
+					by: ({ at }) => at,
+					of: ({ at }) => since(at)
+				},
+				{
+					name: t("reserved"),
+					by: ({ reserved }) => reserved || null,
+					of: ({ reserved }) => reserved
+				},
+				{
+					name: t("out_of_service"),
+					by: (station) => station.out_of_service || null,
+					of: (station) => station.out_of_service
+				}
+			]
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("carriers"),
+				rows: carriers,
+				keyOf: ({ id }) => id,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("carrier"),
+						by: ({ id }) => id,
+						of: ({ id }) => id
+					},
+					{
+						name: t("place"),
+						by: ({ place }) => place,
+						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
+					},
+					{
+						name: t("provenance"),
+						by: ({ provenance }) => provenance,
+						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					},
+					{
+						name: t("age"),
+						by: ({ at }) => at,
+						of: ({ at }) => since(at)
+					},
+					{
+						name: "",
+						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
+					}
+				]
+			}), /* @__PURE__ */ a(Install, {})]
+		})]
+	});
+}
+function Remove({ id }) {
+	const asking = useAsking();
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
+		label: t("remove"),
+		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
+	}), /* @__PURE__ */ a(Told, { asking })] });
+}
+/** A person says where a carrier is. */
+function Install() {
+	const carrier = useSignal("");
+	const place = useSignal("");
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
+		asking.ask(() => call("PUT", path, {
+			place: place.value.trim(),
+			by_person: true
+		}));
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		onSubmit: send,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("carrier_is")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("carrier"),
+					name: "carrier",
+					value: carrier,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("place"),
+					name: "place",
+					value: place,
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a("button", {
+					type: "submit",
+					children: t("write_down")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/Teaching.tsx
+/** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
+var TABS = [
+	"proposals",
+	"sessions",
+	"drift",
+	"dry_run"
+];
+function Teaching() {
+	const tab = useSignal("proposals");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("teaching"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "head",
+				children: [/* @__PURE__ */ a("h2", { children: t("teaching") }), /* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: TABS.map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": tab.value === name,
+						onClick: () => tab.value = name,
+						children: t(name)
+					}, name))
+				})]
+			}),
+			tab.value === "proposals" && /* @__PURE__ */ a(Proposals, {}),
+			tab.value === "sessions" && /* @__PURE__ */ a(Sessions, {}),
+			tab.value === "drift" && /* @__PURE__ */ a(Drift, {}),
+			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {})
+		]
+	});
+}
+var OPEN = /* @__PURE__ */ new Set([
+	"collecting",
+	"ready",
+	"incomplete",
+	"out_of_range",
+	"wrong_mode",
+	"pending",
+	"ambiguous"
+]);
+var tone = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
+function Proposals() {
+	const chosen = useSignal(null);
+	const { value } = useRead("/teaching/proposals?limit=200", changes.teaching.value);
+	const id = chosen.value ?? value?.items[0]?.id ?? null;
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("proposals"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(id),
+			none: t("no_proposals"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: `state ${tone(row.state)}`,
+						children: said(row.state)
+					})
+				},
+				{
+					name: t("kind"),
+					by: (row) => row.side,
+					of: (row) => t(row.side)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("new"),
+					of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.result })
+				},
+				{
+					name: t("when"),
+					by: (row) => row.at,
+					of: (row) => clock(row.at)
+				}
+			]
+		}), id !== null && /* @__PURE__ */ a(Detail, { id }, id)]
+	});
+}
+/** A proposal: what was sent, what it would make, for whom that changes anything; and the decision. */
+function Detail({ id }) {
+	const again = useSignal(0);
+	const { value: proposal } = useRead(`/teaching/proposals/${id}`, changes.teaching.value, again.value);
+	const station = useSignal("");
+	const asking = useAsking();
+	if (!proposal) return /* @__PURE__ */ a("div", {});
+	const path = `/teaching/proposals/${id}`;
+	const match = { "If-Match": `"${proposal.revision}"` };
+	const over = proposal.closed !== null;
+	const against = [
+		"incomplete",
+		"wrong_mode",
+		"out_of_range"
+	].includes(proposal.state) ? [proposal.state] : [];
+	const decide = (verb, body) => async (reason) => {
+		await post(`${path}/${verb}`, {
+			...body,
+			reason
+		}, match);
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-proposal": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					t(proposal.side),
+					" · ",
+					proposal.station ?? "?",
+					" · ",
+					proposal.vehicle
+				]
+			}),
+			proposal.why && /* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: [
+					tell(proposal.why),
+					" ",
+					/* @__PURE__ */ a("em", { children: tell(proposal.remedy) })
+				]
+			}),
+			[...proposal.warnings, proposal.drift].filter(Boolean).map((words) => /* @__PURE__ */ a("p", {
+				class: "note held",
+				children: tell(words)
+			}, words)),
+			/* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("sent_positions"),
+						children: /* @__PURE__ */ a(Pulses, { axes: proposal.raw })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("old"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: proposal.present }),
+							" ",
+							proposal.present && /* @__PURE__ */ a("small", { children: ["v", proposal.present.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("new"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: proposal.result,
+							before: proposal.present
+						})
+					}),
+					proposal.asked_by && /* @__PURE__ */ a(Fact, {
+						name: t("asked_by"),
+						children: proposal.asked_by
+					}),
+					over && /* @__PURE__ */ a(Fact, {
+						name: said(proposal.state),
+						children: [
+							proposal.closed_by,
+							" · ",
+							clock(proposal.closed ?? ""),
+							" ",
+							proposal.reason
+						]
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Changes, { changes: proposal.changes }),
+			!over && proposal.state === "ambiguous" && /* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: t("at_station"),
+						value: station,
+						list: "station-names"
+					}),
+					/* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a("button", {
+							type: "button",
+							disabled: !station.value,
+							onClick: () => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match)),
+							children: t("assign")
+						})
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "station-names",
+						children: layout.value?.stations.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+					})
+				]
+			}),
+			!over && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t(against.length ? "approve_anyway" : "approve"),
+					bare: against.length === 0,
+					grave: true,
+					does: decide("approve", { accept: against })
+				}, {
+					label: t("reject"),
+					does: decide("reject", {})
+				}]
+			})
+		]
+	});
+}
+function Sessions() {
+	const chosen = useSignal(null);
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead("/teaching/sessions?limit=100", changes.teaching.value);
+	const open = (event) => {
+		event.preventDefault();
+		asking.ask(async () => {
+			const made = await post("/teaching/sessions", {
+				station: station.value.trim(),
+				vehicle: vehicle.value.trim()
+			});
+			chosen.value = made.id;
+		});
+	};
+	const ports = layout.value?.stations.filter(({ kind }) => kind === "port") ?? [];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("sessions"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(chosen.value),
+			none: t("no_sessions"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => said(row.state)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("who"),
+					by: (row) => row.actor,
+					of: (row) => row.actor
+				},
+				{
+					name: t("when"),
+					by: (row) => row.opened,
+					of: (row) => clock(row.opened)
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("form", {
+			class: "stack padded",
+			onSubmit: open,
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "sub",
+					children: t("teach_port")
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("port"),
+						name: "station",
+						value: station,
+						list: "port-names",
+						required: true
+					}), /* @__PURE__ */ a(Field, {
+						label: t("vehicle"),
+						name: "vehicle",
+						value: vehicle,
+						list: "hoist-names",
+						required: true
+					})]
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "port-names",
+					children: ports.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "hoist-names",
+					children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a("button", {
+						type: "submit",
+						children: t("open_session")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), chosen.value !== null && /* @__PURE__ */ a(Session, { id: chosen.value }, chosen.value)] })]
+	});
+}
+function Session({ id }) {
+	const { value: session } = useRead(`/teaching/sessions/${id}`, changes.teaching.value, Math.floor(changes.vehicles.value / 20));
+	const asking = useAsking();
+	if (!session) return null;
+	const path = `/teaching/sessions/${id}`;
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-session": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					"#",
+					id,
+					" ",
+					session.station,
+					" · ",
+					session.vehicle,
+					" · ",
+					said(session.state)
+				]
+			}),
+			/* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: tell(session.advice)
+			}),
+			session.state === "open" && /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => void asking.ask(() => post(`${path}/start`, { what }), t("sent")),
+					children: t(what === "dest" ? "teach_dest" : "teach_offset")
+				}, what))
+			}), /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("close_session"),
+					bare: true,
+					does: (reason) => post(`${path}/close`, { reason })
+				}, {
+					label: t("abandon"),
+					bare: true,
+					grave: true,
+					does: (reason) => post(`${path}/close`, {
+						reason,
+						abandon: true
+					})
+				}]
+			})] }),
+			session.proposals.map((proposal) => /* @__PURE__ */ a("p", { children: [
+				"#",
+				proposal.id,
+				" ",
+				said(proposal.state),
+				" ",
+				/* @__PURE__ */ a(Pulses, { axes: proposal.result })
+			] }, proposal.id))
+		]
+	});
+}
+function Drift() {
+	const { value } = useRead("/teaching/drift", changes.teaching.value);
+	return /* @__PURE__ */ a(Table, {
+		label: t("drift"),
+		rows: value?.items ?? [],
+		keyOf: (row) => row.side + row.name,
+		none: t("no_drift"),
+		columns: [
+			{
+				name: t("kind"),
+				by: (row) => row.side,
+				of: (row) => t(row.side)
+			},
+			{
+				name: t("name"),
+				by: (row) => row.name,
+				of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+			},
+			{
+				name: t("old"),
+				of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.old })
+			},
+			{
+				name: t("new"),
+				of: (row) => /* @__PURE__ */ a(Pulses, {
+					axes: row.new,
+					before: row.old
+				})
+			},
+			{
+				name: t("drift"),
+				of: (row) => tell(row.drift)
+			}
+		]
+	});
+}
+/** What a vehicle would be sent at a port, and from which rows; nothing is sent. */
+function DryRun() {
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const ready = layout.value?.stations.some(({ id }) => id === station.value) && layout.value.vehicles.some(({ id }) => id === vehicle.value);
+	const path = `/teaching/targets/${encodeURIComponent(station.value)}/${encodeURIComponent(vehicle.value)}`;
+	const { value } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("port"),
+					name: "station",
+					value: station,
+					list: "dry-ports"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "vehicle",
+					value: vehicle,
+					list: "dry-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-ports",
+				children: layout.value?.stations.filter(({ kind }) => kind === "port").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-hoists",
+				children: layout.value?.vehicles.filter(({ kind }) => kind !== "agv").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("target"),
+						children: /* @__PURE__ */ a(Pulses, { axes: value })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("dest"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: value.dest }),
+							" ",
+							value.dest && /* @__PURE__ */ a("small", { children: ["v", value.dest.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("offset"),
+						children: [
+							value.reference ? t("reference_vehicle") : /* @__PURE__ */ a(Pulses, { axes: value.offset }),
+							" ",
+							value.offset && /* @__PURE__ */ a("small", { children: ["v", value.offset.version] })
+						]
+					}),
+					value.refusal && /* @__PURE__ */ a(Fact, {
+						name: t("refused"),
+						children: /* @__PURE__ */ a("span", {
+							class: "bad",
+							children: tell(value.refusal)
+						})
+					})
+				]
 			})
 		]
 	});
@@ -4563,7 +5723,7 @@ function listenTo(touched, paint, show) {
 		paint.wake();
 	}, { signal });
 	touched.addEventListener("pointerup", (event) => {
-		if (from && !from.moved) selected.value = paint.at(event.offsetX, event.offsetY);
+		if (from && !from.moved) click(paint, event.offsetX, event.offsetY);
 		from = null;
 	}, { signal });
 	touched.addEventListener("pointerleave", () => {
@@ -4573,6 +5733,12 @@ function listenTo(touched, paint, show) {
 	}, { signal });
 	touched.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
 	return () => ends.abort();
+}
+/** Choose what is there; while track is being chosen, the barcode. */
+function click(paint, x, y) {
+	const barcode = choosing.value ? paint.barcodeAt(x, y) : null;
+	if (barcode !== null) choosing.value?.(barcode);
+	else selected.value = paint.at(x, y);
 }
 function keyed(key, paint) {
 	const { view } = paint;
@@ -4592,10 +5758,6 @@ function keyed(key, paint) {
 	if (move) paint.move();
 	return move !== void 0;
 }
-// src/closed.ts
-/** Which track people have closed, for the map. */
-/** Pairs of barcodes: the way from the first to the second is closed. */
-var closedWays = y$1([]);
 // src/doors.ts
 function doorMarks(layout, track) {
 	return layout.doors.flatMap((door) => {
@@ -4824,6 +5986,65 @@ var Heat = class {
 		this.counts[kind].set(barcode, (this.counts[kind].get(barcode) ?? 0) + count);
 	}
 };
+// src/paint/ink.ts
+var NAMES = [
+	"ground",
+	"rail",
+	"tape",
+	"core",
+	"arrow",
+	"zone",
+	"soft",
+	"mark",
+	"frame",
+	"text",
+	"faint",
+	"park",
+	"carrier",
+	"reserved",
+	"closed",
+	"picked",
+	"plate",
+	"plan"
+];
+/** The colours of the present theme, read from the style sheet by `dip`. */
+var INK = Object.fromEntries(NAMES.map((name) => [name, "#888"]));
+var LOOK_INK = { ...LOOKS };
+var DEVICE_INK = { ...DEVICE_LOOKS };
+/** From little to much; a scale that is also told apart without red and green. */
+var HEAT = [];
+var STEPS = 6;
+/** Take the colours of the theme that is worn now. */
+function dip() {
+	const style = getComputedStyle(document.documentElement);
+	const of = (name) => style.getPropertyValue(name).trim() || "#888888";
+	for (const name of NAMES) INK[name] = of(`--ink-${name}`);
+	for (const look of Object.keys(LOOK_INK)) LOOK_INK[look] = of(`--look-${look}`);
+	for (const look of Object.keys(DEVICE_INK)) DEVICE_INK[look] = of(`--device-${look}`);
+	HEAT.splice(0, HEAT.length, ...Array.from({ length: STEPS }, (_, i) => of(`--heat-${i + 1}`)));
+}
+var LETTERS = "\"Segoe UI\", Roboto, \"Noto Sans KR\", \"Malgun Gothic\", \"NanumGothic\", Arial, system-ui, sans-serif";
+function font(px, weight = 400) {
+	return `${weight} ${px}px ${LETTERS}`;
+}
+function text(ctx, words, x, y, colour, letters) {
+	ctx.font = letters;
+	ctx.textAlign = "center";
+	ctx.fillStyle = colour;
+	ctx.fillText(words, x, y);
+}
+var widths = /* @__PURE__ */ new Map();
+/** Width of words in px; measured once, since names do not change. */
+function widthOf(ctx, words, letters) {
+	const key = `${letters}${words}`;
+	const known = widths.get(key);
+	if (known !== void 0) return known;
+	if (widths.size > 2e4) widths.clear();
+	ctx.font = letters;
+	const { width } = ctx.measureText(words);
+	widths.set(key, width);
+	return width;
+}
 // src/paint/labels.ts
 /** Height of a line of letters above and below its base line, px. */
 var ABOVE = 10;
@@ -5869,10 +7090,47 @@ function paintHolds(ctx, view, bodies) {
 	}
 	ctx.stroke();
 }
+/** Track that somebody thinks of closing. */
+function paintPreviewed(ctx, view, ways) {
+	ctx.strokeStyle = INK.closed;
+	ctx.lineCap = "butt";
+	ctx.setLineDash([5, 4]);
+	stroke(ctx, view, ways, Math.max(4, 260 * view.scale));
+	ctx.setLineDash([]);
+}
 // src/plan.ts
 /** The way that the chosen vehicle would be led to its goal now: asked of the server when it changes goal or leaves that way. */
 /** Barcodes from the vehicle to its goal; empty: none is known. */
 var plan = y$1([]);
+var asked = "";
+async function ask(vehicle, from, to) {
+	const now = `${vehicle} ${to}`;
+	if (asked === now && plan.value.includes(from)) return;
+	asked = now;
+	try {
+		const { items } = await get(`/layout/routes?${new URLSearchParams({
+			from,
+			to
+		})}`);
+		if (asked === now) plan.value = items[0]?.barcodes ?? [];
+	} catch {
+		if (asked === now) plan.value = [];
+	}
+}
+/** Keep it up to date; returns how to stop. */
+function begin() {
+	return x(() => {
+		const pick = selected.value;
+		changes.vehicles.value;
+		const vehicle = pick?.kind === "vehicle" ? vehicles.get(pick.id) : void 0;
+		const goal = vehicle?.goal ? stations.get(vehicle.goal)?.barcode ?? vehicle.goal : null;
+		if (vehicle?.barcode && goal && goal !== vehicle.barcode) ask(vehicle.id, vehicle.barcode, goal);
+		else {
+			asked = "";
+			if (plan.peek().length > 0) plan.value = [];
+		}
+	});
+}
 // src/view.ts
 var FURTHEST_IN = .4;
 var View = class {
@@ -6163,6 +7421,16 @@ var Painter = class {
 		}
 		return best;
 	}
+	/** The barcode nearest to a place of the map. */
+	barcodeAt(px, py) {
+		let best = null;
+		let least = 25;
+		for (const [barcode, { x, y }] of this.scene?.track.points ?? []) {
+			const away = Math.hypot(this.view.px(x) - px, this.view.py(y) - py);
+			if (away < least) [least, best] = [away, barcode];
+		}
+		return best;
+	}
 	forget(id) {
 		this.last.delete(id);
 		this.glides.delete(id);
@@ -6235,6 +7503,7 @@ var Painter = class {
 		const { track: drawn } = scene;
 		if (heatShown.value) paintHeat(ctx, at, drawn, this.heat, heatShown.value);
 		if (layers.value.closures) paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
+		if (previewedWays.value.length > 0) paintPreviewed(ctx, at, previewedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
 		if (plan.value.length > 0) paintPlan(ctx, at, drawn, plan.value);
 		const strong = (body) => this.looked(body) > 0;
 		const granted = this.view.scale > GRANTS ? this.bodies : this.bodies.filter(strong);
@@ -6591,6 +7860,7 @@ function TrackMap() {
 		const size = new ResizeObserver(() => paint.resize(box.clientWidth, box.clientHeight));
 		size.observe(box);
 		const stops = [
+			begin(),
 			x(() => {
 				track.value;
 				paint.load();
@@ -6608,6 +7878,7 @@ function TrackMap() {
 				layers.value;
 				heatShown.value;
 				closedWays.value;
+				previewedWays.value;
 				plan.value;
 				paint.redraw();
 			}),
@@ -6727,6 +7998,9 @@ function keyOf(body) {
 }
 function Transfer() {
 	const priority = useSignal("50");
+	const wish = useSignal("");
+	const fallbacks = useSignal("");
+	const name = useSignal("");
 	const sending = useSignal(false);
 	const error = useSignal(null);
 	const done = useSignal("");
@@ -6738,7 +8012,10 @@ function Transfer() {
 			source: order.source.value,
 			destination: order.destination.value,
 			priority: Number(priority.value),
-			...order.carrier.value.trim() ? { carrier: order.carrier.value.trim() } : {}
+			...order.carrier.value.trim() ? { carrier: order.carrier.value.trim() } : {},
+			...wish.value ? { vehicle: wish.value.trim() } : {},
+			...fallbacks.value.trim() ? { fallbacks: fallbacks.value.trim().split(/[\s,]+/) } : {},
+			...name.value.trim() ? { job_id: name.value.trim() } : {}
 		};
 		sending.value = true;
 		error.value = null;
@@ -6747,7 +8024,7 @@ function Transfer() {
 			const job = await post("/jobs", body, { "Idempotency-Key": keyOf(body) });
 			done.value = t("ordered", job.id);
 			written = "";
-			order.carrier.value = "";
+			order.carrier.value = name.value = "";
 		} catch (failure) {
 			error.value = failure;
 		} finally {
@@ -6801,6 +8078,41 @@ function Transfer() {
 				class: "primary",
 				disabled: sending.value,
 				children: sending.value ? t("ordering") : t("order")
+			}),
+			/* @__PURE__ */ a("details", {
+				class: "more-order",
+				children: [
+					/* @__PURE__ */ a("summary", { children: t("more") }),
+					/* @__PURE__ */ a("div", {
+						class: "fields",
+						children: [
+							/* @__PURE__ */ a(Field, {
+								label: t("vehicle"),
+								name: "vehicle",
+								value: wish,
+								list: "order-vehicles",
+								hint: t("any")
+							}),
+							/* @__PURE__ */ a(Field, {
+								label: t("job_id"),
+								name: "job_id",
+								value: name,
+								hint: t("given_here")
+							}),
+							/* @__PURE__ */ a(Field, {
+								label: t("fallbacks_label"),
+								name: "fallbacks",
+								value: fallbacks,
+								hint: t("none"),
+								wide: true
+							})
+						]
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "order-vehicles",
+						children: layout.value?.vehicles.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+					})
+				]
 			}),
 			/* @__PURE__ */ a("div", {
 				class: "outcome",
@@ -6861,6 +8173,245 @@ function Place(props) {
 			})
 		]
 	})] });
+}
+// src/parts/VehicleCommands.tsx
+/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
+var PLAIN = [
+	"status",
+	"stop_by_host",
+	"stop",
+	"auto",
+	"alarm_clear",
+	"servo_on",
+	"servo_off",
+	"search_home",
+	"go_home",
+	"system_reset"
+];
+var AGV_PLAIN = [
+	"stop",
+	"alarm_clear",
+	"agv_mark_stop"
+];
+var LIFTS = [
+	"up",
+	"down",
+	"stop"
+];
+function VehicleCommands({ vehicle }) {
+	const asking = useAsking();
+	const agv = Boolean(vehicle.agv);
+	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
+	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
+	const plain = agv ? AGV_PLAIN : PLAIN;
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-commands": vehicle.id,
+					children: [
+						plain.map((command) => /* @__PURE__ */ a(Sure, {
+							label: t(`vc_${command}`),
+							does: () => send({ command })
+						}, command)),
+						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
+							label: t(`vc_lift_${action}`),
+							does: () => send({
+								command: "agv_lift",
+								action
+							})
+						}, action)),
+						agv && /* @__PURE__ */ a(Sure, {
+							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
+							does: () => send({
+								command: "agv_charge",
+								on: !vehicle.agv?.charging
+							})
+						})
+					]
+				}),
+				/* @__PURE__ */ a(Move, { send }),
+				!agv && /* @__PURE__ */ a(Handle, { send }),
+				!agv && /* @__PURE__ */ a(Display, { send }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Service, {
+					vehicle,
+					path
+				}),
+				/* @__PURE__ */ a(Past, { path })
+			]
+		})]
+	});
+}
+/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
+function Recover({ path }) {
+	const asking = useAsking();
+	const looked = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("label", { children: [
+				/* @__PURE__ */ a("input", {
+					type: "checkbox",
+					checked: looked.value,
+					onChange: (event) => looked.value = event.currentTarget.checked
+				}),
+				" ",
+				t("homing_safe")
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					label: t("recover"),
+					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Move({ send }) {
+	const barcode = useSignal("");
+	const action = useSignal("stop");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("move_to"),
+				value: barcode,
+				list: "barcode-names"
+			}),
+			/* @__PURE__ */ a(Choice$1, {
+				label: t("stop_action"),
+				value: action,
+				of: [
+					["stop", t("act_stop")],
+					["port", t("port")],
+					["sbfl", t("sbfl")],
+					["sbfr", t("sbfr")]
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					label: t("move"),
+					disabled: !barcode.value.trim(),
+					does: () => send({
+						command: "move",
+						barcode: barcode.value.trim(),
+						action: action.value
+					})
+				})
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "barcode-names",
+				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
+			})
+		]
+	});
+}
+function Handle({ send }) {
+	const station = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("at_station"),
+				value: station,
+				list: "station-names"
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					label: t("vc_pickup"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "pickup",
+						station: station.value.trim()
+					})
+				}), /* @__PURE__ */ a(Sure, {
+					label: t("vc_place"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "place",
+						station: station.value.trim()
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			})
+		]
+	});
+}
+function Display({ send }) {
+	const words = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [/* @__PURE__ */ a(Field, {
+			label: t("display_text"),
+			value: words
+		}), /* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: /* @__PURE__ */ a(Sure, {
+				label: t("vc_display"),
+				disabled: !words.value,
+				does: () => send({
+					command: "display",
+					text: words.value
+				})
+			})
+		})]
+	});
+}
+/** Lockout while people are at it, and whether it is used at all. */
+function Service({ vehicle, path }) {
+	const used = vehicle.service === "in_service";
+	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
+		label: t("lift_lockout"),
+		bare: true,
+		grave: true,
+		does: () => call("DELETE", `${path}/lockout`)
+	} : {
+		label: t("lock_out"),
+		grave: true,
+		does: (reason) => post(`${path}/lockout`, { reason })
+	}, used ? {
+		label: t("take_out"),
+		grave: true,
+		does: (reason) => call("PUT", `${path}/service`, {
+			in_service: false,
+			reason
+		})
+	} : {
+		label: t("put_back"),
+		bare: true,
+		does: () => call("PUT", `${path}/service`, { in_service: true })
+	}] });
+}
+function Past({ path }) {
+	const round = Math.floor(changes.vehicles.value / 30);
+	const { value } = useRead(`${path}/commands?limit=12`, round);
+	return /* @__PURE__ */ a("table", {
+		class: "bits",
+		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
+			title: command.actor,
+			children: [
+				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+				/* @__PURE__ */ a("td", { children: command.kind }),
+				/* @__PURE__ */ a("td", { children: [
+					command.state,
+					" ",
+					tell(command.outcome)
+				] })
+			]
+		}, command.cmd_id)) })
+	});
 }
 // src/parts/Vehicles.tsx
 /** All vehicles in a table: what each does, and why one waits. */
@@ -7043,8 +8594,13 @@ function VehiclePanel({ id }) {
 				})
 			] }),
 			/* @__PURE__ */ a(Decide, { vehicle: now }),
+			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
 			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
 			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
+			!now.agv && /* @__PURE__ */ a(Taught, {
+				kind: "vehicle",
+				id
+			}),
 			/* @__PURE__ */ a(Frames, { id })
 		]
 	});
@@ -7415,6 +8971,16 @@ function Plan() {
 		]
 	});
 }
+/** Closing track is best done on the map. */
+function Closing() {
+	return /* @__PURE__ */ a("div", {
+		class: "plan closing",
+		children: [/* @__PURE__ */ a("div", {
+			class: "stage",
+			children: [/* @__PURE__ */ a(Circles, {}), /* @__PURE__ */ a(TrackMap, {})]
+		}), /* @__PURE__ */ a(Closures, {})]
+	});
+}
 /** Hoists that wait for each other: nothing else matters as much. */
 function Circles() {
 	const now = controller.value;
@@ -7437,12 +9003,15 @@ function Room() {
 		case "vehicles": return /* @__PURE__ */ a(Vehicles, {});
 		case "jobs": return /* @__PURE__ */ a(JobRoom, {});
 		case "alarms": return /* @__PURE__ */ a(Alarms, {});
+		case "closures": return /* @__PURE__ */ a(Closing, {});
+		case "stations": return /* @__PURE__ */ a(Stations, {});
+		case "teaching": return /* @__PURE__ */ a(Teaching, {});
 		default: return null;
 	}
 }
 // src/main.tsx
-begin();
-speak(language.value);
 begin$1();
+speak(language.value);
 begin$2();
+begin$3();
 Q(/* @__PURE__ */ a(App, {}), document.getElementById("page"));
