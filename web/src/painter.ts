@@ -19,7 +19,7 @@ import type { LayoutVehicle, Vehicle } from "./types";
 import { type Box, View } from "./view";
 
 /** Room in px beyond the outermost marks: buttons and names. */
-const MARGIN = { top: 66, side: 72, bottom: 30 };
+const MARGIN = { top: 66, side: 72, bottom: 58 };
 /** Vehicles are drawn anew at most and at least so often, ms: the map is shifted between, as often as the screen wants. */
 const PERIOD = 30;
 const SELDOM = 120;

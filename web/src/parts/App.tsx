@@ -6,7 +6,7 @@ import { Below } from "./Below";
 import { Closures } from "./Closures";
 import { DevicePanel } from "./DevicePanel";
 import { DrivePanel } from "./DrivePanel";
-import { Header } from "./Header";
+import { Header, Rooms } from "./Header";
 import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
@@ -25,9 +25,10 @@ export function App() {
   return (
     <div class="page">
       <Header />
+      <Rooms />
       <main>
         <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
-        <aside class={pick ? "telling" : ""}>
+        <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : ""}>
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}

@@ -68,7 +68,7 @@ function Zones() {
   return (
     <>
       <h2 class="sub">{t("layer_zones")}</h2>
-      <ul class="alarms">
+      <ul class="alarms zones">
         {value.items.map((zone) => (
           <li key={zone.id} data-zone={zone.id}>
             <span class="sign wait">{zone.state === "auto" ? "" : "‖"}</span>
@@ -85,7 +85,7 @@ function Zones() {
                 {zone.pause.owner}: {zone.pause.reason}
               </p>
             )}
-            <details class="wide">
+            <details>
               <summary>{t("change")}</summary>
               <Reasoned
                 decisions={[

@@ -19,7 +19,6 @@ export function Header() {
         Hoistway
       </h1>
       <span class="plant">{layout.value?.name ?? ""}</span>
-      <Rooms />
       <ControllerState />
       <Master />
       <span class="grow" />
@@ -34,7 +33,7 @@ export function Header() {
   );
 }
 
-function Rooms() {
+export function Rooms() {
   const grave = troubles.value.filter((wrong) => wrong.grave).length;
   return (
     <nav class="rooms" aria-label={t("rooms")}>
