@@ -71,10 +71,10 @@ class Circles:
     def _count(self, name: JobEvent, circle: Circle) -> None:
         books = self._books
         if name is JobEvent.ALARM_SET:
-            books.circles_found += 1
+            books.traffic_state.circles_found += 1
         else:
-            books.circles_resolved += 1
-        books.circles = tuple(known.detail for known in self._known)
+            books.traffic_state.circles_resolved += 1
+        books.traffic_state.circles = tuple(known.detail for known in self._known)
         books.event(name, vehicle=circle.vehicles[0], detail=circle.detail)
         books.show_controller()
 

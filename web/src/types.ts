@@ -268,6 +268,13 @@ export interface Controller {
   circles: string[];
   circles_found: number;
   circles_resolved: number;
+  /** What routes keep off, a line for each reason; the places counted; the stations that nobody can reach for that. */
+  kept_off: string[];
+  closed_places: number;
+  cut_off: string[];
+  /** How many vehicles under way were led another way: round what is closed, and because it was quicker. */
+  led_round: number;
+  led_quicker: number;
 }
 
 /** A reason for which a place is closed: draining while vehicles are inside, then closed. */
