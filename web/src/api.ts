@@ -53,7 +53,8 @@ export function headerText(text: string): string {
 }
 
 export async function call<T>(method: string, path: string, body?: unknown, extra: Record<string, string> = {}): Promise<T> {
-  const headers: Record<string, string> = { Accept: "application/json", ...extra };
+  const language = document.documentElement.lang || "en";
+  const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": language, ...extra };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
   if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
   if (body !== undefined) headers["Content-Type"] = "application/json";

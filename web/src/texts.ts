@@ -3,7 +3,7 @@
  * (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
  */
 import { signal } from "@preact/signals";
-import { page as en, sayings as told } from "../../app/texts/en.json";
+import { events as happens, page as en, sayings as told } from "../../app/texts/en.json";
 import { events as happened, page as ko, sayings as retold } from "../../app/texts/ko.json";
 import { Sayings } from "./sayings";
 
@@ -40,7 +40,6 @@ export function tell(sentence: string): string {
 
 /** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */
 export function happening(event: string): string {
-  const known = language.value === "ko" ? (happened as Record<string, string>)[event] : undefined;
-  const words = event.replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
-  return known ?? words.charAt(0).toUpperCase() + words.slice(1);
+  const known = (language.value === "ko" ? happened : happens) as Record<string, string>;
+  return known[event] ?? event.replace(/([a-z])([A-Z])/g, "$1 $2");
 }
