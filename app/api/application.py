@@ -12,6 +12,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    alarms,
     closures,
     devices,
     drive_backups,
@@ -28,10 +29,12 @@ from app.api import (
     plant,
     problems,
     stations,
+    statistics,
     taught,
     taught_files,
     teaching,
     vehicles,
+    walks,
     zones,
 )
 from app.api.callers import Callers
@@ -137,6 +140,9 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        statistics.router,
+        walks.router,
+        alarms.router,
         zones.router,
         plant.controller_routes,
         plant.layout,

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosureRequest
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
@@ -14,6 +15,7 @@ from app.domain.layout import PulseSet, StopAction
 from app.domain.teaching import RowFate
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
+from app.domain.walks import WalkRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,6 +231,8 @@ class WriteStation:
     reserved: str | None = None
     out_of_service: str | None = None
     by_person: bool = False
+    walked: bool = False
+    """On an audit walk, accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,7 +289,7 @@ PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier 
 Stilling = StopAll | PauseZone | ResumeZone
 """About motion in the whole plant, or in a zone."""
 
-RoomRequest = ClosureRequest | Stilling
+RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
 """What a control room asks besides."""
 
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency

@@ -27,6 +27,8 @@ class Topic(StrEnum):
     PARAMETERS = "parameters"
     TEACHING = "teaching"
     CLOSURES = "closures"
+    ALARMS = "alarms"
+    WALKS = "walks"
 
 
 @dataclass(frozen=True, slots=True)
@@ -511,6 +513,44 @@ class ClosureView:
     waiting: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class AlarmView:
+    """Something that is, or was, wrong with ``source``. ``kind``: vehicle (it reports an alarm), hold (we hold it for a doubt),
+    link (nothing is heard of it), device, drive, traffic (vehicles wait for each other in a circle), plant (fire, earthquake).
+
+    ``code`` is what it is counted by. ``ended`` null: it is there now; ``outcome`` says how it ended.
+    """
+
+    id: int
+    kind: str
+    source: str
+    code: str
+    cause: str
+    remedy: str
+    begun: float
+    ended: float | None
+    outcome: str
+    job: str | None
+    acknowledged: float | None
+    acknowledged_by: str | None
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class WalkView:
+    """An audit walk: of so many ``places`` so many have been ``entered``. ``state``: open, accepted or abandoned."""
+
+    id: int
+    actor: str
+    reason: str
+    state: str
+    started: float
+    ended: float | None
+    ended_by: str | None
+    places: int
+    entered: int
+
+
 View = (
     VehicleView
     | JobView
@@ -527,6 +567,8 @@ View = (
     | ProposalView
     | TeachingSessionView
     | ClosureView
+    | AlarmView
+    | WalkView
 )
 
 

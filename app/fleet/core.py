@@ -19,6 +19,7 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
+from app.fleet.alarm_watch import AlarmWatch
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
 from app.fleet.breakdowns import Breakdowns
@@ -54,7 +55,8 @@ from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
-from app.fleet.views import view_of_job, view_of_vehicle
+from app.fleet.views import view_of_alarm, view_of_job, view_of_vehicle
+from app.fleet.walks import Walks
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -129,6 +131,7 @@ class Fleet:
             emergency,
             self._closures,
             Standstills(self.books, self._plant_orders, self.alarms),
+            Walks(self.books, self._plant_orders),
         )
         self._link = link
         self._looks = Looks()
@@ -136,6 +139,7 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
+        self._watch = AlarmWatch(self.books)
         self._told: tuple[object, ...] = (0, (), 0, 0)
         self._start(restored=kept.restored)
 
@@ -153,6 +157,12 @@ class Fleet:
             if restored:
                 self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
+        self._watch.start()
+        self._show_all()
+
+    def _show_all(self) -> None:
+        """Show all there is."""
+        books = self.books
         for job in books.jobs.values():
             books.show(Topic.JOBS, job.id, view_of_job(job))
         for station in books.specs:
@@ -165,6 +175,10 @@ class Fleet:
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
         for closure in books.closures.live.values():
             books.show_closure(closure)
+        for walk in books.walks.values():
+            books.show_walk(walk)
+        for alarm in books.alarms.live.values():
+            books.show(Topic.ALARMS, str(alarm.number), view_of_alarm(alarm))
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -205,6 +219,7 @@ class Fleet:
         self._breakdowns.run()
         self._cut_off.look()
         self._closures.tick()
+        self._watch.tick()
         self._dispatch.run()
         self._circles.look()
         self._reroutes.run()

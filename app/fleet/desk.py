@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
@@ -39,6 +40,7 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.domain.teaching_requests import TeachingRequest
+from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, StartWalk
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.closures import Closures
@@ -52,6 +54,7 @@ from app.fleet.refusals import no_vehicle
 from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
+from app.fleet.walks import Walks
 
 TARGETS = (
     "job",
@@ -67,10 +70,12 @@ TARGETS = (
     "closure",
     "place",
     "zone",
+    "alarm",
+    "walk",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "known", "sights"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -93,6 +98,7 @@ class Desk:
         emergency: EmergencyDesk,
         closures: Closures,
         standstills: Standstills,
+        walks: Walks,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -105,6 +111,7 @@ class Desk:
         self._emergency = emergency
         self._closures = closures
         self._standstills = standstills
+        self._walks = walks
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -137,6 +144,10 @@ class Desk:
         match request:
             case ClosePlace() | OpenPlace():
                 return self._closures.answer(request)
+            case AcknowledgeAlarm():
+                return self._books.alarms.acknowledge(request)
+            case StartWalk() | EnterSights() | AcceptWalk() | AbandonWalk():
+                return self._walks.answer(request)
             case StopAll() | PauseZone() | ResumeZone():
                 return self._standstills.answer(request)
 

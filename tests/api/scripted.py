@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.alarms import AcknowledgeAlarm, Alarm, AlarmCount, AlarmKind
 from app.domain.closures import ClosePlace, Closure, ClosureState, OpenPlace
 from app.domain.device_requests import (
     CommandDevice,
@@ -32,6 +33,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
 )
+from app.domain.statistics import Queued, Transfer, Waited
 from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
@@ -47,10 +49,11 @@ from app.domain.view import (
     Update,
     VehicleView,
 )
+from app.domain.walks import AcceptWalk, EnterSights, StartWalk, Walk, WalkPlace, WalkRequest, WalkState
 from app.domain.why import Why
 from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_closure, view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job, view_of_walk
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
@@ -100,6 +103,48 @@ class MemoryReader:
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
         self.shut: dict[int, Closure] = {}
+        self.wrong: dict[int, Alarm] = {}
+        self.done: list[Transfer] = []
+        self.walked: dict[int, Walk] = {}
+        self.along: list[WalkPlace] = []
+
+    def event_count(self, begin: float, end: float) -> int:
+        return self.events_between
+
+    events_between = 7
+
+    def transfers(self, begin: float, end: float) -> Sequence[Transfer]:
+        return [one for one in self.done if begin <= one.ended < end]
+
+    def queued(self, begin: float, end: float) -> Sequence[Queued]:
+        return [Queued(one.created, one.assigned) for one in self.done]
+
+    def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
+        return [Waited(begin, begin + 60, "P2 is occupied by F1")], 1
+
+    def walk(self, number: int) -> Walk | None:
+        return self.walked.get(number)
+
+    def walks(self, after: int | None = None, limit: int = 100) -> Sequence[Walk]:
+        return [one for one in reversed(self.walked.values()) if after is None or one.number < after][:limit]
+
+    def walk_places(self, number: int) -> Sequence[WalkPlace]:
+        return [place for place in self.along if place.walk == number]
+
+    def alarm(self, number: int) -> Alarm | None:
+        return self.wrong.get(number)
+
+    def alarms(self, *, after: int | None = None, limit: int = 100, **asked: object) -> Sequence[Alarm]:
+        self.asked_for = asked
+        return [one for one in reversed(self.wrong.values()) if after is None or one.number < after][:limit]
+
+    def alarm_counts(self, by: tuple[str, ...], begin: float, end: float, limit: int = 100) -> Sequence[AlarmCount]:
+        self.asked_for = {"begin": begin, "end": end}
+        about = {"kind": "vehicle", "source": "V001", "code": "101"}
+        return [AlarmCount({name: about[name] for name in by}, 3, 90.0, NOW)]
+
+    def failures(self, begin: float, end: float) -> Sequence[tuple[str, float, float | None]]:
+        return [("V001", NOW - 3600, NOW - 1800)]
 
     def closure(self, number: int) -> Closure | None:
         return self.shut.get(number)
@@ -350,6 +395,13 @@ class Scripted:
 
     def _of_room(self, request: r.Request) -> r.Reply:
         match request:
+            case _ if isinstance(request, WalkRequest):
+                return self._walk(request)
+            case AcknowledgeAlarm():
+                row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
+                self.reader.wrong[request.alarm] = row
+                self.hub.publish([Update(Topic.ALARMS, str(row.number), view_of_alarm(row))])
+                return r.Accepted(Topic.ALARMS, str(row.number))
             case ClosePlace() | OpenPlace():
                 return self._closure(request)
             case r.StopAll() | r.PauseZone() | r.ResumeZone():
@@ -382,6 +434,26 @@ class Scripted:
         view = None if row.state.over else view_of_closure(row, ())
         self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
         return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _walk(self, request: WalkRequest) -> r.Reply:
+        walked = self.reader.walked
+        if isinstance(request, StartWalk):
+            walked[1] = Walk(1, request.actor, request.reason, NOW)
+            self.reader.along = [WalkPlace(1, StationId("L3"), present, None) for present in (None,)]
+        elif request.walk not in walked:
+            return Refusal("not-found", f"There is no open walk {request.walk}.")
+        elif isinstance(request, EnterSights):
+            (sight,) = request.sights
+            self.reader.along = [
+                replace(self.reader.along[0], seen=sight.present, by=request.actor, at=Timestamp(NOW + 1))
+            ]
+        else:
+            state = WalkState.ACCEPTED if isinstance(request, AcceptWalk) else WalkState.ABANDONED
+            walked[1] = replace(walked[1], state=state, ended=NOW, ended_by=request.actor)
+        seen = sum(place.seen is not None for place in self.reader.along)
+        view = None if walked[1].ended else view_of_walk(walked[1], len(self.reader.along), seen)
+        self.hub.publish([Update(Topic.WALKS, "1", view)])
+        return r.Accepted(Topic.WALKS, "1", created=isinstance(request, StartWalk))
 
     def _still(self, request: r.Stilling) -> r.Reply:
         record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)
@@ -487,6 +559,13 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def alarm(self) -> Alarm:
+        """Let V001 have alarm 1."""
+        row = Alarm(1, AlarmKind.VEHICLE, "V001", "101", "alarm 101 wrong barcode", "look", NOW)
+        self.reader.wrong[1] = row
+        self.hub.publish([Update(Topic.ALARMS, "1", view_of_alarm(row))])
+        return row
 
     def teach(self) -> None:
         """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""

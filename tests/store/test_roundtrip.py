@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.alarms import Alarm, AlarmKind
 from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
@@ -49,6 +50,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
+from app.domain.walks import Walk, WalkPlace, WalkState
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
 from app.store.reading import Reader
@@ -305,6 +307,43 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
     ),
+    Alarm: st.builds(
+        Alarm,
+        number=NUMBER,
+        kind=st.sampled_from(AlarmKind),
+        source=TEXT,
+        code=TEXT,
+        cause=TEXT,
+        remedy=TEXT,
+        begun=TIME,
+        job=MAYBE,
+        ended=st.none() | TIME,
+        outcome=TEXT,
+        acknowledged=st.none() | TIME,
+        acknowledged_by=MAYBE,
+        note=TEXT,
+    ),
+    Walk: st.builds(
+        Walk,
+        number=NUMBER,
+        actor=TEXT,
+        reason=TEXT,
+        started=TIME,
+        state=st.sampled_from(WalkState),
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+    ),
+    WalkPlace: st.builds(
+        WalkPlace,
+        walk=NUMBER,
+        station=TEXT,
+        believed=st.none() | st.booleans(),
+        believed_carrier=MAYBE,
+        seen=st.none() | st.booleans(),
+        seen_carrier=MAYBE,
+        by=MAYBE,
+        at=st.none() | TIME,
+    ),
     Closure: st.builds(
         Closure,
         number=NUMBER,
@@ -352,6 +391,17 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Alarm: lambda one, kept, reader: [
+        reader.alarm(one.number),
+        *reader.alarms(source=one.source, code=one.code, kind=one.kind.value),
+        *([kept.alarms[0]] if one.ended is None else []),
+    ],
+    Walk: lambda one, kept, reader: [
+        reader.walk(one.number),
+        *reader.walks(),
+        *([kept.walks[0]] if one.state is WalkState.OPEN else []),
+    ],
+    WalkPlace: lambda one, kept, reader: list(reader.walk_places(one.walk)),
     Closure: lambda one, kept, reader: [
         reader.closure(one.number),
         *reader.closures(),
