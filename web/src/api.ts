@@ -88,6 +88,18 @@ export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
 export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
   call<T>("POST", path, body, extra);
 
+/** Let the browser save what a path gives. A link could not carry the access key. */
+export async function download(path: string, name: string): Promise<void> {
+  const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};
+  const response = await fetch(`/api/v1${path}`, { headers, signal: AbortSignal.timeout(TIMEOUT) });
+  if (!response.ok) throw await refusal(response);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(await response.blob());
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
 export async function alive(): Promise<boolean> {
   try {
     return (await fetch("/healthz", { signal: AbortSignal.timeout(3000), cache: "no-store" })).ok;

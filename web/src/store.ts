@@ -6,11 +6,11 @@ import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
-import type { Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
+import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
-const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,events";
+const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
 /** Compares names as people do: V2 before V10. */
 export const NATURAL = new Intl.Collator(undefined, { numeric: true });
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
@@ -38,6 +38,7 @@ export const carriers = new Map<string, Carrier>();
 export const devices = new Map<string, Device>();
 export const drives = new Map<string, Drive>();
 export const closures = new Map<string, Closure>();
+const alarms = new Map<string, Alarm>();
 /** Proposals and sessions of teaching; their details are asked for. */
 const teaching = new Map<string, { id: number; state: string }>();
 const controllers = new Map<string, Controller>();
@@ -52,6 +53,7 @@ const maps: { [T in Topic]: Map<string, Objects[T]> } = {
   drives,
   closures,
   teaching,
+  alarms,
 };
 
 export const changes = {
@@ -64,6 +66,7 @@ export const changes = {
   drives: signal(0),
   closures: signal(0),
   teaching: signal(0),
+  alarms: signal(0),
 };
 const touched = new Set<Topic>();
 
@@ -113,6 +116,12 @@ export function byId(a: { id: string }, b: { id: string }): number {
 export const closureList = computed(() => {
   void changes.closures.value;
   return [...closures.values()].sort((a, b) => b.id - a.id);
+});
+
+/** What is wrong now, newest first. */
+export const alarmList = computed(() => {
+  void changes.alarms.value;
+  return [...alarms.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
 });
 
 export const stationList = computed(() => {

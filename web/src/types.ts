@@ -277,6 +277,59 @@ export interface Controller {
   led_quicker: number;
 }
 
+/** Something that is, or was, wrong; `ended` null: it is there now. */
+export interface Alarm {
+  id: number;
+  kind: string;
+  source: string;
+  code: string;
+  cause: string;
+  remedy: string;
+  begun: string;
+  ended: string | null;
+  outcome: string;
+  acknowledged: string | null;
+  acknowledged_by: string | null;
+  note: string;
+}
+
+export interface AlarmCount {
+  kind: string | null;
+  source: string | null;
+  code: string | null;
+  times: number;
+  minutes: number;
+  share: number;
+}
+
+/** Durations in s. */
+export interface TimesShown {
+  count: number;
+  mean: number | null;
+  p50: number | null;
+  p95: number | null;
+  longest: number | null;
+}
+
+export interface StatisticsShown {
+  from: string;
+  to: string;
+  jobs: Record<string, number>;
+  phases: Record<string, TimesShown>;
+  empty_share: number | null;
+  intervals: { begin: string; ordered: number; completed: number; unfinished: number; queue: number; delivery: TimesShown }[];
+  vehicles: {
+    vehicle: string;
+    completed: number;
+    busy_share: number;
+    failures: number;
+    mtbf_hours: number | null;
+    mttr_minutes: number | null;
+    availability: number;
+  }[];
+  waits: { cause: string; times: number; seconds: number }[];
+}
+
 /** A reason for which a place is closed: draining while vehicles are inside, then closed. */
 export interface Closure {
   id: number;
@@ -458,6 +511,7 @@ export interface Objects {
   drives: Drive;
   closures: Closure;
   teaching: { id: number; state: string };
+  alarms: Alarm;
 }
 
 export type Topic = keyof Objects;

@@ -13,6 +13,7 @@ import { Jobs } from "./Jobs";
 import { KeyPrompt } from "./KeyPrompt";
 import { StationPanel } from "./StationPanel";
 import { Stations } from "./Stations";
+import { Statistics } from "./Statistics";
 import { Teaching } from "./Teaching";
 import { TrackMap } from "./TrackMap";
 import { Transfer } from "./Transfer";
@@ -96,6 +97,8 @@ function Room() {
       return <Stations />;
     case "teaching":
       return <Teaching />;
+    case "statistics":
+      return <Statistics />;
     default:
       return null;
   }

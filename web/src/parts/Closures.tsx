@@ -18,7 +18,7 @@ export function Closures() {
   return (
     <section class="room closing" aria-label={t("closures")}>
       <div class="split">
-        <div tabIndex={0} role="region" aria-label={t("closures")}>
+        <div tabIndex={0} role="group" aria-label={t("closures")}>
           <h2 class="sub">
             {t("closures")} {closureList.value.length}
           </h2>

@@ -9,25 +9,27 @@ export interface Decision {
   does: (reason: string) => Promise<unknown>;
   /** Whether it can be decided without a reason. */
   bare?: boolean;
+  /** A note may be written all the same. */
+  noted?: boolean;
   /** Pressed twice, since it is hard to undo. */
   grave?: boolean;
 }
 
-export function Reasoned({ decisions, title, asking }: { decisions: Decision[]; title?: string; asking?: Asking }) {
+export function Reasoned({ decisions, title, asking, hint }: { decisions: Decision[]; title?: string; asking?: Asking; hint?: string }) {
   const reason = useSignal("");
   const own = useAsking();
   const { ask, busy } = asking ?? own;
   const send = async ({ does }: Decision): Promise<void> => {
     if (await ask(() => does(reason.value.trim()))) reason.value = "";
   };
-  const wanted = decisions.some((one) => !one.bare);
+  const wanted = decisions.some((one) => !one.bare || one.noted);
   return (
     <div class="stack reasoned">
       {title && <h3>{title}</h3>}
       {wanted && (
         <input
-          aria-label={t("reason")}
-          placeholder={t("reason")}
+          aria-label={hint ?? t("reason")}
+          placeholder={hint ?? t("reason")}
           maxLength={200}
           value={reason.value}
           onInput={(event) => (reason.value = event.currentTarget.value)}

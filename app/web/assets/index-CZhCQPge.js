@@ -16,7 +16,7 @@ var y$3 = [];
 var v$2 = /^m(i|n|o|s|text|space)$/;
 var w$3 = Array.isArray;
 var d$2 = y$3.slice;
-var _$1 = Object.assign;
+var _$2 = Object.assign;
 function g$3(n) {
 	n && n.parentNode && n.remove();
 }
@@ -56,7 +56,7 @@ function S$1(n, t) {
 }
 function C$1(t) {
 	var r, u = t.__v, i = u.__e, f = [], o = [], e = t.__P;
-	e && ((r = _$1({ constructor: h$3 }, u)).__v = u.__v + 1, n$1.vnode && n$1.vnode(r), z$1(e, r, u, t.__n, e.namespaceURI, 32 & u.__u ? [i] : null, f, i || S$1(u), 32 & u.__u, o), r.__v = u.__v, r.__.__k[r.__i] = r, E$1(f, r, o), u.__ = u.__e = null, r.__e != i && j$1(r));
+	e && ((r = _$2({ constructor: h$3 }, u)).__v = u.__v + 1, n$1.vnode && n$1.vnode(r), z$1(e, r, u, t.__n, e.namespaceURI, 32 & u.__u ? [i] : null, f, i || S$1(u), 32 & u.__u, o), r.__v = u.__v, r.__.__k[r.__i] = r, E$1(f, r, o), u.__ = u.__e = null, r.__e != i && j$1(r));
 }
 function j$1(n) {
 	if ((n = n.__) && n.__c && !n.props.__P) return n.__e = null, n.__k.some(function(t) {
@@ -149,7 +149,7 @@ function z$1(t, r, u, i, f, o, e, l, c, a) {
 	n: if ("function" == typeof V) {
 		v = e.length;
 		try {
-			if (M = r.props, C = (s = V.prototype) && s.render, j = (s = V.contextType) && i[s.__c], L = s ? j ? j.props.value : s.__ : i, (d = u.__c) ? (r.__c = d, 2 & d.__g && (d.__g |= 1)) : (C ? r.__c = d = new V(M, L) : (r.__c = d = new x$1(M, L), d.constructor = V, d.render = K), j && j.sub(d), d.state || (d.state = {}), d.__n = i, d.__g |= 8, d.__h = [], d.__k = []), C && (d.__s || (d.__s = d.state), V.getDerivedStateFromProps && (d.__s == d.state && (d.__s = _$1({}, d.__s)), _$1(d.__s, V.getDerivedStateFromProps(M, d.__s)))), k = d.props, b = d.state, d.__v = r, u.__c) {
+			if (M = r.props, C = (s = V.prototype) && s.render, j = (s = V.contextType) && i[s.__c], L = s ? j ? j.props.value : s.__ : i, (d = u.__c) ? (r.__c = d, 2 & d.__g && (d.__g |= 1)) : (C ? r.__c = d = new V(M, L) : (r.__c = d = new x$1(M, L), d.constructor = V, d.render = K), j && j.sub(d), d.state || (d.state = {}), d.__n = i, d.__g |= 8, d.__h = [], d.__k = []), C && (d.__s || (d.__s = d.state), V.getDerivedStateFromProps && (d.__s == d.state && (d.__s = _$2({}, d.__s)), _$2(d.__s, V.getDerivedStateFromProps(M, d.__s)))), k = d.props, b = d.state, d.__v = r, u.__c) {
 				if (M !== k && C && !V.getDerivedStateFromProps && d.componentWillReceiveProps && d.componentWillReceiveProps(M, L), r.__v == u.__v && !(8 & d.__g) || !(4 & d.__g) && d.shouldComponentUpdate && !1 === d.shouldComponentUpdate(M, d.__s, L)) {
 					r.__v != u.__v && (d.props = M, d.state = d.__s, d.__g &= -9), r.__e = u.__e, r.__k = u.__k, r.__k.some(function(n) {
 						n && (n.__ = r);
@@ -164,7 +164,7 @@ function z$1(t, r, u, i, f, o, e, l, c, a) {
 			do
 				d.__g &= -9, H && H(r), s = d.render(d.props, d.state = d.__s, d.context);
 			while (8 & d.__g && ++q < 25);
-			C && (y$3.push.apply(d.__h, d.__k), d.__k = []), d.state = d.__s, d.getChildContext && (i = _$1({}, i, d.getChildContext())), C && u.__c && d.getSnapshotBeforeUpdate && (m = d.getSnapshotBeforeUpdate(k, b)), A = s && s.type === $ && null == s.key ? s.props.children : s, M.__P && (s = l, f = (t = M.__P).namespaceURI, c = o = null, u.props && u.props.__P != t && (u.__k.some(function(n) {
+			C && (y$3.push.apply(d.__h, d.__k), d.__k = []), d.state = d.__s, d.getChildContext && (i = _$2({}, i, d.getChildContext())), C && u.__c && d.getSnapshotBeforeUpdate && (m = d.getSnapshotBeforeUpdate(k, b)), A = s && s.type === $ && null == s.key ? s.props.children : s, M.__P && (s = l, f = (t = M.__P).namespaceURI, c = o = null, u.props && u.props.__P != t && (u.__k.some(function(n) {
 				n && J(n, n);
 			}), u.__k = null), l = u.__k ? S$1(u, 0) : null), l = I(t, w$3(A) ? A : [A], r, u, i, f, o, e, l, c, a), M.__P && (r.__e = null, l = s), r.__u &= -161, p && p.some(g$3), d.__h.length && e.push(d), 1 & d.__g && (d.__g &= -4);
 		} catch (t) {
@@ -275,7 +275,7 @@ n$1 = { __e: function(n, t, r, u) {
 	return null != n && n.constructor === h$3;
 }, x$1.prototype.setState = function(n, t) {
 	var r = this.__s;
-	r && r != this.state || (r = this.__s = _$1({}, this.state)), "function" == typeof n && (n = n(_$1({}, r), this.props)), n && (_$1(r, n), this.__v && (t && this.__k.push(t), L(this)));
+	r && r != this.state || (r = this.__s = _$2({}, this.state)), "function" == typeof n && (n = n(_$2({}, r), this.props)), n && (_$2(r, n), this.__v && (t && this.__k.push(t), L(this)));
 }, x$1.prototype.forceUpdate = function(n) {
 	this.__v && (this.__g |= 4, n && this.__h.push(n), L(this));
 }, x$1.prototype.render = $, u$3 = [], f$3 = 0, o$3 = function(n, t) {
@@ -631,7 +631,7 @@ function b$1(i) {
 		}
 	}
 }
-function _(i) {
+function _$1(i) {
 	var t = i.s, r = void 0;
 	while (void 0 !== t) {
 		var n = t.p;
@@ -682,7 +682,7 @@ j.prototype.h = function() {
 		this.i++;
 	}
 	o$1 = i;
-	_(this);
+	_$1(this);
 	this.f &= -2;
 	return !0;
 };
@@ -747,7 +747,7 @@ function g$1(i) {
 }
 function S(i) {
 	if (o$1 !== this) throw new Error("Out-of-order effect");
-	_(this);
+	_$1(this);
 	o$1 = i;
 	this.f &= -2;
 	try {
@@ -848,7 +848,7 @@ function w(i) {
 		}), e = O(function() {
 			return !Array.isArray(o.value) && !r$2(o.value);
 		}), u = x(function() {
-			this.N = M;
+			this.N = M$1;
 			if (e.value) {
 				var n = o.value;
 				if (i.__v && i.__v.__e && 3 === i.__v.__e.nodeType) i.__v.__e.data = n;
@@ -967,7 +967,7 @@ function k(i, n, r, t) {
 			t = n;
 		},
 		d: x(function() {
-			this.N = M;
+			this.N = M$1;
 			var r = o.value.value;
 			if (t[n] !== r) {
 				t[n] = r;
@@ -1046,7 +1046,7 @@ function F() {
 		while (i = g.shift()) h.call(i);
 	});
 }
-function M() {
+function M$1() {
 	if (1 === g.push(this)) (n$1.requestAnimationFrame || A)(F);
 }
 // src/alarms.ts
@@ -1195,6 +1195,20 @@ async function refusal(response) {
 }
 var get = (path) => call("GET", path);
 var post = (path, body, extra) => call("POST", path, body, extra);
+/** Let the browser save what a path gives. A link could not carry the access key. */
+async function download(path, name) {
+	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
+	const response = await fetch(`/api/v1${path}`, {
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	});
+	if (!response.ok) throw await refusal(response);
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(await response.blob());
+	link.download = name;
+	link.click();
+	URL.revokeObjectURL(link.href);
+}
 async function alive() {
 	try {
 		return (await fetch("/healthz", {
@@ -1716,7 +1730,7 @@ function least(values, pick) {
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 var EVENTS_SHOWN = 200;
 var ENDED_SHOWN = 100;
-var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,events";
+var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
 /** Compares names as people do: V2 before V10. */
 var NATURAL = new Intl.Collator(void 0, { numeric: true });
 var ENDED = /* @__PURE__ */ new Set([
@@ -1748,6 +1762,7 @@ var carriers = /* @__PURE__ */ new Map();
 var devices = /* @__PURE__ */ new Map();
 var drives = /* @__PURE__ */ new Map();
 var closures = /* @__PURE__ */ new Map();
+var alarms = /* @__PURE__ */ new Map();
 /** Proposals and sessions of teaching; their details are asked for. */
 var teaching = /* @__PURE__ */ new Map();
 var controllers = /* @__PURE__ */ new Map();
@@ -1761,7 +1776,8 @@ var maps = {
 	devices,
 	drives,
 	closures,
-	teaching
+	teaching,
+	alarms
 };
 var changes = {
 	controller: y$1(0),
@@ -1772,7 +1788,8 @@ var changes = {
 	devices: y$1(0),
 	drives: y$1(0),
 	closures: y$1(0),
-	teaching: y$1(0)
+	teaching: y$1(0),
+	alarms: y$1(0)
 };
 var touched = /* @__PURE__ */ new Set();
 var controller = O(() => {
@@ -1824,6 +1841,11 @@ function byId(a, b) {
 var closureList = O(() => {
 	changes.closures.value;
 	return [...closures.values()].sort((a, b) => b.id - a.id);
+});
+/** What is wrong now, newest first. */
+var alarmList = O(() => {
+	changes.alarms.value;
+	return [...alarms.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
 });
 var stationList = O(() => {
 	changes.stations.value;
@@ -2007,7 +2029,8 @@ var ROOMS = [
 	"alarms",
 	"closures",
 	"stations",
-	"teaching"
+	"teaching",
+	"statistics"
 ];
 var KINDS = /* @__PURE__ */ new Set([
 	"vehicle",
@@ -2041,7 +2064,7 @@ function begin$2() {
 	});
 }
 // ../app/texts/en.json
-var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\"}");
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\"}");
 var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
 var events$1 = {
 	"TransferInitiated": "Transfer initiated",
@@ -2102,7 +2125,7 @@ var events$1 = {
 	"DriveErrorSet": "Drive error set"
 };
 // ../app/texts/ko.json
-var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\"}");
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\"}");
 var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
 var events = {
 	"TransferInitiated": "반송 시작 등록",
@@ -2264,280 +2287,6 @@ function a(t, e, n, u, a, i) {
 	};
 	return (a || i) && (s.__source = a, s.__self = i), n$1.vnode && n$1.vnode(s), s;
 }
-// src/parts/Alarms.tsx
-/** What is wrong now: cause, and what helps. */
-function Alarms() {
-	const list = troubles.value;
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("alarms"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: /* @__PURE__ */ a("h2", { children: [
-				t("alarms"),
-				" ",
-				list.length
-			] })
-		}), /* @__PURE__ */ a("ul", {
-			class: "scroll alarms",
-			tabIndex: 0,
-			"aria-label": t("alarms"),
-			children: [list.length === 0 && /* @__PURE__ */ a("li", {
-				class: "nothing",
-				children: t("no_alarms")
-			}), list.map((wrong) => /* @__PURE__ */ a(Line$2, { wrong }, wrong.key))]
-		})]
-	});
-}
-function Line$2({ wrong }) {
-	const { kind, source } = wrong;
-	return /* @__PURE__ */ a("li", {
-		"data-alarm": wrong.key,
-		children: [
-			/* @__PURE__ */ a("span", {
-				class: `sign ${wrong.grave ? "" : "wait"}`,
-				title: t(wrong.grave ? "alarm" : "held"),
-				children: wrong.grave ? "!" : "‖"
-			}),
-			/* @__PURE__ */ a("span", { children: [
-				kind === "controller" ? /* @__PURE__ */ a("b", { children: t("controller") }) : /* @__PURE__ */ a("button", {
-					type: "button",
-					class: "text",
-					onClick: () => selected.value = {
-						kind,
-						id: source
-					},
-					children: /* @__PURE__ */ a("b", { children: source })
-				}),
-				" ",
-				tell(wrong.cause),
-				" ",
-				wrong.since && /* @__PURE__ */ a("small", {
-					class: "calm",
-					children: ["· ", clock(wrong.since)]
-				})
-			] }),
-			wrong.remedy && /* @__PURE__ */ a("p", {
-				class: "remedy",
-				children: tell(wrong.remedy)
-			})
-		]
-	});
-}
-// src/parts/DeviceList.tsx
-/** Doors, buffers and chargers, each in one line. */
-function DeviceList() {
-	return /* @__PURE__ */ a("ul", {
-		class: "scroll machines",
-		children: machines.value.map(({ id, kind }) => /* @__PURE__ */ a(Row$2, {
-			id,
-			kind
-		}, id))
-	});
-}
-/** What people have decided about a device: it does not do what its state alone would let one expect. */
-function barred({ lockout, out_of_service, pin }) {
-	if (lockout) return `${t("locked", lockout.owner)} ${lockout.reason}`;
-	if (out_of_service) return `${t("out_of_service")}: ${out_of_service}`;
-	return pin ? `${t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner)}: ${pin.reason}` : "";
-}
-function Row$2({ id, kind }) {
-	const device = deviceNow(id);
-	presence.value;
-	const look = lookAt(id);
-	const station = layout.value?.stations.find((one) => one.buffer === id)?.id;
-	const barcode = layout.value?.chargers.find((one) => one.id === id)?.barcode;
-	const who = kind === "buffer" ? device?.lock?.owner ?? "" : passers(id).join(", ");
-	const why = tell(device?.alarm || device?.contradiction || device && barred(device) || device?.reason || "");
-	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
-		type: "button",
-		class: "row",
-		"aria-pressed": selected.value?.id === id || station !== void 0 && selected.value?.id === station,
-		"data-device": id,
-		onClick: () => chooseDevice(id),
-		children: [
-			/* @__PURE__ */ a("i", {
-				class: "dot",
-				style: { background: colourOfDevice(device, look) }
-			}),
-			/* @__PURE__ */ a("b", { children: id }),
-			/* @__PURE__ */ a("span", { children: t(kind) }),
-			/* @__PURE__ */ a("span", {
-				style: { color: DEVICE_LOOKS[look] },
-				children: t(`device_${look}`)
-			}),
-			/* @__PURE__ */ a("span", { children: station ?? barcode ?? "" }),
-			/* @__PURE__ */ a("span", { children: who }),
-			/* @__PURE__ */ a("span", {
-				class: device?.alarm ? "more bad" : "more",
-				title: why,
-				children: why
-			})
-		]
-	}) });
-}
-// src/parts/DriveList.tsx
-/** Axis drives, each in one line: what it does, or what is wrong with it. */
-function DriveList() {
-	return /* @__PURE__ */ a("ul", {
-		class: "scroll machines",
-		children: driveList.value.map((drive) => /* @__PURE__ */ a(Row$1, { drive }, drive.id))
-	});
-}
-function Row$1({ drive }) {
-	const { word, tone } = lookOfDrive(drive);
-	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
-	const heard = drive.online === true;
-	const why = drive.online ? drive.meaning : drive.reason;
-	const choose = () => {
-		selected.value = chosen ? null : {
-			kind: "drive",
-			id: drive.id
-		};
-	};
-	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
-		type: "button",
-		class: "row drives",
-		"aria-pressed": chosen,
-		"data-drive": drive.id,
-		onClick: choose,
-		children: [
-			/* @__PURE__ */ a("i", { class: `dot ${tone}` }),
-			/* @__PURE__ */ a("b", { children: drive.id }),
-			/* @__PURE__ */ a("span", {
-				title: drive.name,
-				children: drive.name
-			}),
-			/* @__PURE__ */ a("span", {
-				class: tone,
-				children: t(`drive_${word}`)
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "number",
-				children: heard && drive.distance !== null ? hundredths(drive.distance) : ""
-			}),
-			/* @__PURE__ */ a("span", {
-				class: tone === "bad" ? "more bad" : "more",
-				title: why,
-				children: why
-			})
-		]
-	}) });
-}
-// src/parts/Events.tsx
-/** What has happened, newest first. */
-var BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
-var GOOD = /TransferCompleted|AlarmCleared|VehicleReleased/;
-var SHOWN$2 = 80;
-function Events() {
-	const list = happenings.value;
-	return /* @__PURE__ */ a("ol", {
-		class: "scroll events",
-		reversed: true,
-		children: [list.length === 0 && /* @__PURE__ */ a("li", {
-			class: "nothing",
-			children: t("no_events")
-		}), list.slice(0, SHOWN$2).map((event) => /* @__PURE__ */ a(Line$1, { event }, event.seq))]
-	});
-}
-function Line$1({ event }) {
-	const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
-	const where = [event.source, event.destination].filter(Boolean).join(" → ");
-	return /* @__PURE__ */ a("li", {
-		"data-event": event.seq,
-		children: [
-			/* @__PURE__ */ a("time", { children: clock(event.ts) }),
-			/* @__PURE__ */ a("span", {
-				class: "seq",
-				children: ["#", event.seq]
-			}),
-			/* @__PURE__ */ a("b", {
-				class: tone,
-				children: happening(event.event)
-			}),
-			event.vehicle ? /* @__PURE__ */ a("button", {
-				type: "button",
-				class: "text",
-				onClick: () => selected.value = {
-					kind: "vehicle",
-					id: event.vehicle
-				},
-				children: event.vehicle
-			}) : /* @__PURE__ */ a("span", {}),
-			/* @__PURE__ */ a("span", {
-				class: "more",
-				children: [.../* @__PURE__ */ new Set([
-					event.job,
-					event.carrier,
-					where,
-					event.result,
-					tell(event.detail)
-				])].filter(Boolean).join(" · ")
-			})
-		]
-	});
-}
-// src/parts/Below.tsx
-/** Below the map: what has happened, and the plant's other machines, each a list to look through and to choose from. */
-function Below() {
-	const tab = useSignal("events");
-	changes.devices.value;
-	const counts = {
-		events: 0,
-		devices: machines.value.length,
-		drives: driveList.value.length
-	};
-	const troubles = {
-		events: 0,
-		devices: machines.value.filter(({ id }) => /[!?]/.test(signOfDevice(devices.get(id), lookAt(id)))).length,
-		drives: driveList.value.filter((drive) => lookOfDrive(drive).tone === "bad").length
-	};
-	const tabs = Object.keys(counts).filter((one) => one === "events" || counts[one] > 0);
-	const shown = tabs.includes(tab.value) ? tab.value : "events";
-	return /* @__PURE__ */ a("section", {
-		class: "card below",
-		"aria-label": t(shown),
-		children: [
-			/* @__PURE__ */ a("h2", { children: [tabs.length === 1 && t("events"), tabs.length > 1 && /* @__PURE__ */ a("span", {
-				class: "tabs",
-				children: tabs.map((one) => /* @__PURE__ */ a("button", {
-					type: "button",
-					"aria-pressed": shown === one,
-					onClick: () => tab.value = one,
-					children: [
-						t(one),
-						" ",
-						counts[one] || "",
-						troubles[one] > 0 && /* @__PURE__ */ a("b", {
-							class: "badge",
-							children: ["! ", troubles[one]]
-						})
-					]
-				}, one))
-			})] }),
-			shown === "events" && /* @__PURE__ */ a(Events, {}),
-			shown === "devices" && /* @__PURE__ */ a(DeviceList, {}),
-			shown === "drives" && /* @__PURE__ */ a(DriveList, {})
-		]
-	});
-}
-// src/closed.ts
-/** Which track people have closed or are about to close, for the map. */
-/** Told which barcode was clicked, while somebody chooses track on the map. */
-var choosing = y$1(null);
-/** Barcodes that a closure that is only looked at would keep empty. */
-var previewed = y$1([]);
-/** Pairs of barcodes: the way from the first to the second is closed. */
-var closedWays = O(() => {
-	const list = closureList.value;
-	const barcodes = new Set(list.filter(({ kind }) => kind !== "edge" && kind !== "station").flatMap((one) => one.barcodes));
-	return [...list.filter(({ kind }) => kind === "edge").map(({ names }) => [names[0], names[1]]), ...waysInto(barcodes)];
-});
-var previewedWays = O(() => waysInto(new Set(previewed.value)));
-function waysInto(barcodes) {
-	if (barcodes.size === 0) return [];
-	return (layout.value?.edges ?? []).filter(({ end }) => barcodes.has(end)).map(({ start, end }) => [start, end]);
-}
 // src/parts/Problem.tsx
 /** What the server said, and what would help. */
 function Problem({ error }) {
@@ -2675,21 +2424,21 @@ function Sure(props) {
 }
 // src/parts/Reasoned.tsx
 /** Decisions that want a reason: one line to write it, and the buttons. */
-function Reasoned({ decisions, title, asking }) {
+function Reasoned({ decisions, title, asking, hint }) {
 	const reason = useSignal("");
 	const own = useAsking();
 	const { ask, busy } = asking ?? own;
 	const send = async ({ does }) => {
 		if (await ask(() => does(reason.value.trim()))) reason.value = "";
 	};
-	const wanted = decisions.some((one) => !one.bare);
+	const wanted = decisions.some((one) => !one.bare || one.noted);
 	return /* @__PURE__ */ a("div", {
 		class: "stack reasoned",
 		children: [
 			title && /* @__PURE__ */ a("h3", { children: title }),
 			wanted && /* @__PURE__ */ a("input", {
-				"aria-label": t("reason"),
-				placeholder: t("reason"),
+				"aria-label": hint ?? t("reason"),
+				placeholder: hint ?? t("reason"),
 				maxLength: 200,
 				value: reason.value,
 				onInput: (event) => reason.value = event.currentTarget.value
@@ -2714,6 +2463,562 @@ function Reasoned({ decisions, title, asking }) {
 		]
 	});
 }
+// src/parts/Table.tsx
+/** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
+var SHOWN$2 = 200;
+function compare(a, b) {
+	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
+	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
+}
+function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
+	const order = useSignal(null);
+	const shown = useSignal(SHOWN$2);
+	const by = order.value ? columns[order.value.column]?.by : void 0;
+	const sign = order.value?.down ? -1 : 1;
+	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
+	const sort = (column) => {
+		const now = order.value;
+		if (now?.column !== column) order.value = {
+			column,
+			down: false
+		};
+		else order.value = now.down ? null : {
+			column,
+			down: true
+		};
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "scroll",
+		tabIndex: 0,
+		role: "group",
+		"aria-label": label,
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "list",
+				children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((column, i) => {
+					const sorts = order.value?.column === i ? order.value.down ? "descending" : "ascending" : "none";
+					return /* @__PURE__ */ a("th", {
+						class: column.number ? "number" : "",
+						"aria-sort": column.by ? sorts : void 0,
+						children: column.by ? /* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => sort(i),
+							children: [
+								column.name,
+								" ",
+								sorts === "ascending" ? "▲" : sorts === "descending" ? "▼" : ""
+							]
+						}) : /* @__PURE__ */ a("span", { children: column.name })
+					}, column.name);
+				}) }) }), /* @__PURE__ */ a("tbody", { children: sorted.slice(0, shown.value).map((row) => {
+					const key = keyOf(row);
+					return /* @__PURE__ */ a("tr", {
+						"data-row": key,
+						class: pick ? "pick" : "",
+						"aria-selected": pick ? chosen === key : void 0,
+						onClick: (event) => {
+							if (!event.target.closest("button, input, select, a")) pick?.(row);
+						},
+						children: columns.map((column) => /* @__PURE__ */ a("td", {
+							class: column.number ? "number" : "",
+							children: column.of(row)
+						}, column.name))
+					}, key);
+				}) })]
+			}),
+			rows.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: none
+			}),
+			rows.length > shown.value && /* @__PURE__ */ a("p", {
+				class: "more-rows",
+				children: [
+					t("more_rows", rows.length - shown.value),
+					" ",
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => shown.value += SHOWN$2,
+						children: t("show_more")
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Alarms.tsx
+/** Alarms: what is wrong now with cause, remedy and who knows of it; what was; what they add up to. */
+var TABS$1 = [
+	"now",
+	"history",
+	"pareto"
+];
+function Alarms() {
+	const tab = useSignal("now");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("alarms"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "head",
+				children: [/* @__PURE__ */ a("h2", { children: [
+					t("alarms"),
+					" ",
+					alarmList.value.length
+				] }), /* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: TABS$1.map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": tab.value === name,
+						onClick: () => tab.value = name,
+						children: t(`alarms_${name}`)
+					}, name))
+				})]
+			}),
+			tab.value === "now" && /* @__PURE__ */ a(Present, {}),
+			tab.value === "history" && /* @__PURE__ */ a(History$1, {}),
+			tab.value === "pareto" && /* @__PURE__ */ a(Pareto, {})
+		]
+	});
+}
+function Present() {
+	const told = new Set(alarmList.value.map(({ source }) => source));
+	const others = troubles.value.filter((wrong) => !told.has(wrong.source));
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll alarms",
+		tabIndex: 0,
+		"aria-label": t("alarms_now"),
+		children: [
+			alarmList.value.length + others.length === 0 && /* @__PURE__ */ a("li", {
+				class: "nothing",
+				children: t("no_alarms")
+			}),
+			alarmList.value.map((alarm) => /* @__PURE__ */ a(Line$2, { alarm }, alarm.id)),
+			others.map((wrong) => /* @__PURE__ */ a(Other, { wrong }, wrong.key))
+		]
+	});
+}
+var GRAVE = /* @__PURE__ */ new Set([
+	"vehicle",
+	"device",
+	"drive",
+	"traffic",
+	"plant"
+]);
+function Line$2({ alarm }) {
+	const grave = GRAVE.has(alarm.kind);
+	const known = vehicles.has(alarm.source) || devices.has(alarm.source) || drives.has(alarm.source);
+	return /* @__PURE__ */ a("li", {
+		"data-alarm": `${alarm.kind} ${alarm.source}`,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${grave ? "" : "wait"}`,
+				title: said(alarm.kind),
+				children: grave ? "!" : "‖"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: known ? /* @__PURE__ */ a(Name, { id: alarm.source }) : alarm.source }),
+				" ",
+				tell(alarm.cause),
+				" ",
+				/* @__PURE__ */ a("small", {
+					class: "calm",
+					children: [
+						"· ",
+						clock(alarm.begun),
+						" · ",
+						said(alarm.kind)
+					]
+				})
+			] }),
+			alarm.remedy && /* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: tell(alarm.remedy)
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide",
+				children: alarm.acknowledged ? /* @__PURE__ */ a("small", {
+					class: "good",
+					children: [
+						"✓ ",
+						t("known_to", alarm.acknowledged_by ?? "", clock(alarm.acknowledged)),
+						" ",
+						alarm.note
+					]
+				}) : /* @__PURE__ */ a(Reasoned, {
+					hint: t("note"),
+					decisions: [{
+						label: t("acknowledge"),
+						bare: true,
+						noted: true,
+						does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note })
+					}]
+				})
+			})
+		]
+	});
+}
+/** What the page itself sees to be wrong and the server keeps no alarm for: lockouts, say. */
+function Other({ wrong }) {
+	const { kind, source } = wrong;
+	return /* @__PURE__ */ a("li", {
+		"data-alarm": wrong.key,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${wrong.grave ? "" : "wait"}`,
+				children: wrong.grave ? "!" : "‖"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				kind === "controller" ? /* @__PURE__ */ a("b", { children: t("controller") }) : /* @__PURE__ */ a("button", {
+					type: "button",
+					class: "text",
+					onClick: () => selected.value = {
+						kind,
+						id: source
+					},
+					children: /* @__PURE__ */ a("b", { children: source })
+				}),
+				" ",
+				tell(wrong.cause),
+				" ",
+				wrong.since && /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: ["· ", clock(wrong.since)]
+				})
+			] }),
+			wrong.remedy && /* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: tell(wrong.remedy)
+			})
+		]
+	});
+}
+var lasted = (alarm) => alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY;
+function History$1() {
+	const { value } = useRead("/alarms?limit=500", changes.alarms.value);
+	return /* @__PURE__ */ a(Table, {
+		label: t("alarms_history"),
+		rows: value?.items ?? [],
+		keyOf: (row) => String(row.id),
+		none: t("no_alarms_yet"),
+		columns: [
+			{
+				name: "#",
+				by: (row) => row.id,
+				of: (row) => row.id,
+				number: true
+			},
+			{
+				name: t("when"),
+				by: (row) => row.begun,
+				of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}`
+			},
+			{
+				name: t("kind"),
+				by: (row) => row.kind,
+				of: (row) => said(row.kind)
+			},
+			{
+				name: t("name"),
+				by: (row) => row.source,
+				of: (row) => /* @__PURE__ */ a(Name, { id: row.source })
+			},
+			{
+				name: t("cause"),
+				by: (row) => row.code,
+				of: (row) => tell(row.cause)
+			},
+			{
+				name: t("takes"),
+				by: lasted,
+				of: (row) => row.ended ? span(lasted(row)) : t("still"),
+				number: true
+			},
+			{
+				name: t("result"),
+				by: (row) => row.outcome,
+				of: (row) => tell(row.outcome)
+			},
+			{
+				name: t("acknowledge"),
+				by: (row) => row.acknowledged_by,
+				of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ")
+			}
+		]
+	});
+}
+function Pareto() {
+	const by = useSignal("code");
+	const { value } = useRead(`/alarms/pareto?by=${by.value}`, changes.alarms.value);
+	let sum = 0;
+	return /* @__PURE__ */ a("div", {
+		class: "scroll",
+		tabIndex: 0,
+		role: "group",
+		"aria-label": t("alarms_pareto"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [[
+					"code",
+					"source",
+					"both"
+				].map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": by.value === name,
+					onClick: () => by.value = name,
+					children: t(`pareto_${name}`)
+				}, name)), /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: t("last_week")
+				})]
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "list",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((row) => {
+					sum += row.share;
+					return /* @__PURE__ */ a("tr", { children: [
+						/* @__PURE__ */ a("td", { children: row.kind ? said(row.kind) : "" }),
+						/* @__PURE__ */ a("td", { children: [row.source, row.code && tell(row.code)].filter(Boolean).join(" · ") }),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: row.times
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: [row.minutes.toFixed(1), " min"]
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "bar",
+							children: /* @__PURE__ */ a("i", { style: { width: `${row.share * 100}%` } })
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: [Math.round(sum * 100), " %"]
+						})
+					] }, `${row.kind}${row.source}${row.code}`);
+				}) })
+			}),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_alarms_yet")
+			})
+		]
+	});
+}
+// src/parts/DeviceList.tsx
+/** Doors, buffers and chargers, each in one line. */
+function DeviceList() {
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll machines",
+		children: machines.value.map(({ id, kind }) => /* @__PURE__ */ a(Row$2, {
+			id,
+			kind
+		}, id))
+	});
+}
+/** What people have decided about a device: it does not do what its state alone would let one expect. */
+function barred({ lockout, out_of_service, pin }) {
+	if (lockout) return `${t("locked", lockout.owner)} ${lockout.reason}`;
+	if (out_of_service) return `${t("out_of_service")}: ${out_of_service}`;
+	return pin ? `${t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner)}: ${pin.reason}` : "";
+}
+function Row$2({ id, kind }) {
+	const device = deviceNow(id);
+	presence.value;
+	const look = lookAt(id);
+	const station = layout.value?.stations.find((one) => one.buffer === id)?.id;
+	const barcode = layout.value?.chargers.find((one) => one.id === id)?.barcode;
+	const who = kind === "buffer" ? device?.lock?.owner ?? "" : passers(id).join(", ");
+	const why = tell(device?.alarm || device?.contradiction || device && barred(device) || device?.reason || "");
+	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "row",
+		"aria-pressed": selected.value?.id === id || station !== void 0 && selected.value?.id === station,
+		"data-device": id,
+		onClick: () => chooseDevice(id),
+		children: [
+			/* @__PURE__ */ a("i", {
+				class: "dot",
+				style: { background: colourOfDevice(device, look) }
+			}),
+			/* @__PURE__ */ a("b", { children: id }),
+			/* @__PURE__ */ a("span", { children: t(kind) }),
+			/* @__PURE__ */ a("span", {
+				style: { color: DEVICE_LOOKS[look] },
+				children: t(`device_${look}`)
+			}),
+			/* @__PURE__ */ a("span", { children: station ?? barcode ?? "" }),
+			/* @__PURE__ */ a("span", { children: who }),
+			/* @__PURE__ */ a("span", {
+				class: device?.alarm ? "more bad" : "more",
+				title: why,
+				children: why
+			})
+		]
+	}) });
+}
+// src/parts/DriveList.tsx
+/** Axis drives, each in one line: what it does, or what is wrong with it. */
+function DriveList() {
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll machines",
+		children: driveList.value.map((drive) => /* @__PURE__ */ a(Row$1, { drive }, drive.id))
+	});
+}
+function Row$1({ drive }) {
+	const { word, tone } = lookOfDrive(drive);
+	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
+	const heard = drive.online === true;
+	const why = drive.online ? drive.meaning : drive.reason;
+	const choose = () => {
+		selected.value = chosen ? null : {
+			kind: "drive",
+			id: drive.id
+		};
+	};
+	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "row drives",
+		"aria-pressed": chosen,
+		"data-drive": drive.id,
+		onClick: choose,
+		children: [
+			/* @__PURE__ */ a("i", { class: `dot ${tone}` }),
+			/* @__PURE__ */ a("b", { children: drive.id }),
+			/* @__PURE__ */ a("span", {
+				title: drive.name,
+				children: drive.name
+			}),
+			/* @__PURE__ */ a("span", {
+				class: tone,
+				children: t(`drive_${word}`)
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "number",
+				children: heard && drive.distance !== null ? hundredths(drive.distance) : ""
+			}),
+			/* @__PURE__ */ a("span", {
+				class: tone === "bad" ? "more bad" : "more",
+				title: why,
+				children: why
+			})
+		]
+	}) });
+}
+// src/parts/Events.tsx
+/** What has happened, newest first. */
+var BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
+var GOOD = /TransferCompleted|AlarmCleared|VehicleReleased/;
+var SHOWN$1 = 80;
+function Events() {
+	const list = happenings.value;
+	return /* @__PURE__ */ a("ol", {
+		class: "scroll events",
+		reversed: true,
+		children: [list.length === 0 && /* @__PURE__ */ a("li", {
+			class: "nothing",
+			children: t("no_events")
+		}), list.slice(0, SHOWN$1).map((event) => /* @__PURE__ */ a(Line$1, { event }, event.seq))]
+	});
+}
+function Line$1({ event }) {
+	const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
+	const where = [event.source, event.destination].filter(Boolean).join(" → ");
+	return /* @__PURE__ */ a("li", {
+		"data-event": event.seq,
+		children: [
+			/* @__PURE__ */ a("time", { children: clock(event.ts) }),
+			/* @__PURE__ */ a("span", {
+				class: "seq",
+				children: ["#", event.seq]
+			}),
+			/* @__PURE__ */ a("b", {
+				class: tone,
+				children: happening(event.event)
+			}),
+			event.vehicle ? /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "text",
+				onClick: () => selected.value = {
+					kind: "vehicle",
+					id: event.vehicle
+				},
+				children: event.vehicle
+			}) : /* @__PURE__ */ a("span", {}),
+			/* @__PURE__ */ a("span", {
+				class: "more",
+				children: [.../* @__PURE__ */ new Set([
+					event.job,
+					event.carrier,
+					where,
+					event.result,
+					tell(event.detail)
+				])].filter(Boolean).join(" · ")
+			})
+		]
+	});
+}
+// src/parts/Below.tsx
+/** Below the map: what has happened, and the plant's other machines, each a list to look through and to choose from. */
+function Below() {
+	const tab = useSignal("events");
+	changes.devices.value;
+	const counts = {
+		events: 0,
+		devices: machines.value.length,
+		drives: driveList.value.length
+	};
+	const troubles = {
+		events: 0,
+		devices: machines.value.filter(({ id }) => /[!?]/.test(signOfDevice(devices.get(id), lookAt(id)))).length,
+		drives: driveList.value.filter((drive) => lookOfDrive(drive).tone === "bad").length
+	};
+	const tabs = Object.keys(counts).filter((one) => one === "events" || counts[one] > 0);
+	const shown = tabs.includes(tab.value) ? tab.value : "events";
+	return /* @__PURE__ */ a("section", {
+		class: "card below",
+		"aria-label": t(shown),
+		children: [
+			/* @__PURE__ */ a("h2", { children: [tabs.length === 1 && t("events"), tabs.length > 1 && /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: tabs.map((one) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": shown === one,
+					onClick: () => tab.value = one,
+					children: [
+						t(one),
+						" ",
+						counts[one] || "",
+						troubles[one] > 0 && /* @__PURE__ */ a("b", {
+							class: "badge",
+							children: ["! ", troubles[one]]
+						})
+					]
+				}, one))
+			})] }),
+			shown === "events" && /* @__PURE__ */ a(Events, {}),
+			shown === "devices" && /* @__PURE__ */ a(DeviceList, {}),
+			shown === "drives" && /* @__PURE__ */ a(DriveList, {})
+		]
+	});
+}
+// src/closed.ts
+/** Which track people have closed or are about to close, for the map. */
+/** Told which barcode was clicked, while somebody chooses track on the map. */
+var choosing = y$1(null);
+/** Barcodes that a closure that is only looked at would keep empty. */
+var previewed = y$1([]);
+/** Pairs of barcodes: the way from the first to the second is closed. */
+var closedWays = O(() => {
+	const list = closureList.value;
+	const barcodes = new Set(list.filter(({ kind }) => kind !== "edge" && kind !== "station").flatMap((one) => one.barcodes));
+	return [...list.filter(({ kind }) => kind === "edge").map(({ names }) => [names[0], names[1]]), ...waysInto(barcodes)];
+});
+var previewedWays = O(() => waysInto(new Set(previewed.value)));
+function waysInto(barcodes) {
+	if (barcodes.size === 0) return [];
+	return (layout.value?.edges ?? []).filter(({ end }) => barcodes.has(end)).map(({ start, end }) => [start, end]);
+}
 // src/parts/Closures.tsx
 /** What is closed, and closing more: a look at what it would do comes first. Track can be chosen on the map above. */
 function Closures() {
@@ -2725,7 +3030,7 @@ function Closures() {
 			class: "split",
 			children: [/* @__PURE__ */ a("div", {
 				tabIndex: 0,
-				role: "region",
+				role: "group",
 				"aria-label": t("closures"),
 				children: [
 					/* @__PURE__ */ a("h2", {
@@ -4029,14 +4334,14 @@ var COLOURS = {
 	good: "var(--good)",
 	bad: "var(--bad)"
 };
-var EVERY = 3;
+var EVERY$1 = 3;
 function JobPanel({ id }) {
 	const why = useSignal(null);
 	const whole = useSignal(null);
 	const error = useSignal(null);
 	const job = jobList.value.find((job) => job.id === id) ?? whole.value;
 	const over = job ? ENDED.has(job.state) : false;
-	const round = over ? 0 : Math.floor(tick.value / EVERY);
+	const round = over ? 0 : Math.floor(tick.value / EVERY$1);
 	A$1(() => {
 		const path = `/jobs/${encodeURIComponent(id)}`;
 		get(`${path}/why`).then((found) => why.value = found, (failure) => error.value = failure);
@@ -4101,7 +4406,7 @@ function JobPanel({ id }) {
 					children: tell(job.result || job.reason) || said(job.state)
 				})
 			] }),
-			why.value && /* @__PURE__ */ a(Phases, { why: why.value }),
+			why.value && /* @__PURE__ */ a(Phases$1, { why: why.value }),
 			!over && /* @__PURE__ */ a(Change, { job }),
 			why.value && /* @__PURE__ */ a(Why, { why: why.value }),
 			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
@@ -4109,9 +4414,9 @@ function JobPanel({ id }) {
 		]
 	});
 }
-var seconds = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
+var seconds$1 = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
 /** How long it lay, was fetched, was carried: drawn to scale. */
-function Phases({ why }) {
+function Phases$1({ why }) {
 	const phases = [
 		"queued",
 		"fetching",
@@ -4133,13 +4438,13 @@ function Phases({ why }) {
 				children: phases.map(({ name, took }) => /* @__PURE__ */ a("span", {
 					class: name,
 					style: { flex: `${Math.max(took, .01)} 1 0` },
-					title: `${t(`phase_${name}`)} ${seconds(took)}`,
-					children: seconds(took)
+					title: `${t(`phase_${name}`)} ${seconds$1(took)}`,
+					children: seconds$1(took)
 				}, name))
 			}),
 			/* @__PURE__ */ a("small", {
 				class: "calm",
-				children: phases.map(({ name, took }) => `${t(`phase_${name}`)} ${seconds(took)}`).join(" · ")
+				children: phases.map(({ name, took }) => `${t(`phase_${name}`)} ${seconds$1(took)}`).join(" · ")
 			})
 		]
 	});
@@ -4165,7 +4470,7 @@ function Why({ why }) {
 			}),
 			/* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: why.waits.map((wait) => /* @__PURE__ */ a("tr", { children: [
 				/* @__PURE__ */ a("td", { children: clock(wait.since) }),
-				/* @__PURE__ */ a("td", { children: wait.seconds === null ? t("still") : seconds(wait.seconds) }),
+				/* @__PURE__ */ a("td", { children: wait.seconds === null ? t("still") : seconds$1(wait.seconds) }),
 				/* @__PURE__ */ a("td", { children: tell(wait.reason) })
 			] }, wait.since + wait.reason)) }) }),
 			why.left_out > 0 && /* @__PURE__ */ a("small", {
@@ -4182,7 +4487,7 @@ function Choice({ choice }) {
 			/* @__PURE__ */ a("b", { children: [
 				/* @__PURE__ */ a(Name, { id: choice.vehicle }),
 				" · ",
-				t("to_source", seconds(choice.seconds))
+				t("to_source", seconds$1(choice.seconds))
 			] }),
 			" ",
 			/* @__PURE__ */ a("small", {
@@ -4191,12 +4496,12 @@ function Choice({ choice }) {
 			}),
 			/* @__PURE__ */ a("div", { children: [
 				choice.hot && `${t("hot_lot")} · `,
-				choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds(choice.saved))} · `,
-				t("worth", seconds(choice.waited), seconds(choice.switch))
+				choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds$1(choice.saved))} · `,
+				t("worth", seconds$1(choice.waited), seconds$1(choice.switch))
 			] }),
 			choice.candidates.length > 0 && /* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: choice.candidates.map((other) => /* @__PURE__ */ a("tr", { children: [
 				/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: other.vehicle }) }),
-				/* @__PURE__ */ a("td", { children: other.seconds === null ? t("no_way") : seconds(other.seconds) }),
+				/* @__PURE__ */ a("td", { children: other.seconds === null ? t("no_way") : seconds$1(other.seconds) }),
 				/* @__PURE__ */ a("td", { children: tell(other.why_not) })
 			] }, other.vehicle)) }) })
 		]
@@ -4322,88 +4627,6 @@ function Change({ job }) {
 				]
 			}),
 			/* @__PURE__ */ a(Problem, { error: error.value })
-		]
-	});
-}
-// src/parts/Table.tsx
-/** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
-var SHOWN$1 = 200;
-function compare(a, b) {
-	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
-	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
-}
-function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
-	const order = useSignal(null);
-	const shown = useSignal(SHOWN$1);
-	const by = order.value ? columns[order.value.column]?.by : void 0;
-	const sign = order.value?.down ? -1 : 1;
-	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
-	const sort = (column) => {
-		const now = order.value;
-		if (now?.column !== column) order.value = {
-			column,
-			down: false
-		};
-		else order.value = now.down ? null : {
-			column,
-			down: true
-		};
-	};
-	return /* @__PURE__ */ a("div", {
-		class: "scroll",
-		tabIndex: 0,
-		role: "region",
-		"aria-label": label,
-		children: [
-			/* @__PURE__ */ a("table", {
-				class: "list",
-				children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((column, i) => {
-					const sorts = order.value?.column === i ? order.value.down ? "descending" : "ascending" : "none";
-					return /* @__PURE__ */ a("th", {
-						class: column.number ? "number" : "",
-						"aria-sort": column.by ? sorts : void 0,
-						children: column.by ? /* @__PURE__ */ a("button", {
-							type: "button",
-							onClick: () => sort(i),
-							children: [
-								column.name,
-								" ",
-								sorts === "ascending" ? "▲" : sorts === "descending" ? "▼" : ""
-							]
-						}) : /* @__PURE__ */ a("span", { children: column.name })
-					}, column.name);
-				}) }) }), /* @__PURE__ */ a("tbody", { children: sorted.slice(0, shown.value).map((row) => {
-					const key = keyOf(row);
-					return /* @__PURE__ */ a("tr", {
-						"data-row": key,
-						class: pick ? "pick" : "",
-						"aria-selected": pick ? chosen === key : void 0,
-						onClick: (event) => {
-							if (!event.target.closest("button, input, select, a")) pick?.(row);
-						},
-						children: columns.map((column) => /* @__PURE__ */ a("td", {
-							class: column.number ? "number" : "",
-							children: column.of(row)
-						}, column.name))
-					}, key);
-				}) })]
-			}),
-			rows.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: none
-			}),
-			rows.length > shown.value && /* @__PURE__ */ a("p", {
-				class: "more-rows",
-				children: [
-					t("more_rows", rows.length - shown.value),
-					" ",
-					/* @__PURE__ */ a("button", {
-						type: "button",
-						onClick: () => shown.value += SHOWN$1,
-						children: t("show_more")
-					})
-				]
-			})
 		]
 	});
 }
@@ -5272,6 +5495,4109 @@ function Install() {
 			/* @__PURE__ */ a(Told, { asking })
 		]
 	});
+}
+// node_modules/uplot/dist/uPlot.esm.js
+/**
+* Copyright (c) 2025, Leon Sorokin
+* All rights reserved. (MIT Licensed)
+*
+* uPlot.js (μPlot)
+* A small, fast chart for time series, lines, areas, ohlc & bars
+* github.com/leeoniya/uPlot (v1.6.32)
+*/
+var FEAT_TIME = true;
+var UPLOT = "uplot";
+var ORI_HZ = "u-hz";
+var ORI_VT = "u-vt";
+var TITLE = "u-title";
+var WRAP = "u-wrap";
+var UNDER = "u-under";
+var OVER$1 = "u-over";
+var AXIS = "u-axis";
+var OFF = "u-off";
+var SELECT = "u-select";
+var CURSOR_X = "u-cursor-x";
+var CURSOR_Y = "u-cursor-y";
+var CURSOR_PT = "u-cursor-pt";
+var LEGEND = "u-legend";
+var LEGEND_LIVE = "u-live";
+var LEGEND_INLINE = "u-inline";
+var LEGEND_SERIES = "u-series";
+var LEGEND_MARKER = "u-marker";
+var LEGEND_LABEL = "u-label";
+var LEGEND_VALUE = "u-value";
+var WIDTH = "width";
+var HEIGHT$1 = "height";
+var TOP = "top";
+var BOTTOM = "bottom";
+var LEFT = "left";
+var RIGHT = "right";
+var hexBlack = "#000";
+var transparent = "#0000";
+var mousemove = "mousemove";
+var mousedown = "mousedown";
+var mouseup = "mouseup";
+var mouseenter = "mouseenter";
+var mouseleave = "mouseleave";
+var dblclick = "dblclick";
+var resize = "resize";
+var scroll = "scroll";
+var change = "change";
+var dppxchange = "dppxchange";
+var LEGEND_DISP = "--";
+var domEnv = typeof window != "undefined";
+var doc = domEnv ? document : null;
+var win = domEnv ? window : null;
+var nav = domEnv ? navigator : null;
+var pxRatio;
+var query;
+function setPxRatio() {
+	let _pxRatio = devicePixelRatio;
+	if (pxRatio != _pxRatio) {
+		pxRatio = _pxRatio;
+		query && off(change, query, setPxRatio);
+		query = matchMedia(`(min-resolution: ${pxRatio - .001}dppx) and (max-resolution: ${pxRatio + .001}dppx)`);
+		on(change, query, setPxRatio);
+		win.dispatchEvent(new CustomEvent(dppxchange));
+	}
+}
+function addClass(el, c) {
+	if (c != null) {
+		let cl = el.classList;
+		!cl.contains(c) && cl.add(c);
+	}
+}
+function remClass(el, c) {
+	let cl = el.classList;
+	cl.contains(c) && cl.remove(c);
+}
+function setStylePx(el, name, value) {
+	el.style[name] = value + "px";
+}
+function placeTag(tag, cls, targ, refEl) {
+	let el = doc.createElement(tag);
+	if (cls != null) addClass(el, cls);
+	if (targ != null) targ.insertBefore(el, refEl);
+	return el;
+}
+function placeDiv(cls, targ) {
+	return placeTag("div", cls, targ);
+}
+var xformCache = /* @__PURE__ */ new WeakMap();
+function elTrans(el, xPos, yPos, xMax, yMax) {
+	let xform = "translate(" + xPos + "px," + yPos + "px)";
+	if (xform != xformCache.get(el)) {
+		el.style.transform = xform;
+		xformCache.set(el, xform);
+		if (xPos < 0 || yPos < 0 || xPos > xMax || yPos > yMax) addClass(el, OFF);
+		else remClass(el, OFF);
+	}
+}
+var colorCache = /* @__PURE__ */ new WeakMap();
+function elColor(el, background, borderColor) {
+	let newColor = background + borderColor;
+	if (newColor != colorCache.get(el)) {
+		colorCache.set(el, newColor);
+		el.style.background = background;
+		el.style.borderColor = borderColor;
+	}
+}
+var sizeCache = /* @__PURE__ */ new WeakMap();
+function elSize(el, newWid, newHgt, centered) {
+	let newSize = newWid + "" + newHgt;
+	if (newSize != sizeCache.get(el)) {
+		sizeCache.set(el, newSize);
+		el.style.height = newHgt + "px";
+		el.style.width = newWid + "px";
+		el.style.marginLeft = centered ? -newWid / 2 + "px" : 0;
+		el.style.marginTop = centered ? -newHgt / 2 + "px" : 0;
+	}
+}
+var evOpts = { passive: true };
+var evOpts2 = {
+	...evOpts,
+	capture: true
+};
+function on(ev, el, cb, capt) {
+	el.addEventListener(ev, cb, capt ? evOpts2 : evOpts);
+}
+function off(ev, el, cb, capt) {
+	el.removeEventListener(ev, cb, evOpts);
+}
+domEnv && setPxRatio();
+function closestIdx(num, arr, lo, hi) {
+	let mid;
+	lo = lo || 0;
+	hi = hi || arr.length - 1;
+	let bitwise = hi <= 2147483647;
+	while (hi - lo > 1) {
+		mid = bitwise ? lo + hi >> 1 : floor((lo + hi) / 2);
+		if (arr[mid] < num) lo = mid;
+		else hi = mid;
+	}
+	if (num - arr[lo] <= arr[hi] - num) return lo;
+	return hi;
+}
+function makeIndexOfs(predicate) {
+	let indexOfs = (data, _i0, _i1) => {
+		let i0 = -1;
+		let i1 = -1;
+		for (let i = _i0; i <= _i1; i++) if (predicate(data[i])) {
+			i0 = i;
+			break;
+		}
+		for (let i = _i1; i >= _i0; i--) if (predicate(data[i])) {
+			i1 = i;
+			break;
+		}
+		return [i0, i1];
+	};
+	return indexOfs;
+}
+var notNullish = (v) => v != null;
+var isPositive = (v) => v != null && v > 0;
+var nonNullIdxs = makeIndexOfs(notNullish);
+var positiveIdxs = makeIndexOfs(isPositive);
+function getMinMax(data, _i0, _i1, sorted = 0, log = false) {
+	let getEdgeIdxs = log ? positiveIdxs : nonNullIdxs;
+	let predicate = log ? isPositive : notNullish;
+	[_i0, _i1] = getEdgeIdxs(data, _i0, _i1);
+	let _min = data[_i0];
+	let _max = data[_i0];
+	if (_i0 > -1) {
+		if (sorted == 1) {
+			_min = data[_i0];
+			_max = data[_i1];
+		} else if (sorted == -1) {
+			_min = data[_i1];
+			_max = data[_i0];
+		} else for (let i = _i0; i <= _i1; i++) {
+			let v = data[i];
+			if (predicate(v)) {
+				if (v < _min) _min = v;
+				else if (v > _max) _max = v;
+			}
+		}
+	}
+	return [_min ?? inf, _max ?? -inf];
+}
+function rangeLog(min, max, base, fullMags) {
+	let minSign = sign(min);
+	let maxSign = sign(max);
+	if (min == max) {
+		if (minSign == -1) {
+			min *= base;
+			max /= base;
+		} else {
+			min /= base;
+			max *= base;
+		}
+	}
+	let logFn = base == 10 ? log10 : log2;
+	let growMinAbs = minSign == 1 ? floor : ceil;
+	let growMaxAbs = maxSign == 1 ? ceil : floor;
+	let minExp = growMinAbs(logFn(abs(min)));
+	let maxExp = growMaxAbs(logFn(abs(max)));
+	let minIncr = pow(base, minExp);
+	let maxIncr = pow(base, maxExp);
+	if (base == 10) {
+		if (minExp < 0) minIncr = roundDec(minIncr, -minExp);
+		if (maxExp < 0) maxIncr = roundDec(maxIncr, -maxExp);
+	}
+	if (fullMags || base == 2) {
+		min = minIncr * minSign;
+		max = maxIncr * maxSign;
+	} else {
+		min = incrRoundDn(min, minIncr);
+		max = incrRoundUp(max, maxIncr);
+	}
+	return [min, max];
+}
+function rangeAsinh(min, max, base, fullMags) {
+	let minMax = rangeLog(min, max, base, fullMags);
+	if (min == 0) minMax[0] = 0;
+	if (max == 0) minMax[1] = 0;
+	return minMax;
+}
+var rangePad = .1;
+var autoRangePart = {
+	mode: 3,
+	pad: rangePad
+};
+var _eqRangePart = {
+	pad: 0,
+	soft: null,
+	mode: 0
+};
+var _eqRange = {
+	min: _eqRangePart,
+	max: _eqRangePart
+};
+function rangeNum(_min, _max, mult, extra) {
+	if (isObj(mult)) return _rangeNum(_min, _max, mult);
+	_eqRangePart.pad = mult;
+	_eqRangePart.soft = extra ? 0 : null;
+	_eqRangePart.mode = extra ? 3 : 0;
+	return _rangeNum(_min, _max, _eqRange);
+}
+function ifNull(lh, rh) {
+	return lh == null ? rh : lh;
+}
+function hasData(data, idx0, idx1) {
+	idx0 = ifNull(idx0, 0);
+	idx1 = ifNull(idx1, data.length - 1);
+	while (idx0 <= idx1) {
+		if (data[idx0] != null) return true;
+		idx0++;
+	}
+	return false;
+}
+function _rangeNum(_min, _max, cfg) {
+	let cmin = cfg.min;
+	let cmax = cfg.max;
+	let padMin = ifNull(cmin.pad, 0);
+	let padMax = ifNull(cmax.pad, 0);
+	let hardMin = ifNull(cmin.hard, -inf);
+	let hardMax = ifNull(cmax.hard, inf);
+	let softMin = ifNull(cmin.soft, inf);
+	let softMax = ifNull(cmax.soft, -inf);
+	let softMinMode = ifNull(cmin.mode, 0);
+	let softMaxMode = ifNull(cmax.mode, 0);
+	let delta = _max - _min;
+	let deltaMag = log10(delta);
+	let scalarMax = max(abs(_min), abs(_max));
+	let scalarMagDelta = abs(log10(scalarMax) - deltaMag);
+	if (delta < 1e-24 || scalarMagDelta > 10) {
+		delta = 0;
+		if (_min == 0 || _max == 0) {
+			delta = 1e-24;
+			if (softMinMode == 2 && softMin != inf) padMin = 0;
+			if (softMaxMode == 2 && softMax != -inf) padMax = 0;
+		}
+	}
+	let nonZeroDelta = delta || scalarMax || 1e3;
+	let base = pow(10, floor(log10(nonZeroDelta)));
+	let _newMin = roundDec(incrRoundDn(_min - nonZeroDelta * (delta == 0 ? _min == 0 ? .1 : 1 : padMin), base / 10), 24);
+	let _softMin = _min >= softMin && (softMinMode == 1 || softMinMode == 3 && _newMin <= softMin || softMinMode == 2 && _newMin >= softMin) ? softMin : inf;
+	let minLim = max(hardMin, _newMin < _softMin && _min >= _softMin ? _softMin : min(_softMin, _newMin));
+	let _newMax = roundDec(incrRoundUp(_max + nonZeroDelta * (delta == 0 ? _max == 0 ? .1 : 1 : padMax), base / 10), 24);
+	let _softMax = _max <= softMax && (softMaxMode == 1 || softMaxMode == 3 && _newMax >= softMax || softMaxMode == 2 && _newMax <= softMax) ? softMax : -inf;
+	let maxLim = min(hardMax, _newMax > _softMax && _max <= _softMax ? _softMax : max(_softMax, _newMax));
+	if (minLim == maxLim && minLim == 0) maxLim = 100;
+	return [minLim, maxLim];
+}
+var numFormatter = new Intl.NumberFormat(domEnv ? nav.language : "en-US");
+var fmtNum = (val) => numFormatter.format(val);
+var M = Math;
+var PI = M.PI;
+var abs = M.abs;
+var floor = M.floor;
+var round = M.round;
+var ceil = M.ceil;
+var min = M.min;
+var max = M.max;
+var pow = M.pow;
+var sign = M.sign;
+var log10 = M.log10;
+var log2 = M.log2;
+var sinh = (v, linthresh = 1) => M.sinh(v) * linthresh;
+var asinh = (v, linthresh = 1) => M.asinh(v / linthresh);
+var inf = Infinity;
+function numIntDigits(x) {
+	return (log10((x ^ x >> 31) - (x >> 31)) | 0) + 1;
+}
+function clamp(num, _min, _max) {
+	return min(max(num, _min), _max);
+}
+function isFn(v) {
+	return typeof v == "function";
+}
+function fnOrSelf(v) {
+	return isFn(v) ? v : () => v;
+}
+var noop = () => {};
+var retArg0 = (_0) => _0;
+var retArg1 = (_0, _1) => _1;
+var retNull = (_) => null;
+var retTrue = (_) => true;
+var retEq = (a, b) => a == b;
+var regex6 = /\.\d*?(?=9{6,}|0{6,})/gm;
+var fixFloat = (val) => {
+	if (isInt(val) || fixedDec.has(val)) return val;
+	const str = `${val}`;
+	const match = str.match(regex6);
+	if (match == null) return val;
+	let len = match[0].length - 1;
+	if (str.indexOf("e-") != -1) {
+		let [num, exp] = str.split("e");
+		return +`${fixFloat(num)}e${exp}`;
+	}
+	return roundDec(val, len);
+};
+function incrRound(num, incr) {
+	return fixFloat(roundDec(fixFloat(num / incr)) * incr);
+}
+function incrRoundUp(num, incr) {
+	return fixFloat(ceil(fixFloat(num / incr)) * incr);
+}
+function incrRoundDn(num, incr) {
+	return fixFloat(floor(fixFloat(num / incr)) * incr);
+}
+function roundDec(val, dec = 0) {
+	if (isInt(val)) return val;
+	let p = 10 ** dec;
+	return round(val * p * (1 + Number.EPSILON)) / p;
+}
+var fixedDec = /* @__PURE__ */ new Map();
+function guessDec(num) {
+	return (("" + num).split(".")[1] || "").length;
+}
+function genIncrs(base, minExp, maxExp, mults) {
+	let incrs = [];
+	let multDec = mults.map(guessDec);
+	for (let exp = minExp; exp < maxExp; exp++) {
+		let expa = abs(exp);
+		let mag = roundDec(pow(base, exp), expa);
+		for (let i = 0; i < mults.length; i++) {
+			let _incr = base == 10 ? +`${mults[i]}e${exp}` : mults[i] * mag;
+			let dec = (exp >= 0 ? 0 : expa) + (exp >= multDec[i] ? 0 : multDec[i]);
+			let incr = base == 10 ? _incr : roundDec(_incr, dec);
+			incrs.push(incr);
+			fixedDec.set(incr, dec);
+		}
+	}
+	return incrs;
+}
+var EMPTY_OBJ = {};
+var EMPTY_ARR = [];
+var nullNullTuple = [null, null];
+var isArr = Array.isArray;
+var isInt = Number.isInteger;
+var isUndef = (v) => v === void 0;
+function isStr(v) {
+	return typeof v == "string";
+}
+function isObj(v) {
+	let is = false;
+	if (v != null) {
+		let c = v.constructor;
+		is = c == null || c == Object;
+	}
+	return is;
+}
+function fastIsObj(v) {
+	return v != null && typeof v == "object";
+}
+var TypedArray = Object.getPrototypeOf(Uint8Array);
+var __proto__ = "__proto__";
+function copy(o, _isObj = isObj) {
+	let out;
+	if (isArr(o)) {
+		let val = o.find((v) => v != null);
+		if (isArr(val) || _isObj(val)) {
+			out = Array(o.length);
+			for (let i = 0; i < o.length; i++) out[i] = copy(o[i], _isObj);
+		} else out = o.slice();
+	} else if (o instanceof TypedArray) out = o.slice();
+	else if (_isObj(o)) {
+		out = {};
+		for (let k in o) if (k != __proto__) out[k] = copy(o[k], _isObj);
+	} else out = o;
+	return out;
+}
+function assign(targ) {
+	let args = arguments;
+	for (let i = 1; i < args.length; i++) {
+		let src = args[i];
+		for (let key in src) if (key != __proto__) {
+			if (isObj(targ[key])) assign(targ[key], copy(src[key]));
+			else targ[key] = copy(src[key]);
+		}
+	}
+	return targ;
+}
+var NULL_REMOVE = 0;
+var NULL_RETAIN = 1;
+var NULL_EXPAND = 2;
+function nullExpand(yVals, nullIdxs, alignedLen) {
+	for (let i = 0, xi, lastNullIdx = -1; i < nullIdxs.length; i++) {
+		let nullIdx = nullIdxs[i];
+		if (nullIdx > lastNullIdx) {
+			xi = nullIdx - 1;
+			while (xi >= 0 && yVals[xi] == null) yVals[xi--] = null;
+			xi = nullIdx + 1;
+			while (xi < alignedLen && yVals[xi] == null) yVals[lastNullIdx = xi++] = null;
+		}
+	}
+}
+function join(tables, nullModes) {
+	if (allHeadersSame(tables)) {
+		let table = tables[0].slice();
+		for (let i = 1; i < tables.length; i++) table.push(...tables[i].slice(1));
+		if (!isAsc(table[0])) table = sortCols(table);
+		return table;
+	}
+	let xVals = /* @__PURE__ */ new Set();
+	for (let ti = 0; ti < tables.length; ti++) {
+		let xs = tables[ti][0];
+		let len = xs.length;
+		for (let i = 0; i < len; i++) xVals.add(xs[i]);
+	}
+	let data = [Array.from(xVals).sort((a, b) => a - b)];
+	let alignedLen = data[0].length;
+	let xIdxs = /* @__PURE__ */ new Map();
+	for (let i = 0; i < alignedLen; i++) xIdxs.set(data[0][i], i);
+	for (let ti = 0; ti < tables.length; ti++) {
+		let t = tables[ti];
+		let xs = t[0];
+		for (let si = 1; si < t.length; si++) {
+			let ys = t[si];
+			let yVals = Array(alignedLen).fill(void 0);
+			let nullMode = nullModes ? nullModes[ti][si] : NULL_RETAIN;
+			let nullIdxs = [];
+			for (let i = 0; i < ys.length; i++) {
+				let yVal = ys[i];
+				let alignedIdx = xIdxs.get(xs[i]);
+				if (yVal === null) {
+					if (nullMode != NULL_REMOVE) {
+						yVals[alignedIdx] = yVal;
+						if (nullMode == NULL_EXPAND) nullIdxs.push(alignedIdx);
+					}
+				} else yVals[alignedIdx] = yVal;
+			}
+			nullExpand(yVals, nullIdxs, alignedLen);
+			data.push(yVals);
+		}
+	}
+	return data;
+}
+var microTask = typeof queueMicrotask == "undefined" ? (fn) => Promise.resolve().then(fn) : queueMicrotask;
+function sortCols(table) {
+	let head = table[0];
+	let rlen = head.length;
+	let idxs = Array(rlen);
+	for (let i = 0; i < idxs.length; i++) idxs[i] = i;
+	idxs.sort((i0, i1) => head[i0] - head[i1]);
+	let table2 = [];
+	for (let i = 0; i < table.length; i++) {
+		let row = table[i];
+		let row2 = Array(rlen);
+		for (let j = 0; j < rlen; j++) row2[j] = row[idxs[j]];
+		table2.push(row2);
+	}
+	return table2;
+}
+function allHeadersSame(tables) {
+	let vals0 = tables[0][0];
+	let len0 = vals0.length;
+	for (let i = 1; i < tables.length; i++) {
+		let vals1 = tables[i][0];
+		if (vals1.length != len0) return false;
+		if (vals1 != vals0) {
+			for (let j = 0; j < len0; j++) if (vals1[j] != vals0[j]) return false;
+		}
+	}
+	return true;
+}
+function isAsc(vals, samples = 100) {
+	const len = vals.length;
+	if (len <= 1) return true;
+	let firstIdx = 0;
+	let lastIdx = len - 1;
+	while (firstIdx <= lastIdx && vals[firstIdx] == null) firstIdx++;
+	while (lastIdx >= firstIdx && vals[lastIdx] == null) lastIdx--;
+	if (lastIdx <= firstIdx) return true;
+	const stride = max(1, floor((lastIdx - firstIdx + 1) / samples));
+	for (let prevVal = vals[firstIdx], i = firstIdx + stride; i <= lastIdx; i += stride) {
+		const v = vals[i];
+		if (v != null) {
+			if (v <= prevVal) return false;
+			prevVal = v;
+		}
+	}
+	return true;
+}
+var months = [
+	"January",
+	"February",
+	"March",
+	"April",
+	"May",
+	"June",
+	"July",
+	"August",
+	"September",
+	"October",
+	"November",
+	"December"
+];
+var days = [
+	"Sunday",
+	"Monday",
+	"Tuesday",
+	"Wednesday",
+	"Thursday",
+	"Friday",
+	"Saturday"
+];
+function slice3(str) {
+	return str.slice(0, 3);
+}
+var days3 = days.map(slice3);
+var engNames = {
+	MMMM: months,
+	MMM: months.map(slice3),
+	WWWW: days,
+	WWW: days3
+};
+function zeroPad2(int) {
+	return (int < 10 ? "0" : "") + int;
+}
+function zeroPad3(int) {
+	return (int < 10 ? "00" : int < 100 ? "0" : "") + int;
+}
+var subs = {
+	YYYY: (d) => d.getFullYear(),
+	YY: (d) => (d.getFullYear() + "").slice(2),
+	MMMM: (d, names) => names.MMMM[d.getMonth()],
+	MMM: (d, names) => names.MMM[d.getMonth()],
+	MM: (d) => zeroPad2(d.getMonth() + 1),
+	M: (d) => d.getMonth() + 1,
+	DD: (d) => zeroPad2(d.getDate()),
+	D: (d) => d.getDate(),
+	WWWW: (d, names) => names.WWWW[d.getDay()],
+	WWW: (d, names) => names.WWW[d.getDay()],
+	HH: (d) => zeroPad2(d.getHours()),
+	H: (d) => d.getHours(),
+	h: (d) => {
+		let h = d.getHours();
+		return h == 0 ? 12 : h > 12 ? h - 12 : h;
+	},
+	AA: (d) => d.getHours() >= 12 ? "PM" : "AM",
+	aa: (d) => d.getHours() >= 12 ? "pm" : "am",
+	a: (d) => d.getHours() >= 12 ? "p" : "a",
+	mm: (d) => zeroPad2(d.getMinutes()),
+	m: (d) => d.getMinutes(),
+	ss: (d) => zeroPad2(d.getSeconds()),
+	s: (d) => d.getSeconds(),
+	fff: (d) => zeroPad3(d.getMilliseconds())
+};
+function fmtDate(tpl, names) {
+	names = names || engNames;
+	let parts = [];
+	let R = /\{([a-z]+)\}|[^{]+/gi, m;
+	while (m = R.exec(tpl)) parts.push(m[0][0] == "{" ? subs[m[1]] : m[0]);
+	return (d) => {
+		let out = "";
+		for (let i = 0; i < parts.length; i++) out += typeof parts[i] == "string" ? parts[i] : parts[i](d, names);
+		return out;
+	};
+}
+var localTz = new Intl.DateTimeFormat().resolvedOptions().timeZone;
+function tzDate(date, tz) {
+	let date2;
+	if (tz == "UTC" || tz == "Etc/UTC") date2 = /* @__PURE__ */ new Date(+date + date.getTimezoneOffset() * 6e4);
+	else if (tz == localTz) date2 = date;
+	else {
+		date2 = new Date(date.toLocaleString("en-US", { timeZone: tz }));
+		date2.setMilliseconds(date.getMilliseconds());
+	}
+	return date2;
+}
+var onlyWhole = (v) => v % 1 == 0;
+var allMults = [
+	1,
+	2,
+	2.5,
+	5
+];
+var decIncrs = genIncrs(10, -32, 0, allMults);
+var oneIncrs = genIncrs(10, 0, 32, allMults);
+var wholeIncrs = oneIncrs.filter(onlyWhole);
+var numIncrs = decIncrs.concat(oneIncrs);
+var NL = "\n";
+var yyyy = "{YYYY}";
+var NLyyyy = NL + yyyy;
+var md = "{M}/{D}";
+var NLmd = NL + md;
+var NLmdyy = NLmd + "/{YY}";
+var aa = "{aa}";
+var hmmaa = "{h}:{mm}" + aa;
+var NLhmmaa = NL + hmmaa;
+var ss = ":{ss}";
+var _ = null;
+function genTimeStuffs(ms) {
+	let s = ms * 1e3, m = s * 60, h = m * 60, d = h * 24, mo = d * 30, y = d * 365;
+	let timeIncrs = (ms == 1 ? genIncrs(10, 0, 3, allMults).filter(onlyWhole) : genIncrs(10, -3, 0, allMults)).concat([
+		s,
+		s * 5,
+		s * 10,
+		s * 15,
+		s * 30,
+		m,
+		m * 5,
+		m * 10,
+		m * 15,
+		m * 30,
+		h,
+		h * 2,
+		h * 3,
+		h * 4,
+		h * 6,
+		h * 8,
+		h * 12,
+		d,
+		d * 2,
+		d * 3,
+		d * 4,
+		d * 5,
+		d * 6,
+		d * 7,
+		d * 8,
+		d * 9,
+		d * 10,
+		d * 15,
+		mo,
+		mo * 2,
+		mo * 3,
+		mo * 4,
+		mo * 6,
+		y,
+		y * 2,
+		y * 5,
+		y * 10,
+		y * 25,
+		y * 50,
+		y * 100
+	]);
+	const _timeAxisStamps = [
+		[
+			y,
+			yyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			d * 28,
+			"{MMM}",
+			NLyyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			d,
+			md,
+			NLyyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			h,
+			"{h}" + aa,
+			NLmdyy,
+			_,
+			NLmd,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			m,
+			hmmaa,
+			NLmdyy,
+			_,
+			NLmd,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			s,
+			ss,
+			NLmdyy + " " + hmmaa,
+			_,
+			NLmd + " " + hmmaa,
+			_,
+			NLhmmaa,
+			_,
+			1
+		],
+		[
+			ms,
+			ss + ".{fff}",
+			NLmdyy + " " + hmmaa,
+			_,
+			NLmd + " " + hmmaa,
+			_,
+			NLhmmaa,
+			_,
+			1
+		]
+	];
+	function timeAxisSplits(tzDate) {
+		return (self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace) => {
+			let splits = [];
+			let isYr = foundIncr >= y;
+			let isMo = foundIncr >= mo && foundIncr < y;
+			let minDate = tzDate(scaleMin);
+			let minDateTs = roundDec(minDate * ms, 3);
+			let minMin = mkDate(minDate.getFullYear(), isYr ? 0 : minDate.getMonth(), isMo || isYr ? 1 : minDate.getDate());
+			let minMinTs = roundDec(minMin * ms, 3);
+			if (isMo || isYr) {
+				let moIncr = isMo ? foundIncr / mo : 0;
+				let yrIncr = isYr ? foundIncr / y : 0;
+				let split = minDateTs == minMinTs ? minDateTs : roundDec(mkDate(minMin.getFullYear() + yrIncr, minMin.getMonth() + moIncr, 1) * ms, 3);
+				let splitDate = new Date(round(split / ms));
+				let baseYear = splitDate.getFullYear();
+				let baseMonth = splitDate.getMonth();
+				for (let i = 0; split <= scaleMax; i++) {
+					let next = mkDate(baseYear + yrIncr * i, baseMonth + moIncr * i, 1);
+					let offs = next - tzDate(roundDec(next * ms, 3));
+					split = roundDec((+next + offs) * ms, 3);
+					if (split <= scaleMax) splits.push(split);
+				}
+			} else {
+				let incr0 = foundIncr >= d ? d : foundIncr;
+				let split = minMinTs + (floor(scaleMin) - floor(minDateTs)) + incrRoundUp(minDateTs - minMinTs, incr0);
+				splits.push(split);
+				let date0 = tzDate(split);
+				let prevHour = date0.getHours() + date0.getMinutes() / m + date0.getSeconds() / h;
+				let incrHours = foundIncr / h;
+				let pctSpace = foundSpace / self.axes[axisIdx]._space;
+				while (1) {
+					split = roundDec(split + foundIncr, ms == 1 ? 0 : 3);
+					if (split > scaleMax) break;
+					if (incrHours > 1) {
+						let expectedHour = floor(roundDec(prevHour + incrHours, 6)) % 24;
+						let dstShift = tzDate(split).getHours() - expectedHour;
+						if (dstShift > 1) dstShift = -1;
+						split -= dstShift * h;
+						prevHour = (prevHour + incrHours) % 24;
+						let prevSplit = splits[splits.length - 1];
+						if (roundDec((split - prevSplit) / foundIncr, 3) * pctSpace >= .7) splits.push(split);
+					} else splits.push(split);
+				}
+			}
+			return splits;
+		};
+	}
+	return [
+		timeIncrs,
+		_timeAxisStamps,
+		timeAxisSplits
+	];
+}
+var [timeIncrsMs, _timeAxisStampsMs, timeAxisSplitsMs] = genTimeStuffs(1);
+var [timeIncrsS, _timeAxisStampsS, timeAxisSplitsS] = genTimeStuffs(.001);
+genIncrs(2, -53, 53, [1]);
+function timeAxisStamps(stampCfg, fmtDate) {
+	return stampCfg.map((s) => s.map((v, i) => i == 0 || i == 8 || v == null ? v : fmtDate(i == 1 || s[8] == 0 ? v : s[1] + v)));
+}
+function timeAxisVals(tzDate, stamps) {
+	return (self, splits, axisIdx, foundSpace, foundIncr) => {
+		let s = stamps.find((s) => foundIncr >= s[0]) || stamps[stamps.length - 1];
+		let prevYear;
+		let prevMnth;
+		let prevDate;
+		let prevHour;
+		let prevMins;
+		let prevSecs;
+		return splits.map((split) => {
+			let date = tzDate(split);
+			let newYear = date.getFullYear();
+			let newMnth = date.getMonth();
+			let newDate = date.getDate();
+			let newHour = date.getHours();
+			let newMins = date.getMinutes();
+			let newSecs = date.getSeconds();
+			let stamp = newYear != prevYear && s[2] || newMnth != prevMnth && s[3] || newDate != prevDate && s[4] || newHour != prevHour && s[5] || newMins != prevMins && s[6] || newSecs != prevSecs && s[7] || s[1];
+			prevYear = newYear;
+			prevMnth = newMnth;
+			prevDate = newDate;
+			prevHour = newHour;
+			prevMins = newMins;
+			prevSecs = newSecs;
+			return stamp(date);
+		});
+	};
+}
+function timeAxisVal(tzDate, dateTpl) {
+	let stamp = fmtDate(dateTpl);
+	return (self, splits, axisIdx, foundSpace, foundIncr) => splits.map((split) => stamp(tzDate(split)));
+}
+function mkDate(y, m, d) {
+	return new Date(y, m, d);
+}
+function timeSeriesStamp(stampCfg, fmtDate) {
+	return fmtDate(stampCfg);
+}
+var _timeSeriesStamp = "{YYYY}-{MM}-{DD} {h}:{mm}{aa}";
+function timeSeriesVal(tzDate, stamp) {
+	return (self, val, seriesIdx, dataIdx) => dataIdx == null ? LEGEND_DISP : stamp(tzDate(val));
+}
+function legendStroke(self, seriesIdx) {
+	let s = self.series[seriesIdx];
+	return s.width ? s.stroke(self, seriesIdx) : s.points.width ? s.points.stroke(self, seriesIdx) : null;
+}
+function legendFill(self, seriesIdx) {
+	return self.series[seriesIdx].fill(self, seriesIdx);
+}
+var legendOpts = {
+	show: true,
+	live: true,
+	isolate: false,
+	mount: noop,
+	markers: {
+		show: true,
+		width: 2,
+		stroke: legendStroke,
+		fill: legendFill,
+		dash: "solid"
+	},
+	idx: null,
+	idxs: null,
+	values: []
+};
+function cursorPointShow(self, si) {
+	let o = self.cursor.points;
+	let pt = placeDiv();
+	let size = o.size(self, si);
+	setStylePx(pt, WIDTH, size);
+	setStylePx(pt, HEIGHT$1, size);
+	let mar = size / -2;
+	setStylePx(pt, "marginLeft", mar);
+	setStylePx(pt, "marginTop", mar);
+	let width = o.width(self, si, size);
+	width && setStylePx(pt, "borderWidth", width);
+	return pt;
+}
+function cursorPointFill(self, si) {
+	let sp = self.series[si].points;
+	return sp._fill || sp._stroke;
+}
+function cursorPointStroke(self, si) {
+	let sp = self.series[si].points;
+	return sp._stroke || sp._fill;
+}
+function cursorPointSize(self, si) {
+	return self.series[si].points.size;
+}
+var moveTuple = [0, 0];
+function cursorMove(self, mouseLeft1, mouseTop1) {
+	moveTuple[0] = mouseLeft1;
+	moveTuple[1] = mouseTop1;
+	return moveTuple;
+}
+function filtBtn0(self, targ, handle, onlyTarg = true) {
+	return (e) => {
+		e.button == 0 && (!onlyTarg || e.target == targ) && handle(e);
+	};
+}
+function filtTarg(self, targ, handle, onlyTarg = true) {
+	return (e) => {
+		(!onlyTarg || e.target == targ) && handle(e);
+	};
+}
+var cursorOpts = {
+	show: true,
+	x: true,
+	y: true,
+	lock: false,
+	move: cursorMove,
+	points: {
+		one: false,
+		show: cursorPointShow,
+		size: cursorPointSize,
+		width: 0,
+		stroke: cursorPointStroke,
+		fill: cursorPointFill
+	},
+	bind: {
+		mousedown: filtBtn0,
+		mouseup: filtBtn0,
+		click: filtBtn0,
+		dblclick: filtBtn0,
+		mousemove: filtTarg,
+		mouseleave: filtTarg,
+		mouseenter: filtTarg
+	},
+	drag: {
+		setScale: true,
+		x: true,
+		y: false,
+		dist: 0,
+		uni: null,
+		click: (self, e) => {
+			e.stopPropagation();
+			e.stopImmediatePropagation();
+		},
+		_x: false,
+		_y: false
+	},
+	focus: {
+		dist: (self, seriesIdx, dataIdx, valPos, curPos) => valPos - curPos,
+		prox: -1,
+		bias: 0
+	},
+	hover: {
+		skip: [void 0],
+		prox: null,
+		bias: 0
+	},
+	left: -10,
+	top: -10,
+	idx: null,
+	dataIdx: null,
+	idxs: null,
+	event: null
+};
+var axisLines = {
+	show: true,
+	stroke: "rgba(0,0,0,0.07)",
+	width: 2
+};
+var grid = assign({}, axisLines, { filter: retArg1 });
+var ticks = assign({}, grid, { size: 10 });
+var border = assign({}, axisLines, { show: false });
+var font$1 = "12px system-ui, -apple-system, \"Segoe UI\", Roboto, \"Helvetica Neue\", Arial, \"Noto Sans\", sans-serif, \"Apple Color Emoji\", \"Segoe UI Emoji\", \"Segoe UI Symbol\", \"Noto Color Emoji\"";
+var labelFont = "bold " + font$1;
+var lineGap = 1.5;
+var xAxisOpts = {
+	show: true,
+	scale: "x",
+	stroke: hexBlack,
+	space: 50,
+	gap: 5,
+	alignTo: 1,
+	size: 50,
+	labelGap: 0,
+	labelSize: 30,
+	labelFont,
+	side: 2,
+	grid,
+	ticks,
+	border,
+	font: font$1,
+	lineGap,
+	rotate: 0
+};
+var numSeriesLabel = "Value";
+var timeSeriesLabel = "Time";
+var xSeriesOpts = {
+	show: true,
+	scale: "x",
+	auto: false,
+	sorted: 1,
+	min: inf,
+	max: -Infinity,
+	idxs: []
+};
+function numAxisVals(self, splits, axisIdx, foundSpace, foundIncr) {
+	return splits.map((v) => v == null ? "" : fmtNum(v));
+}
+function numAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	let splits = [];
+	let numDec = fixedDec.get(foundIncr) || 0;
+	scaleMin = forceMin ? scaleMin : roundDec(incrRoundUp(scaleMin, foundIncr), numDec);
+	for (let val = scaleMin; val <= scaleMax; val = roundDec(val + foundIncr, numDec)) splits.push(Object.is(val, -0) ? 0 : val);
+	return splits;
+}
+function logAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	const splits = [];
+	const logBase = self.scales[self.axes[axisIdx].scale].log;
+	foundIncr = pow(logBase, floor((logBase == 10 ? log10 : log2)(scaleMin)));
+	if (logBase == 10) foundIncr = numIncrs[closestIdx(foundIncr, numIncrs)];
+	let split = scaleMin;
+	let nextMagIncr = foundIncr * logBase;
+	if (logBase == 10) nextMagIncr = numIncrs[closestIdx(nextMagIncr, numIncrs)];
+	do {
+		splits.push(split);
+		split = split + foundIncr;
+		if (logBase == 10 && !fixedDec.has(split)) split = roundDec(split, fixedDec.get(foundIncr));
+		if (split >= nextMagIncr) {
+			foundIncr = split;
+			nextMagIncr = foundIncr * logBase;
+			if (logBase == 10) nextMagIncr = numIncrs[closestIdx(nextMagIncr, numIncrs)];
+		}
+	} while (split <= scaleMax);
+	return splits;
+}
+function asinhAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	let linthresh = self.scales[self.axes[axisIdx].scale].asinh;
+	let posSplits = scaleMax > linthresh ? logAxisSplits(self, axisIdx, max(linthresh, scaleMin), scaleMax, foundIncr) : [linthresh];
+	let zero = scaleMax >= 0 && scaleMin <= 0 ? [0] : [];
+	return (scaleMin < -linthresh ? logAxisSplits(self, axisIdx, max(linthresh, -scaleMax), -scaleMin, foundIncr) : [linthresh]).reverse().map((v) => -v).concat(zero, posSplits);
+}
+var RE_ALL = /./;
+var RE_12357 = /[12357]/;
+var RE_125 = /[125]/;
+var RE_1 = /1/;
+var _filt = (splits, distr, re, keepMod) => splits.map((v, i) => distr == 4 && v == 0 || i % keepMod == 0 && re.test(v.toExponential()[v < 0 ? 1 : 0]) ? v : null);
+function log10AxisValsFilt(self, splits, axisIdx, foundSpace, foundIncr) {
+	let axis = self.axes[axisIdx];
+	let scaleKey = axis.scale;
+	let sc = self.scales[scaleKey];
+	let valToPos = self.valToPos;
+	let minSpace = axis._space;
+	let _10 = valToPos(10, scaleKey);
+	let re = valToPos(9, scaleKey) - _10 >= minSpace ? RE_ALL : valToPos(7, scaleKey) - _10 >= minSpace ? RE_12357 : valToPos(5, scaleKey) - _10 >= minSpace ? RE_125 : RE_1;
+	if (re == RE_1) {
+		let magSpace = abs(valToPos(1, scaleKey) - _10);
+		if (magSpace < minSpace) return _filt(splits.slice().reverse(), sc.distr, re, ceil(minSpace / magSpace)).reverse();
+	}
+	return _filt(splits, sc.distr, re, 1);
+}
+function log2AxisValsFilt(self, splits, axisIdx, foundSpace, foundIncr) {
+	let axis = self.axes[axisIdx];
+	let scaleKey = axis.scale;
+	let minSpace = axis._space;
+	let valToPos = self.valToPos;
+	let magSpace = abs(valToPos(1, scaleKey) - valToPos(2, scaleKey));
+	if (magSpace < minSpace) return _filt(splits.slice().reverse(), 3, RE_ALL, ceil(minSpace / magSpace)).reverse();
+	return splits;
+}
+function numSeriesVal(self, val, seriesIdx, dataIdx) {
+	return dataIdx == null ? LEGEND_DISP : val == null ? "" : fmtNum(val);
+}
+var yAxisOpts = {
+	show: true,
+	scale: "y",
+	stroke: hexBlack,
+	space: 30,
+	gap: 5,
+	alignTo: 1,
+	size: 50,
+	labelGap: 0,
+	labelSize: 30,
+	labelFont,
+	side: 3,
+	grid,
+	ticks,
+	border,
+	font: font$1,
+	lineGap,
+	rotate: 0
+};
+function ptDia(width, mult) {
+	return roundDec((3 + (width || 1) * 2) * mult, 3);
+}
+function seriesPointsShow(self, si) {
+	let { scale, idxs } = self.series[0];
+	let xData = self._data[0];
+	let p0 = self.valToPos(xData[idxs[0]], scale, true);
+	let maxPts = abs(self.valToPos(xData[idxs[1]], scale, true) - p0) / (self.series[si].points.space * pxRatio);
+	return idxs[1] - idxs[0] <= maxPts;
+}
+var facet = {
+	scale: null,
+	auto: true,
+	sorted: 0,
+	min: inf,
+	max: -Infinity
+};
+var gaps = (self, seriesIdx, idx0, idx1, nullGaps) => nullGaps;
+var xySeriesOpts = {
+	show: true,
+	auto: true,
+	sorted: 0,
+	gaps,
+	alpha: 1,
+	facets: [assign({}, facet, { scale: "x" }), assign({}, facet, { scale: "y" })]
+};
+var ySeriesOpts = {
+	scale: "y",
+	auto: true,
+	sorted: 0,
+	show: true,
+	spanGaps: false,
+	gaps,
+	alpha: 1,
+	points: {
+		show: seriesPointsShow,
+		filter: null
+	},
+	values: null,
+	min: inf,
+	max: -Infinity,
+	idxs: [],
+	path: null,
+	clip: null
+};
+function clampScale(self, val, scaleMin, scaleMax, scaleKey) {
+	return scaleMin / 10;
+}
+var xScaleOpts = {
+	time: FEAT_TIME,
+	auto: true,
+	distr: 1,
+	log: 10,
+	asinh: 1,
+	min: null,
+	max: null,
+	dir: 1,
+	ori: 0
+};
+var yScaleOpts = assign({}, xScaleOpts, {
+	time: false,
+	ori: 1
+});
+var syncs = {};
+function _sync(key, opts) {
+	let s = syncs[key];
+	if (!s) {
+		s = {
+			key,
+			plots: [],
+			sub(plot) {
+				s.plots.push(plot);
+			},
+			unsub(plot) {
+				s.plots = s.plots.filter((c) => c != plot);
+			},
+			pub(type, self, x, y, w, h, i) {
+				for (let j = 0; j < s.plots.length; j++) s.plots[j] != self && s.plots[j].pub(type, self, x, y, w, h, i);
+			}
+		};
+		if (key != null) syncs[key] = s;
+	}
+	return s;
+}
+var BAND_CLIP_FILL = 1;
+var BAND_CLIP_STROKE = 2;
+function orient(u, seriesIdx, cb) {
+	const mode = u.mode;
+	const series = u.series[seriesIdx];
+	const data = mode == 2 ? u._data[seriesIdx] : u._data;
+	const scales = u.scales;
+	const bbox = u.bbox;
+	let dx = data[0], dy = mode == 2 ? data[1] : data[seriesIdx], sx = mode == 2 ? scales[series.facets[0].scale] : scales[u.series[0].scale], sy = mode == 2 ? scales[series.facets[1].scale] : scales[series.scale], l = bbox.left, t = bbox.top, w = bbox.width, h = bbox.height, H = u.valToPosH, V = u.valToPosV;
+	return sx.ori == 0 ? cb(series, dx, dy, sx, sy, H, V, l, t, w, h, moveToH, lineToH, rectH, arcH, bezierCurveToH) : cb(series, dx, dy, sx, sy, V, H, t, l, h, w, moveToV, lineToV, rectV, arcV, bezierCurveToV);
+}
+function bandFillClipDirs(self, seriesIdx) {
+	let fillDir = 0;
+	let clipDirs = 0;
+	let bands = ifNull(self.bands, EMPTY_ARR);
+	for (let i = 0; i < bands.length; i++) {
+		let b = bands[i];
+		if (b.series[0] == seriesIdx) fillDir = b.dir;
+		else if (b.series[1] == seriesIdx) {
+			if (b.dir == 1) clipDirs |= 1;
+			else clipDirs |= 2;
+		}
+	}
+	return [fillDir, clipDirs == 1 ? -1 : clipDirs == 2 ? 1 : clipDirs == 3 ? 2 : 0];
+}
+function seriesFillTo(self, seriesIdx, dataMin, dataMax, bandFillDir) {
+	let mode = self.mode;
+	let series = self.series[seriesIdx];
+	let scaleKey = mode == 2 ? series.facets[1].scale : series.scale;
+	let scale = self.scales[scaleKey];
+	return bandFillDir == -1 ? scale.min : bandFillDir == 1 ? scale.max : scale.distr == 3 ? scale.dir == 1 ? scale.min : scale.max : 0;
+}
+function clipBandLine(self, seriesIdx, idx0, idx1, strokePath, clipDir) {
+	return orient(self, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+		let pxRound = series.pxRound;
+		const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+		const lineTo = scaleX.ori == 0 ? lineToH : lineToV;
+		let frIdx, toIdx;
+		if (dir == 1) {
+			frIdx = idx0;
+			toIdx = idx1;
+		} else {
+			frIdx = idx1;
+			toIdx = idx0;
+		}
+		let x0 = pxRound(valToPosX(dataX[frIdx], scaleX, xDim, xOff));
+		let y0 = pxRound(valToPosY(dataY[frIdx], scaleY, yDim, yOff));
+		let x1 = pxRound(valToPosX(dataX[toIdx], scaleX, xDim, xOff));
+		let yLimit = pxRound(valToPosY(clipDir == 1 ? scaleY.max : scaleY.min, scaleY, yDim, yOff));
+		let clip = new Path2D(strokePath);
+		lineTo(clip, x1, yLimit);
+		lineTo(clip, x0, yLimit);
+		lineTo(clip, x0, y0);
+		return clip;
+	});
+}
+function clipGaps(gaps, ori, plotLft, plotTop, plotWid, plotHgt) {
+	let clip = null;
+	if (gaps.length > 0) {
+		clip = new Path2D();
+		const rect = ori == 0 ? rectH : rectV;
+		let prevGapEnd = plotLft;
+		for (let i = 0; i < gaps.length; i++) {
+			let g = gaps[i];
+			if (g[1] > g[0]) {
+				let w = g[0] - prevGapEnd;
+				w > 0 && rect(clip, prevGapEnd, plotTop, w, plotTop + plotHgt);
+				prevGapEnd = g[1];
+			}
+		}
+		let w = plotLft + plotWid - prevGapEnd;
+		let maxStrokeWidth = 10;
+		w > 0 && rect(clip, prevGapEnd, plotTop - maxStrokeWidth / 2, w, plotTop + plotHgt + maxStrokeWidth);
+	}
+	return clip;
+}
+function addGap(gaps, fromX, toX) {
+	let prevGap = gaps[gaps.length - 1];
+	if (prevGap && prevGap[0] == fromX) prevGap[1] = toX;
+	else gaps.push([fromX, toX]);
+}
+function findGaps(xs, ys, idx0, idx1, dir, pixelForX, align) {
+	let gaps = [];
+	let len = xs.length;
+	for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) if (ys[i] === null) {
+		let fr = i, to = i;
+		if (dir == 1) while (++i <= idx1 && ys[i] === null) to = i;
+		else while (--i >= idx0 && ys[i] === null) to = i;
+		let frPx = pixelForX(xs[fr]);
+		let toPx = to == fr ? frPx : pixelForX(xs[to]);
+		let fri2 = fr - dir;
+		frPx = align <= 0 && fri2 >= 0 && fri2 < len ? pixelForX(xs[fri2]) : frPx;
+		let toi2 = to + dir;
+		toPx = align >= 0 && toi2 >= 0 && toi2 < len ? pixelForX(xs[toi2]) : toPx;
+		if (toPx >= frPx) gaps.push([frPx, toPx]);
+	}
+	return gaps;
+}
+function pxRoundGen(pxAlign) {
+	return pxAlign == 0 ? retArg0 : pxAlign == 1 ? round : (v) => incrRound(v, pxAlign);
+}
+function rect(ori) {
+	let moveTo = ori == 0 ? moveToH : moveToV;
+	let arcTo = ori == 0 ? (p, x1, y1, x2, y2, r) => {
+		p.arcTo(x1, y1, x2, y2, r);
+	} : (p, y1, x1, y2, x2, r) => {
+		p.arcTo(x1, y1, x2, y2, r);
+	};
+	let rect = ori == 0 ? (p, x, y, w, h) => {
+		p.rect(x, y, w, h);
+	} : (p, y, x, h, w) => {
+		p.rect(x, y, w, h);
+	};
+	return (p, x, y, w, h, endRad = 0, baseRad = 0) => {
+		if (endRad == 0 && baseRad == 0) rect(p, x, y, w, h);
+		else {
+			endRad = min(endRad, w / 2, h / 2);
+			baseRad = min(baseRad, w / 2, h / 2);
+			moveTo(p, x + endRad, y);
+			arcTo(p, x + w, y, x + w, y + h, endRad);
+			arcTo(p, x + w, y + h, x, y + h, baseRad);
+			arcTo(p, x, y + h, x, y, baseRad);
+			arcTo(p, x, y, x + w, y, endRad);
+			p.closePath();
+		}
+	};
+}
+var moveToH = (p, x, y) => {
+	p.moveTo(x, y);
+};
+var moveToV = (p, y, x) => {
+	p.moveTo(x, y);
+};
+var lineToH = (p, x, y) => {
+	p.lineTo(x, y);
+};
+var lineToV = (p, y, x) => {
+	p.lineTo(x, y);
+};
+var rectH = rect(0);
+var rectV = rect(1);
+var arcH = (p, x, y, r, startAngle, endAngle) => {
+	p.arc(x, y, r, startAngle, endAngle);
+};
+var arcV = (p, y, x, r, startAngle, endAngle) => {
+	p.arc(x, y, r, startAngle, endAngle);
+};
+var bezierCurveToH = (p, bp1x, bp1y, bp2x, bp2y, p2x, p2y) => {
+	p.bezierCurveTo(bp1x, bp1y, bp2x, bp2y, p2x, p2y);
+};
+var bezierCurveToV = (p, bp1y, bp1x, bp2y, bp2x, p2y, p2x) => {
+	p.bezierCurveTo(bp1x, bp1y, bp2x, bp2y, p2x, p2y);
+};
+function points(opts) {
+	return (u, seriesIdx, idx0, idx1, filtIdxs) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			let { pxRound, points } = series;
+			let moveTo, arc;
+			if (scaleX.ori == 0) {
+				moveTo = moveToH;
+				arc = arcH;
+			} else {
+				moveTo = moveToV;
+				arc = arcV;
+			}
+			const width = roundDec(points.width * pxRatio, 3);
+			let rad = (points.size - points.width) / 2 * pxRatio;
+			let dia = roundDec(rad * 2, 3);
+			let fill = new Path2D();
+			let clip = new Path2D();
+			let { left: lft, top, width: wid, height: hgt } = u.bbox;
+			rectH(clip, lft - dia, top - dia, wid + dia * 2, hgt + dia * 2);
+			const drawPoint = (pi) => {
+				if (dataY[pi] != null) {
+					let x = pxRound(valToPosX(dataX[pi], scaleX, xDim, xOff));
+					let y = pxRound(valToPosY(dataY[pi], scaleY, yDim, yOff));
+					moveTo(fill, x + rad, y);
+					arc(fill, x, y, rad, 0, PI * 2);
+				}
+			};
+			if (filtIdxs) filtIdxs.forEach(drawPoint);
+			else for (let pi = idx0; pi <= idx1; pi++) drawPoint(pi);
+			return {
+				stroke: width > 0 ? fill : null,
+				fill,
+				clip,
+				flags: 3
+			};
+		});
+	};
+}
+function _drawAcc(lineTo) {
+	return (stroke, accX, minY, maxY, inY, outY) => {
+		if (minY != maxY) {
+			if (inY != minY && outY != minY) lineTo(stroke, accX, minY);
+			if (inY != maxY && outY != maxY) lineTo(stroke, accX, maxY);
+			lineTo(stroke, accX, outY);
+		}
+	};
+}
+var drawAccH = _drawAcc(lineToH);
+var drawAccV = _drawAcc(lineToV);
+function linear(opts) {
+	const alignGaps = ifNull(opts?.alignGaps, 0);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let lineTo, drawAcc;
+			if (scaleX.ori == 0) {
+				lineTo = lineToH;
+				drawAcc = drawAccH;
+			} else {
+				lineTo = lineToV;
+				drawAcc = drawAccV;
+			}
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			const _paths = {
+				stroke: new Path2D(),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			let hasGap = false;
+			if (idx1 - idx0 >= xDim * 4) {
+				let xForPixel = (pos) => u.posToVal(pos, scaleX.key, true);
+				let minY = null, maxY = null, inY, outY, drawnAtX;
+				let accX = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+				let idx0px = pixelForX(dataX[idx0]);
+				let idx1px = pixelForX(dataX[idx1]);
+				let nextAccXVal = xForPixel(dir == 1 ? idx0px + 1 : idx1px - 1);
+				for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+					let xVal = dataX[i];
+					let x = (dir == 1 ? xVal < nextAccXVal : xVal > nextAccXVal) ? accX : pixelForX(xVal);
+					let yVal = dataY[i];
+					if (x == accX) {
+						if (yVal != null) {
+							outY = yVal;
+							if (minY == null) {
+								lineTo(stroke, x, pixelForY(outY));
+								inY = minY = maxY = outY;
+							} else if (outY < minY) minY = outY;
+							else if (outY > maxY) maxY = outY;
+						} else if (yVal === null) hasGap = true;
+					} else {
+						if (minY != null) drawAcc(stroke, accX, pixelForY(minY), pixelForY(maxY), pixelForY(inY), pixelForY(outY));
+						if (yVal != null) {
+							outY = yVal;
+							lineTo(stroke, x, pixelForY(outY));
+							minY = maxY = inY = outY;
+						} else {
+							minY = maxY = null;
+							if (yVal === null) hasGap = true;
+						}
+						accX = x;
+						nextAccXVal = xForPixel(accX + dir);
+					}
+				}
+				if (minY != null && minY != maxY && drawnAtX != accX) drawAcc(stroke, accX, pixelForY(minY), pixelForY(maxY), pixelForY(inY), pixelForY(outY));
+			} else for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+				let yVal = dataY[i];
+				if (yVal === null) hasGap = true;
+				else if (yVal != null) lineTo(stroke, pixelForX(dataX[i]), pixelForY(yVal));
+			}
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				let frX = pixelForX(dataX[idx0]);
+				let toX = pixelForX(dataX[idx1]);
+				if (dir == -1) [toX, frX] = [frX, toX];
+				lineTo(fill, toX, fillToY);
+				lineTo(fill, frX, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				hasGap && gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function stepped(opts) {
+	const align = ifNull(opts.align, 1);
+	const ascDesc = ifNull(opts.ascDesc, false);
+	const alignGaps = ifNull(opts.alignGaps, 0);
+	const extend = ifNull(opts.extend, false);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let { left, width } = u.bbox;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let lineTo = scaleX.ori == 0 ? lineToH : lineToV;
+			const _paths = {
+				stroke: new Path2D(),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let prevYPos = pixelForY(dataY[dir == 1 ? idx0 : idx1]);
+			let firstXPos = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+			let prevXPos = firstXPos;
+			let firstXPosExt = firstXPos;
+			if (extend && align == -1) {
+				firstXPosExt = left;
+				lineTo(stroke, firstXPosExt, prevYPos);
+			}
+			lineTo(stroke, firstXPos, prevYPos);
+			for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+				let yVal1 = dataY[i];
+				if (yVal1 == null) continue;
+				let x1 = pixelForX(dataX[i]);
+				let y1 = pixelForY(yVal1);
+				if (align == 1) lineTo(stroke, x1, prevYPos);
+				else lineTo(stroke, prevXPos, y1);
+				lineTo(stroke, x1, y1);
+				prevYPos = y1;
+				prevXPos = x1;
+			}
+			let prevXPosExt = prevXPos;
+			if (extend && align == 1) {
+				prevXPosExt = left + width;
+				lineTo(stroke, prevXPosExt, prevYPos);
+			}
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				lineTo(fill, prevXPosExt, fillToY);
+				lineTo(fill, firstXPosExt, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				let halfStroke = series.width * pxRatio / 2;
+				let startsOffset = ascDesc || align == 1 ? halfStroke : -halfStroke;
+				let endsOffset = ascDesc || align == -1 ? -halfStroke : halfStroke;
+				gaps.forEach((g) => {
+					g[0] += startsOffset;
+					g[1] += endsOffset;
+				});
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid = inf) {
+	if (dataX.length > 1) {
+		let prevIdx = null;
+		for (let i = 0, minDelta = Infinity; i < dataX.length; i++) if (dataY[i] !== void 0) {
+			if (prevIdx != null) {
+				let delta = abs(dataX[i] - dataX[prevIdx]);
+				if (delta < minDelta) {
+					minDelta = delta;
+					colWid = abs(valToPosX(dataX[i], scaleX, xDim, xOff) - valToPosX(dataX[prevIdx], scaleX, xDim, xOff));
+				}
+			}
+			prevIdx = i;
+		}
+	}
+	return colWid;
+}
+function bars(opts) {
+	opts = opts || EMPTY_OBJ;
+	const size = ifNull(opts.size, [
+		.6,
+		inf,
+		1
+	]);
+	const align = opts.align || 0;
+	const _extraGap = opts.gap || 0;
+	let ro = opts.radius;
+	ro = ro == null ? [0, 0] : typeof ro == "number" ? [ro, 0] : ro;
+	const radiusFn = fnOrSelf(ro);
+	const gapFactor = 1 - size[0];
+	const _maxWidth = ifNull(size[1], inf);
+	const _minWidth = ifNull(size[2], 1);
+	const disp = ifNull(opts.disp, EMPTY_OBJ);
+	const _each = ifNull(opts.each, (_) => {});
+	const { fill: dispFills, stroke: dispStrokes } = disp;
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			let pxRound = series.pxRound;
+			let _align = align;
+			let extraGap = _extraGap * pxRatio;
+			let maxWidth = _maxWidth * pxRatio;
+			let minWidth = _minWidth * pxRatio;
+			let valRadius, baseRadius;
+			if (scaleX.ori == 0) [valRadius, baseRadius] = radiusFn(u, seriesIdx);
+			else [baseRadius, valRadius] = radiusFn(u, seriesIdx);
+			const _dirX = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let rect = scaleX.ori == 0 ? rectH : rectV;
+			let each = scaleX.ori == 0 ? _each : (u, seriesIdx, i, top, lft, hgt, wid) => {
+				_each(u, seriesIdx, i, lft, top, wid, hgt);
+			};
+			let band = ifNull(u.bands, EMPTY_ARR).find((b) => b.series[0] == seriesIdx);
+			let fillDir = band != null ? band.dir : 0;
+			let fillTo = series.fillTo(u, seriesIdx, series.min, series.max, fillDir);
+			let fillToY = pxRound(valToPosY(fillTo, scaleY, yDim, yOff));
+			let xShift, barWid, fullGap, colWid = xDim;
+			let strokeWidth = pxRound(series.width * pxRatio);
+			let multiPath = false;
+			let fillColors = null;
+			let fillPaths = null;
+			let strokeColors = null;
+			let strokePaths = null;
+			if (dispFills != null && (strokeWidth == 0 || dispStrokes != null)) {
+				multiPath = true;
+				fillColors = dispFills.values(u, seriesIdx, idx0, idx1);
+				fillPaths = /* @__PURE__ */ new Map();
+				new Set(fillColors).forEach((color) => {
+					if (color != null) fillPaths.set(color, new Path2D());
+				});
+				if (strokeWidth > 0) {
+					strokeColors = dispStrokes.values(u, seriesIdx, idx0, idx1);
+					strokePaths = /* @__PURE__ */ new Map();
+					new Set(strokeColors).forEach((color) => {
+						if (color != null) strokePaths.set(color, new Path2D());
+					});
+				}
+			}
+			let { x0, size } = disp;
+			if (x0 != null && size != null) {
+				_align = 1;
+				dataX = x0.values(u, seriesIdx, idx0, idx1);
+				if (x0.unit == 2) dataX = dataX.map((pct) => u.posToVal(xOff + pct * xDim, scaleX.key, true));
+				let sizes = size.values(u, seriesIdx, idx0, idx1);
+				if (size.unit == 2) barWid = sizes[0] * xDim;
+				else barWid = valToPosX(sizes[0], scaleX, xDim, xOff) - valToPosX(0, scaleX, xDim, xOff);
+				colWid = findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid);
+				fullGap = colWid - barWid + extraGap;
+			} else {
+				colWid = findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid);
+				fullGap = colWid * gapFactor + extraGap;
+				barWid = colWid - fullGap;
+			}
+			if (fullGap < 1) fullGap = 0;
+			if (strokeWidth >= barWid / 2) strokeWidth = 0;
+			if (fullGap < 5) pxRound = retArg0;
+			let insetStroke = fullGap > 0;
+			let rawBarWid = colWid - fullGap - (insetStroke ? strokeWidth : 0);
+			barWid = pxRound(clamp(rawBarWid, minWidth, maxWidth));
+			xShift = (_align == 0 ? barWid / 2 : _align == _dirX ? 0 : barWid) - _align * _dirX * ((_align == 0 ? extraGap / 2 : 0) + (insetStroke ? strokeWidth / 2 : 0));
+			const _paths = {
+				stroke: null,
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: 0
+			};
+			const stroke = multiPath ? null : new Path2D();
+			let dataY0 = null;
+			if (band != null) dataY0 = u.data[band.series[1]];
+			else {
+				let { y0, y1 } = disp;
+				if (y0 != null && y1 != null) {
+					dataY = y1.values(u, seriesIdx, idx0, idx1);
+					dataY0 = y0.values(u, seriesIdx, idx0, idx1);
+				}
+			}
+			let radVal = valRadius * barWid;
+			let radBase = baseRadius * barWid;
+			for (let i = _dirX == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += _dirX) {
+				let yVal = dataY[i];
+				if (yVal == null) continue;
+				if (dataY0 != null) {
+					let yVal0 = dataY0[i] ?? 0;
+					if (yVal - yVal0 == 0) continue;
+					fillToY = valToPosY(yVal0, scaleY, yDim, yOff);
+				}
+				let xPos = valToPosX(scaleX.distr != 2 || disp != null ? dataX[i] : i, scaleX, xDim, xOff);
+				let yPos = valToPosY(ifNull(yVal, fillTo), scaleY, yDim, yOff);
+				let lft = pxRound(xPos - xShift);
+				let btm = pxRound(max(yPos, fillToY));
+				let top = pxRound(min(yPos, fillToY));
+				let barHgt = btm - top;
+				if (yVal != null) {
+					let rv = yVal < 0 ? radBase : radVal;
+					let rb = yVal < 0 ? radVal : radBase;
+					if (multiPath) {
+						if (strokeWidth > 0 && strokeColors[i] != null) rect(strokePaths.get(strokeColors[i]), lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+						if (fillColors[i] != null) rect(fillPaths.get(fillColors[i]), lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+					} else rect(stroke, lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+					each(u, seriesIdx, i, lft - strokeWidth / 2, top, barWid + strokeWidth, barHgt);
+				}
+			}
+			if (strokeWidth > 0) _paths.stroke = multiPath ? strokePaths : stroke;
+			else if (!multiPath) {
+				_paths._fill = series.width == 0 ? series._fill : series._stroke ?? series._fill;
+				_paths.width = 0;
+			}
+			_paths.fill = multiPath ? fillPaths : stroke;
+			return _paths;
+		});
+	};
+}
+function splineInterp(interp, opts) {
+	const alignGaps = ifNull(opts?.alignGaps, 0);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let moveTo, bezierCurveTo, lineTo;
+			if (scaleX.ori == 0) {
+				moveTo = moveToH;
+				lineTo = lineToH;
+				bezierCurveTo = bezierCurveToH;
+			} else {
+				moveTo = moveToV;
+				lineTo = lineToV;
+				bezierCurveTo = bezierCurveToV;
+			}
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let firstXPos = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+			let prevXPos = firstXPos;
+			let xCoords = [];
+			let yCoords = [];
+			for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) if (dataY[i] != null) {
+				let xVal = dataX[i];
+				let xPos = pixelForX(xVal);
+				xCoords.push(prevXPos = xPos);
+				yCoords.push(pixelForY(dataY[i]));
+			}
+			const _paths = {
+				stroke: interp(xCoords, yCoords, moveTo, lineTo, bezierCurveTo, pxRound),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				lineTo(fill, prevXPos, fillToY);
+				lineTo(fill, firstXPos, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function monotoneCubic(opts) {
+	return splineInterp(_monotoneCubic, opts);
+}
+function _monotoneCubic(xs, ys, moveTo, lineTo, bezierCurveTo, pxRound) {
+	const n = xs.length;
+	if (n < 2) return null;
+	const path = new Path2D();
+	moveTo(path, xs[0], ys[0]);
+	if (n == 2) lineTo(path, xs[1], ys[1]);
+	else {
+		let ms = Array(n), ds = Array(n - 1), dys = Array(n - 1), dxs = Array(n - 1);
+		for (let i = 0; i < n - 1; i++) {
+			dys[i] = ys[i + 1] - ys[i];
+			dxs[i] = xs[i + 1] - xs[i];
+			ds[i] = dys[i] / dxs[i];
+		}
+		ms[0] = ds[0];
+		for (let i = 1; i < n - 1; i++) if (ds[i] === 0 || ds[i - 1] === 0 || ds[i - 1] > 0 !== ds[i] > 0) ms[i] = 0;
+		else {
+			ms[i] = 3 * (dxs[i - 1] + dxs[i]) / ((2 * dxs[i] + dxs[i - 1]) / ds[i - 1] + (dxs[i] + 2 * dxs[i - 1]) / ds[i]);
+			if (!isFinite(ms[i])) ms[i] = 0;
+		}
+		ms[n - 1] = ds[n - 2];
+		for (let i = 0; i < n - 1; i++) bezierCurveTo(path, xs[i] + dxs[i] / 3, ys[i] + ms[i] * dxs[i] / 3, xs[i + 1] - dxs[i] / 3, ys[i + 1] - ms[i + 1] * dxs[i] / 3, xs[i + 1], ys[i + 1]);
+	}
+	return path;
+}
+var cursorPlots = /* @__PURE__ */ new Set();
+function invalidateRects() {
+	for (let u of cursorPlots) u.syncRect(true);
+}
+if (domEnv) {
+	on(resize, win, invalidateRects);
+	on(scroll, win, invalidateRects, true);
+	on(dppxchange, win, () => {
+		uPlot.pxRatio = pxRatio;
+	});
+}
+var linearPath = linear();
+var pointsPath = points();
+function setDefaults(d, xo, yo, initY) {
+	return (initY ? [d[0], d[1]].concat(d.slice(2)) : [d[0]].concat(d.slice(1))).map((o, i) => setDefault(o, i, xo, yo));
+}
+function setDefaults2(d, xyo) {
+	return d.map((o, i) => i == 0 ? {} : assign({}, xyo, o));
+}
+function setDefault(o, i, xo, yo) {
+	return assign({}, i == 0 ? xo : yo, o);
+}
+function snapNumX(self, dataMin, dataMax) {
+	return dataMin == null ? nullNullTuple : [dataMin, dataMax];
+}
+var snapTimeX = snapNumX;
+function snapNumY(self, dataMin, dataMax) {
+	return dataMin == null ? nullNullTuple : rangeNum(dataMin, dataMax, rangePad, true);
+}
+function snapLogY(self, dataMin, dataMax, scale) {
+	return dataMin == null ? nullNullTuple : rangeLog(dataMin, dataMax, self.scales[scale].log, false);
+}
+var snapLogX = snapLogY;
+function snapAsinhY(self, dataMin, dataMax, scale) {
+	return dataMin == null ? nullNullTuple : rangeAsinh(dataMin, dataMax, self.scales[scale].log, false);
+}
+var snapAsinhX = snapAsinhY;
+function findIncr(minVal, maxVal, incrs, dim, minSpace) {
+	let intDigits = max(numIntDigits(minVal), numIntDigits(maxVal));
+	let delta = maxVal - minVal;
+	let incrIdx = closestIdx(minSpace / dim * delta, incrs);
+	do {
+		let foundIncr = incrs[incrIdx];
+		let foundSpace = dim * foundIncr / delta;
+		if (foundSpace >= minSpace && intDigits + (foundIncr < 5 ? fixedDec.get(foundIncr) : 0) <= 17) return [foundIncr, foundSpace];
+	} while (++incrIdx < incrs.length);
+	return [0, 0];
+}
+function pxRatioFont(font) {
+	let fontSize, fontSizeCss;
+	font = font.replace(/(\d+)px/, (m, p1) => (fontSize = round((fontSizeCss = +p1) * pxRatio)) + "px");
+	return [
+		font,
+		fontSize,
+		fontSizeCss
+	];
+}
+function syncFontSize(axis) {
+	if (axis.show) [axis.font, axis.labelFont].forEach((f) => {
+		let size = roundDec(f[2] * pxRatio, 1);
+		f[0] = f[0].replace(/[0-9.]+px/, size + "px");
+		f[1] = size;
+	});
+}
+function uPlot(opts, data, then) {
+	const self = { mode: ifNull(opts.mode, 1) };
+	const mode = self.mode;
+	function getHPos(val, scale, dim, off) {
+		let pct = scale.valToPct(val);
+		return off + dim * (scale.dir == -1 ? 1 - pct : pct);
+	}
+	function getVPos(val, scale, dim, off) {
+		let pct = scale.valToPct(val);
+		return off + dim * (scale.dir == -1 ? pct : 1 - pct);
+	}
+	function getPos(val, scale, dim, off) {
+		return scale.ori == 0 ? getHPos(val, scale, dim, off) : getVPos(val, scale, dim, off);
+	}
+	self.valToPosH = getHPos;
+	self.valToPosV = getVPos;
+	let ready = false;
+	self.status = 0;
+	const root = self.root = placeDiv(UPLOT);
+	if (opts.id != null) root.id = opts.id;
+	addClass(root, opts.class);
+	if (opts.title) {
+		let title = placeDiv(TITLE, root);
+		title.textContent = opts.title;
+	}
+	const can = placeTag("canvas");
+	const ctx = self.ctx = can.getContext("2d");
+	const wrap = placeDiv(WRAP, root);
+	on("click", wrap, (e) => {
+		if (e.target === over) (mouseLeft1 != mouseLeft0 || mouseTop1 != mouseTop0) && drag.click(self, e);
+	}, true);
+	const under = self.under = placeDiv(UNDER, wrap);
+	wrap.appendChild(can);
+	const over = self.over = placeDiv(OVER$1, wrap);
+	opts = copy(opts);
+	const pxAlign = +ifNull(opts.pxAlign, 1);
+	const pxRound = pxRoundGen(pxAlign);
+	(opts.plugins || []).forEach((p) => {
+		if (p.opts) opts = p.opts(self, opts) || opts;
+	});
+	const ms = opts.ms || .001;
+	const series = self.series = mode == 1 ? setDefaults(opts.series || [], xSeriesOpts, ySeriesOpts, false) : setDefaults2(opts.series || [null], xySeriesOpts);
+	const axes = self.axes = setDefaults(opts.axes || [], xAxisOpts, yAxisOpts, true);
+	const scales = self.scales = {};
+	const bands = self.bands = opts.bands || [];
+	bands.forEach((b) => {
+		b.fill = fnOrSelf(b.fill || null);
+		b.dir = ifNull(b.dir, -1);
+	});
+	const xScaleKey = mode == 2 ? series[1].facets[0].scale : series[0].scale;
+	const drawOrderMap = {
+		axes: drawAxesGrid,
+		series: drawSeries
+	};
+	const drawOrder = (opts.drawOrder || ["axes", "series"]).map((key) => drawOrderMap[key]);
+	function initValToPct(sc) {
+		const getVal = sc.distr == 3 ? (val) => log10(val > 0 ? val : sc.clamp(self, val, sc.min, sc.max, sc.key)) : sc.distr == 4 ? (val) => asinh(val, sc.asinh) : sc.distr == 100 ? (val) => sc.fwd(val) : (val) => val;
+		return (val) => {
+			let _val = getVal(val);
+			let { _min, _max } = sc;
+			let delta = _max - _min;
+			return (_val - _min) / delta;
+		};
+	}
+	function initScale(scaleKey) {
+		let sc = scales[scaleKey];
+		if (sc == null) {
+			let scaleOpts = (opts.scales || EMPTY_OBJ)[scaleKey] || EMPTY_OBJ;
+			if (scaleOpts.from != null) {
+				initScale(scaleOpts.from);
+				let sc = assign({}, scales[scaleOpts.from], scaleOpts, { key: scaleKey });
+				sc.valToPct = initValToPct(sc);
+				scales[scaleKey] = sc;
+			} else {
+				sc = scales[scaleKey] = assign({}, scaleKey == xScaleKey ? xScaleOpts : yScaleOpts, scaleOpts);
+				sc.key = scaleKey;
+				let isTime = sc.time;
+				let rn = sc.range;
+				let rangeIsArr = isArr(rn);
+				if (scaleKey != xScaleKey || mode == 2 && !isTime) {
+					if (rangeIsArr && (rn[0] == null || rn[1] == null)) {
+						rn = {
+							min: rn[0] == null ? autoRangePart : {
+								mode: 1,
+								hard: rn[0],
+								soft: rn[0]
+							},
+							max: rn[1] == null ? autoRangePart : {
+								mode: 1,
+								hard: rn[1],
+								soft: rn[1]
+							}
+						};
+						rangeIsArr = false;
+					}
+					if (!rangeIsArr && isObj(rn)) {
+						let cfg = rn;
+						rn = (self, dataMin, dataMax) => dataMin == null ? nullNullTuple : rangeNum(dataMin, dataMax, cfg);
+					}
+				}
+				sc.range = fnOrSelf(rn || (isTime ? snapTimeX : scaleKey == xScaleKey ? sc.distr == 3 ? snapLogX : sc.distr == 4 ? snapAsinhX : snapNumX : sc.distr == 3 ? snapLogY : sc.distr == 4 ? snapAsinhY : snapNumY));
+				sc.auto = fnOrSelf(rangeIsArr ? false : sc.auto);
+				sc.clamp = fnOrSelf(sc.clamp || clampScale);
+				sc._min = sc._max = null;
+				sc.valToPct = initValToPct(sc);
+			}
+		}
+	}
+	initScale("x");
+	initScale("y");
+	if (mode == 1) series.forEach((s) => {
+		initScale(s.scale);
+	});
+	axes.forEach((a) => {
+		initScale(a.scale);
+	});
+	for (let k in opts.scales) initScale(k);
+	const scaleX = scales[xScaleKey];
+	const xScaleDistr = scaleX.distr;
+	let valToPosX, valToPosY;
+	if (scaleX.ori == 0) {
+		addClass(root, ORI_HZ);
+		valToPosX = getHPos;
+		valToPosY = getVPos;
+	} else {
+		addClass(root, ORI_VT);
+		valToPosX = getVPos;
+		valToPosY = getHPos;
+	}
+	const pendScales = {};
+	for (let k in scales) {
+		let sc = scales[k];
+		if (sc.min != null || sc.max != null) {
+			pendScales[k] = {
+				min: sc.min,
+				max: sc.max
+			};
+			sc.min = sc.max = null;
+		}
+	}
+	const _tzDate = opts.tzDate || ((ts) => new Date(round(ts / ms)));
+	const _fmtDate = opts.fmtDate || fmtDate;
+	const _timeAxisSplits = ms == 1 ? timeAxisSplitsMs(_tzDate) : timeAxisSplitsS(_tzDate);
+	const _timeAxisVals = timeAxisVals(_tzDate, timeAxisStamps(ms == 1 ? _timeAxisStampsMs : _timeAxisStampsS, _fmtDate));
+	const _timeSeriesVal = timeSeriesVal(_tzDate, timeSeriesStamp(_timeSeriesStamp, _fmtDate));
+	const activeIdxs = [];
+	const legend = self.legend = assign({}, legendOpts, opts.legend);
+	const cursor = self.cursor = assign({}, cursorOpts, { drag: { y: mode == 2 } }, opts.cursor);
+	const showLegend = legend.show;
+	const showCursor = cursor.show;
+	const markers = legend.markers;
+	legend.idxs = activeIdxs;
+	markers.width = fnOrSelf(markers.width);
+	markers.dash = fnOrSelf(markers.dash);
+	markers.stroke = fnOrSelf(markers.stroke);
+	markers.fill = fnOrSelf(markers.fill);
+	let legendTable;
+	let legendHead;
+	let legendBody;
+	let legendRows = [];
+	let legendCells = [];
+	let legendCols;
+	let multiValLegend = false;
+	let NULL_LEGEND_VALUES = {};
+	if (legend.live) {
+		const getMultiVals = series[1] ? series[1].values : null;
+		multiValLegend = getMultiVals != null;
+		legendCols = multiValLegend ? getMultiVals(self, 1, 0) : { _: 0 };
+		for (let k in legendCols) NULL_LEGEND_VALUES[k] = LEGEND_DISP;
+	}
+	if (showLegend) {
+		legendTable = placeTag("table", LEGEND, root);
+		legendBody = placeTag("tbody", null, legendTable);
+		legend.mount(self, legendTable);
+		if (multiValLegend) {
+			legendHead = placeTag("thead", null, legendTable, legendBody);
+			let head = placeTag("tr", null, legendHead);
+			placeTag("th", null, head);
+			for (var key in legendCols) placeTag("th", LEGEND_LABEL, head).textContent = key;
+		} else {
+			addClass(legendTable, LEGEND_INLINE);
+			legend.live && addClass(legendTable, LEGEND_LIVE);
+		}
+	}
+	const son = { show: true };
+	const soff = { show: false };
+	function initLegendRow(s, i) {
+		if (i == 0 && (multiValLegend || !legend.live || mode == 2)) return nullNullTuple;
+		let cells = [];
+		let row = placeTag("tr", LEGEND_SERIES, legendBody, legendBody.childNodes[i]);
+		addClass(row, s.class);
+		if (!s.show) addClass(row, OFF);
+		let label = placeTag("th", null, row);
+		if (markers.show) {
+			let indic = placeDiv(LEGEND_MARKER, label);
+			if (i > 0) {
+				let width = markers.width(self, i);
+				if (width) indic.style.border = width + "px " + markers.dash(self, i) + " " + markers.stroke(self, i);
+				indic.style.background = markers.fill(self, i);
+			}
+		}
+		let text = placeDiv(LEGEND_LABEL, label);
+		if (s.label instanceof HTMLElement) text.appendChild(s.label);
+		else text.textContent = s.label;
+		if (i > 0) {
+			if (!markers.show) text.style.color = s.width > 0 ? markers.stroke(self, i) : markers.fill(self, i);
+			onMouse("click", label, (e) => {
+				if (cursor._lock) return;
+				setCursorEvent(e);
+				let seriesIdx = series.indexOf(s);
+				if ((e.ctrlKey || e.metaKey) != legend.isolate) {
+					let isolate = series.some((s, i) => i > 0 && i != seriesIdx && s.show);
+					series.forEach((s, i) => {
+						i > 0 && setSeries(i, isolate ? i == seriesIdx ? son : soff : son, true, syncOpts.setSeries);
+					});
+				} else setSeries(seriesIdx, { show: !s.show }, true, syncOpts.setSeries);
+			}, false);
+			if (cursorFocus) onMouse(mouseenter, label, (e) => {
+				if (cursor._lock) return;
+				setCursorEvent(e);
+				setSeries(series.indexOf(s), FOCUS_TRUE, true, syncOpts.setSeries);
+			}, false);
+		}
+		for (var key in legendCols) {
+			let v = placeTag("td", LEGEND_VALUE, row);
+			v.textContent = "--";
+			cells.push(v);
+		}
+		return [row, cells];
+	}
+	const mouseListeners = /* @__PURE__ */ new Map();
+	function onMouse(ev, targ, fn, onlyTarg = true) {
+		const targListeners = mouseListeners.get(targ) || {};
+		const listener = cursor.bind[ev](self, targ, fn, onlyTarg);
+		if (listener) {
+			on(ev, targ, targListeners[ev] = listener);
+			mouseListeners.set(targ, targListeners);
+		}
+	}
+	function offMouse(ev, targ, fn) {
+		const targListeners = mouseListeners.get(targ) || {};
+		for (let k in targListeners) if (ev == null || k == ev) {
+			off(k, targ, targListeners[k]);
+			delete targListeners[k];
+		}
+		if (ev == null) mouseListeners.delete(targ);
+	}
+	let fullWidCss = 0;
+	let fullHgtCss = 0;
+	let plotWidCss = 0;
+	let plotHgtCss = 0;
+	let plotLftCss = 0;
+	let plotTopCss = 0;
+	let _plotLftCss = plotLftCss;
+	let _plotTopCss = plotTopCss;
+	let _plotWidCss = plotWidCss;
+	let _plotHgtCss = plotHgtCss;
+	let plotLft = 0;
+	let plotTop = 0;
+	let plotWid = 0;
+	let plotHgt = 0;
+	self.bbox = {};
+	let shouldSetScales = false;
+	let shouldSetSize = false;
+	let shouldConvergeSize = false;
+	let shouldSetCursor = false;
+	let shouldSetSelect = false;
+	let shouldSetLegend = false;
+	function _setSize(width, height, force) {
+		if (force || width != self.width || height != self.height) calcSize(width, height);
+		resetYSeries(false);
+		shouldConvergeSize = true;
+		shouldSetSize = true;
+		commit();
+	}
+	function calcSize(width, height) {
+		self.width = fullWidCss = plotWidCss = width;
+		self.height = fullHgtCss = plotHgtCss = height;
+		plotLftCss = plotTopCss = 0;
+		calcPlotRect();
+		calcAxesRects();
+		let bb = self.bbox;
+		plotLft = bb.left = incrRound(plotLftCss * pxRatio, .5);
+		plotTop = bb.top = incrRound(plotTopCss * pxRatio, .5);
+		plotWid = bb.width = incrRound(plotWidCss * pxRatio, .5);
+		plotHgt = bb.height = incrRound(plotHgtCss * pxRatio, .5);
+	}
+	const CYCLE_LIMIT = 3;
+	function convergeSize() {
+		let converged = false;
+		let cycleNum = 0;
+		while (!converged) {
+			cycleNum++;
+			let axesConverged = axesCalc(cycleNum);
+			let paddingConverged = paddingCalc(cycleNum);
+			converged = cycleNum == CYCLE_LIMIT || axesConverged && paddingConverged;
+			if (!converged) {
+				calcSize(self.width, self.height);
+				shouldSetSize = true;
+			}
+		}
+	}
+	function setSize({ width, height }) {
+		_setSize(width, height);
+	}
+	self.setSize = setSize;
+	function calcPlotRect() {
+		let hasTopAxis = false;
+		let hasBtmAxis = false;
+		let hasRgtAxis = false;
+		let hasLftAxis = false;
+		axes.forEach((axis, i) => {
+			if (axis.show && axis._show) {
+				let { side, _size } = axis;
+				let isVt = side % 2;
+				let fullSize = _size + (axis.label != null ? axis.labelSize : 0);
+				if (fullSize > 0) {
+					if (isVt) {
+						plotWidCss -= fullSize;
+						if (side == 3) {
+							plotLftCss += fullSize;
+							hasLftAxis = true;
+						} else hasRgtAxis = true;
+					} else {
+						plotHgtCss -= fullSize;
+						if (side == 0) {
+							plotTopCss += fullSize;
+							hasTopAxis = true;
+						} else hasBtmAxis = true;
+					}
+				}
+			}
+		});
+		sidesWithAxes[0] = hasTopAxis;
+		sidesWithAxes[1] = hasRgtAxis;
+		sidesWithAxes[2] = hasBtmAxis;
+		sidesWithAxes[3] = hasLftAxis;
+		plotWidCss -= _padding[1] + _padding[3];
+		plotLftCss += _padding[3];
+		plotHgtCss -= _padding[2] + _padding[0];
+		plotTopCss += _padding[0];
+	}
+	function calcAxesRects() {
+		let off1 = plotLftCss + plotWidCss;
+		let off2 = plotTopCss + plotHgtCss;
+		let off3 = plotLftCss;
+		let off0 = plotTopCss;
+		function incrOffset(side, size) {
+			switch (side) {
+				case 1:
+					off1 += size;
+					return off1 - size;
+				case 2:
+					off2 += size;
+					return off2 - size;
+				case 3:
+					off3 -= size;
+					return off3 + size;
+				case 0:
+					off0 -= size;
+					return off0 + size;
+			}
+		}
+		axes.forEach((axis, i) => {
+			if (axis.show && axis._show) {
+				let side = axis.side;
+				axis._pos = incrOffset(side, axis._size);
+				if (axis.label != null) axis._lpos = incrOffset(side, axis.labelSize);
+			}
+		});
+	}
+	if (cursor.dataIdx == null) {
+		let hov = cursor.hover;
+		let skip = hov.skip = new Set(hov.skip ?? []);
+		skip.add(void 0);
+		let prox = hov.prox = fnOrSelf(hov.prox);
+		let bias = hov.bias ??= 0;
+		cursor.dataIdx = (self, seriesIdx, cursorIdx, valAtPosX) => {
+			if (seriesIdx == 0) return cursorIdx;
+			let idx2 = cursorIdx;
+			let _prox = prox(self, seriesIdx, cursorIdx, valAtPosX) ?? inf;
+			let withProx = _prox >= 0 && _prox < inf;
+			let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss;
+			let cursorLft = cursor.left;
+			let xValues = data[0];
+			let yValues = data[seriesIdx];
+			if (skip.has(yValues[cursorIdx])) {
+				idx2 = null;
+				let nonNullLft = null, nonNullRgt = null, j;
+				if (bias == 0 || bias == -1) {
+					j = cursorIdx;
+					while (nonNullLft == null && j-- > 0) if (!skip.has(yValues[j])) nonNullLft = j;
+				}
+				if (bias == 0 || bias == 1) {
+					j = cursorIdx;
+					while (nonNullRgt == null && j++ < yValues.length) if (!skip.has(yValues[j])) nonNullRgt = j;
+				}
+				if (nonNullLft != null || nonNullRgt != null) {
+					if (withProx) {
+						let lftPos = nonNullLft == null ? -Infinity : valToPosX(xValues[nonNullLft], scaleX, xDim, 0);
+						let rgtPos = nonNullRgt == null ? Infinity : valToPosX(xValues[nonNullRgt], scaleX, xDim, 0);
+						let lftDelta = cursorLft - lftPos;
+						let rgtDelta = rgtPos - cursorLft;
+						if (lftDelta <= rgtDelta) {
+							if (lftDelta <= _prox) idx2 = nonNullLft;
+						} else if (rgtDelta <= _prox) idx2 = nonNullRgt;
+					} else idx2 = nonNullRgt == null ? nonNullLft : nonNullLft == null ? nonNullRgt : cursorIdx - nonNullLft <= nonNullRgt - cursorIdx ? nonNullLft : nonNullRgt;
+				}
+			} else if (withProx) {
+				if (abs(cursorLft - valToPosX(xValues[cursorIdx], scaleX, xDim, 0)) > _prox) idx2 = null;
+			}
+			return idx2;
+		};
+	}
+	const setCursorEvent = (e) => {
+		cursor.event = e;
+	};
+	cursor.idxs = activeIdxs;
+	cursor._lock = false;
+	let points = cursor.points;
+	points.show = fnOrSelf(points.show);
+	points.size = fnOrSelf(points.size);
+	points.stroke = fnOrSelf(points.stroke);
+	points.width = fnOrSelf(points.width);
+	points.fill = fnOrSelf(points.fill);
+	const focus = self.focus = assign({}, opts.focus || { alpha: .3 }, cursor.focus);
+	const cursorFocus = focus.prox >= 0;
+	const cursorOnePt = cursorFocus && points.one;
+	let cursorPts = [];
+	let cursorPtsLft = [];
+	let cursorPtsTop = [];
+	function initCursorPt(s, si) {
+		let pt = points.show(self, si);
+		if (pt instanceof HTMLElement) {
+			addClass(pt, CURSOR_PT);
+			addClass(pt, s.class);
+			elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			over.insertBefore(pt, cursorPts[si]);
+			return pt;
+		}
+	}
+	function initSeries(s, i) {
+		if (mode == 1 || i > 0) {
+			let isTime = mode == 1 && scales[s.scale].time;
+			let sv = s.value;
+			s.value = isTime ? isStr(sv) ? timeSeriesVal(_tzDate, timeSeriesStamp(sv, _fmtDate)) : sv || _timeSeriesVal : sv || numSeriesVal;
+			s.label = s.label || (isTime ? timeSeriesLabel : numSeriesLabel);
+		}
+		if (cursorOnePt || i > 0) {
+			s.width = s.width == null ? 1 : s.width;
+			s.paths = s.paths || linearPath || retNull;
+			s.fillTo = fnOrSelf(s.fillTo || seriesFillTo);
+			s.pxAlign = +ifNull(s.pxAlign, pxAlign);
+			s.pxRound = pxRoundGen(s.pxAlign);
+			s.stroke = fnOrSelf(s.stroke || null);
+			s.fill = fnOrSelf(s.fill || null);
+			s._stroke = s._fill = s._paths = s._focus = null;
+			let _ptDia = ptDia(max(1, s.width), 1);
+			let points = s.points = assign({}, {
+				size: _ptDia,
+				width: max(1, _ptDia * .2),
+				stroke: s.stroke,
+				space: _ptDia * 2,
+				paths: pointsPath,
+				_stroke: null,
+				_fill: null
+			}, s.points);
+			points.show = fnOrSelf(points.show);
+			points.filter = fnOrSelf(points.filter);
+			points.fill = fnOrSelf(points.fill);
+			points.stroke = fnOrSelf(points.stroke);
+			points.paths = fnOrSelf(points.paths);
+			points.pxAlign = s.pxAlign;
+		}
+		if (showLegend) {
+			let rowCells = initLegendRow(s, i);
+			legendRows.splice(i, 0, rowCells[0]);
+			legendCells.splice(i, 0, rowCells[1]);
+			legend.values.push(null);
+		}
+		if (showCursor) {
+			activeIdxs.splice(i, 0, null);
+			let pt = null;
+			if (cursorOnePt) {
+				if (i == 0) pt = initCursorPt(s, i);
+			} else if (i > 0) pt = initCursorPt(s, i);
+			cursorPts.splice(i, 0, pt);
+			cursorPtsLft.splice(i, 0, 0);
+			cursorPtsTop.splice(i, 0, 0);
+		}
+		fire("addSeries", i);
+	}
+	function addSeries(opts, si) {
+		si = si == null ? series.length : si;
+		opts = mode == 1 ? setDefault(opts, si, xSeriesOpts, ySeriesOpts) : setDefault(opts, si, {}, xySeriesOpts);
+		series.splice(si, 0, opts);
+		initSeries(series[si], si);
+	}
+	self.addSeries = addSeries;
+	function delSeries(i) {
+		series.splice(i, 1);
+		if (showLegend) {
+			legend.values.splice(i, 1);
+			legendCells.splice(i, 1);
+			let tr = legendRows.splice(i, 1)[0];
+			offMouse(null, tr.firstChild);
+			tr.remove();
+		}
+		if (showCursor) {
+			activeIdxs.splice(i, 1);
+			cursorPts.splice(i, 1)[0].remove();
+			cursorPtsLft.splice(i, 1);
+			cursorPtsTop.splice(i, 1);
+		}
+		fire("delSeries", i);
+	}
+	self.delSeries = delSeries;
+	const sidesWithAxes = [
+		false,
+		false,
+		false,
+		false
+	];
+	function initAxis(axis, i) {
+		axis._show = axis.show;
+		if (axis.show) {
+			let isVt = axis.side % 2;
+			let sc = scales[axis.scale];
+			if (sc == null) {
+				axis.scale = isVt ? series[1].scale : xScaleKey;
+				sc = scales[axis.scale];
+			}
+			let isTime = sc.time;
+			axis.size = fnOrSelf(axis.size);
+			axis.space = fnOrSelf(axis.space);
+			axis.rotate = fnOrSelf(axis.rotate);
+			if (isArr(axis.incrs)) axis.incrs.forEach((incr) => {
+				!fixedDec.has(incr) && fixedDec.set(incr, guessDec(incr));
+			});
+			axis.incrs = fnOrSelf(axis.incrs || (sc.distr == 2 ? wholeIncrs : isTime ? ms == 1 ? timeIncrsMs : timeIncrsS : numIncrs));
+			axis.splits = fnOrSelf(axis.splits || (isTime && sc.distr == 1 ? _timeAxisSplits : sc.distr == 3 ? logAxisSplits : sc.distr == 4 ? asinhAxisSplits : numAxisSplits));
+			axis.stroke = fnOrSelf(axis.stroke);
+			axis.grid.stroke = fnOrSelf(axis.grid.stroke);
+			axis.ticks.stroke = fnOrSelf(axis.ticks.stroke);
+			axis.border.stroke = fnOrSelf(axis.border.stroke);
+			let av = axis.values;
+			axis.values = isArr(av) && !isArr(av[0]) ? fnOrSelf(av) : isTime ? isArr(av) ? timeAxisVals(_tzDate, timeAxisStamps(av, _fmtDate)) : isStr(av) ? timeAxisVal(_tzDate, av) : av || _timeAxisVals : av || numAxisVals;
+			axis.filter = fnOrSelf(axis.filter || (sc.distr >= 3 && sc.log == 10 ? log10AxisValsFilt : sc.distr == 3 && sc.log == 2 ? log2AxisValsFilt : retArg1));
+			axis.font = pxRatioFont(axis.font);
+			axis.labelFont = pxRatioFont(axis.labelFont);
+			axis._size = axis.size(self, null, i, 0);
+			axis._space = axis._rotate = axis._incrs = axis._found = axis._splits = axis._values = null;
+			if (axis._size > 0) {
+				sidesWithAxes[i] = true;
+				axis._el = placeDiv(AXIS, wrap);
+			}
+		}
+	}
+	function autoPadSide(self, side, sidesWithAxes, cycleNum) {
+		let [hasTopAxis, hasRgtAxis, hasBtmAxis, hasLftAxis] = sidesWithAxes;
+		let ori = side % 2;
+		let size = 0;
+		if (ori == 0 && (hasLftAxis || hasRgtAxis)) size = side == 0 && !hasTopAxis || side == 2 && !hasBtmAxis ? round(xAxisOpts.size / 3) : 0;
+		if (ori == 1 && (hasTopAxis || hasBtmAxis)) size = side == 1 && !hasRgtAxis || side == 3 && !hasLftAxis ? round(yAxisOpts.size / 2) : 0;
+		return size;
+	}
+	const padding = self.padding = (opts.padding || [
+		autoPadSide,
+		autoPadSide,
+		autoPadSide,
+		autoPadSide
+	]).map((p) => fnOrSelf(ifNull(p, autoPadSide)));
+	const _padding = self._padding = padding.map((p, i) => p(self, i, sidesWithAxes, 0));
+	let dataLen;
+	let i0 = null;
+	let i1 = null;
+	const idxs = mode == 1 ? series[0].idxs : null;
+	let data0 = null;
+	let viaAutoScaleX = false;
+	function setData(_data, _resetScales) {
+		data = _data == null ? [] : _data;
+		self.data = self._data = data;
+		if (mode == 2) {
+			dataLen = 0;
+			for (let i = 1; i < series.length; i++) dataLen += data[i][0].length;
+		} else {
+			if (data.length == 0) self.data = self._data = data = [[]];
+			data0 = data[0];
+			dataLen = data0.length;
+			let scaleData = data;
+			if (xScaleDistr == 2) {
+				scaleData = data.slice();
+				let _data0 = scaleData[0] = Array(dataLen);
+				for (let i = 0; i < dataLen; i++) _data0[i] = i;
+			}
+			self._data = data = scaleData;
+		}
+		resetYSeries(true);
+		fire("setData");
+		if (xScaleDistr == 2) shouldConvergeSize = true;
+		if (_resetScales !== false) {
+			let xsc = scaleX;
+			if (xsc.auto(self, viaAutoScaleX)) autoScaleX();
+			else _setScale(xScaleKey, xsc.min, xsc.max);
+			shouldSetCursor = shouldSetCursor || cursor.left >= 0;
+			shouldSetLegend = true;
+			commit();
+		}
+	}
+	self.setData = setData;
+	function autoScaleX() {
+		viaAutoScaleX = true;
+		let _min, _max;
+		if (mode == 1) {
+			if (dataLen > 0) {
+				i0 = idxs[0] = 0;
+				i1 = idxs[1] = dataLen - 1;
+				_min = data[0][i0];
+				_max = data[0][i1];
+				if (xScaleDistr == 2) {
+					_min = i0;
+					_max = i1;
+				} else if (_min == _max) {
+					if (xScaleDistr == 3) [_min, _max] = rangeLog(_min, _min, scaleX.log, false);
+					else if (xScaleDistr == 4) [_min, _max] = rangeAsinh(_min, _min, scaleX.log, false);
+					else if (scaleX.time) _max = _min + round(86400 / ms);
+					else [_min, _max] = rangeNum(_min, _max, rangePad, true);
+				}
+			} else {
+				i0 = idxs[0] = _min = null;
+				i1 = idxs[1] = _max = null;
+			}
+		}
+		_setScale(xScaleKey, _min, _max);
+	}
+	let ctxStroke, ctxFill, ctxWidth, ctxDash, ctxJoin, ctxCap, ctxFont, ctxAlign, ctxBaseline;
+	let ctxAlpha;
+	function setCtxStyle(stroke, width, dash, cap, fill, join) {
+		stroke ??= transparent;
+		dash ??= EMPTY_ARR;
+		cap ??= "butt";
+		fill ??= transparent;
+		join ??= "round";
+		if (stroke != ctxStroke) ctx.strokeStyle = ctxStroke = stroke;
+		if (fill != ctxFill) ctx.fillStyle = ctxFill = fill;
+		if (width != ctxWidth) ctx.lineWidth = ctxWidth = width;
+		if (join != ctxJoin) ctx.lineJoin = ctxJoin = join;
+		if (cap != ctxCap) ctx.lineCap = ctxCap = cap;
+		if (dash != ctxDash) ctx.setLineDash(ctxDash = dash);
+	}
+	function setFontStyle(font, fill, align, baseline) {
+		if (fill != ctxFill) ctx.fillStyle = ctxFill = fill;
+		if (font != ctxFont) ctx.font = ctxFont = font;
+		if (align != ctxAlign) ctx.textAlign = ctxAlign = align;
+		if (baseline != ctxBaseline) ctx.textBaseline = ctxBaseline = baseline;
+	}
+	function accScale(wsc, psc, facet, data, sorted = 0) {
+		if (data.length > 0 && wsc.auto(self, viaAutoScaleX) && (psc == null || psc.min == null)) {
+			let _i0 = ifNull(i0, 0);
+			let _i1 = ifNull(i1, data.length - 1);
+			let minMax = facet.min == null ? getMinMax(data, _i0, _i1, sorted, wsc.distr == 3) : [facet.min, facet.max];
+			wsc.min = min(wsc.min, facet.min = minMax[0]);
+			wsc.max = max(wsc.max, facet.max = minMax[1]);
+		}
+	}
+	const AUTOSCALE = {
+		min: null,
+		max: null
+	};
+	function setScales() {
+		for (let k in scales) {
+			let sc = scales[k];
+			if (pendScales[k] == null && (sc.min == null || pendScales[xScaleKey] != null && sc.auto(self, viaAutoScaleX))) pendScales[k] = AUTOSCALE;
+		}
+		for (let k in scales) {
+			let sc = scales[k];
+			if (pendScales[k] == null && sc.from != null && pendScales[sc.from] != null) pendScales[k] = AUTOSCALE;
+		}
+		if (pendScales[xScaleKey] != null) resetYSeries(true);
+		let wipScales = {};
+		for (let k in pendScales) {
+			let psc = pendScales[k];
+			if (psc != null) {
+				let wsc = wipScales[k] = copy(scales[k], fastIsObj);
+				if (psc.min != null) assign(wsc, psc);
+				else if (k != xScaleKey || mode == 2) {
+					if (dataLen == 0 && wsc.from == null) {
+						let minMax = wsc.range(self, null, null, k);
+						wsc.min = minMax[0];
+						wsc.max = minMax[1];
+					} else {
+						wsc.min = inf;
+						wsc.max = -Infinity;
+					}
+				}
+			}
+		}
+		if (dataLen > 0) {
+			series.forEach((s, i) => {
+				if (mode == 1) {
+					let k = s.scale;
+					let psc = pendScales[k];
+					if (psc == null) return;
+					let wsc = wipScales[k];
+					if (i == 0) {
+						let minMax = wsc.range(self, wsc.min, wsc.max, k);
+						wsc.min = minMax[0];
+						wsc.max = minMax[1];
+						i0 = closestIdx(wsc.min, data[0]);
+						i1 = closestIdx(wsc.max, data[0]);
+						if (i1 - i0 > 1) {
+							if (data[0][i0] < wsc.min) i0++;
+							if (data[0][i1] > wsc.max) i1--;
+						}
+						s.min = data0[i0];
+						s.max = data0[i1];
+					} else if (s.show && s.auto) accScale(wsc, psc, s, data[i], s.sorted);
+					s.idxs[0] = i0;
+					s.idxs[1] = i1;
+				} else if (i > 0) {
+					if (s.show && s.auto) {
+						let [xFacet, yFacet] = s.facets;
+						let xScaleKey = xFacet.scale;
+						let yScaleKey = yFacet.scale;
+						let [xData, yData] = data[i];
+						let wscx = wipScales[xScaleKey];
+						let wscy = wipScales[yScaleKey];
+						wscx != null && accScale(wscx, pendScales[xScaleKey], xFacet, xData, xFacet.sorted);
+						wscy != null && accScale(wscy, pendScales[yScaleKey], yFacet, yData, yFacet.sorted);
+						s.min = yFacet.min;
+						s.max = yFacet.max;
+					}
+				}
+			});
+			for (let k in wipScales) {
+				let wsc = wipScales[k];
+				let psc = pendScales[k];
+				if (wsc.from == null && (psc == null || psc.min == null)) {
+					let minMax = wsc.range(self, wsc.min == inf ? null : wsc.min, wsc.max == -Infinity ? null : wsc.max, k);
+					wsc.min = minMax[0];
+					wsc.max = minMax[1];
+				}
+			}
+		}
+		for (let k in wipScales) {
+			let wsc = wipScales[k];
+			if (wsc.from != null) {
+				let base = wipScales[wsc.from];
+				if (base.min == null) wsc.min = wsc.max = null;
+				else {
+					let minMax = wsc.range(self, base.min, base.max, k);
+					wsc.min = minMax[0];
+					wsc.max = minMax[1];
+				}
+			}
+		}
+		let changed = {};
+		let anyChanged = false;
+		for (let k in wipScales) {
+			let wsc = wipScales[k];
+			let sc = scales[k];
+			if (sc.min != wsc.min || sc.max != wsc.max) {
+				sc.min = wsc.min;
+				sc.max = wsc.max;
+				let distr = sc.distr;
+				sc._min = distr == 3 ? log10(sc.min) : distr == 4 ? asinh(sc.min, sc.asinh) : distr == 100 ? sc.fwd(sc.min) : sc.min;
+				sc._max = distr == 3 ? log10(sc.max) : distr == 4 ? asinh(sc.max, sc.asinh) : distr == 100 ? sc.fwd(sc.max) : sc.max;
+				changed[k] = anyChanged = true;
+			}
+		}
+		if (anyChanged) {
+			series.forEach((s, i) => {
+				if (mode == 2) {
+					if (i > 0 && changed.y) s._paths = null;
+				} else if (changed[s.scale]) s._paths = null;
+			});
+			for (let k in changed) {
+				shouldConvergeSize = true;
+				fire("setScale", k);
+			}
+			if (showCursor && cursor.left >= 0) shouldSetCursor = shouldSetLegend = true;
+		}
+		for (let k in pendScales) pendScales[k] = null;
+	}
+	function getOuterIdxs(ydata) {
+		let _i0 = clamp(i0 - 1, 0, dataLen - 1);
+		let _i1 = clamp(i1 + 1, 0, dataLen - 1);
+		while (ydata[_i0] == null && _i0 > 0) _i0--;
+		while (ydata[_i1] == null && _i1 < dataLen - 1) _i1++;
+		return [_i0, _i1];
+	}
+	function drawSeries() {
+		if (dataLen > 0) {
+			let shouldAlpha = series.some((s) => s._focus) && ctxAlpha != focus.alpha;
+			if (shouldAlpha) ctx.globalAlpha = ctxAlpha = focus.alpha;
+			series.forEach((s, i) => {
+				if (i > 0 && s.show) {
+					cacheStrokeFill(i, false);
+					cacheStrokeFill(i, true);
+					if (s._paths == null) {
+						let _ctxAlpha = ctxAlpha;
+						if (ctxAlpha != s.alpha) ctx.globalAlpha = ctxAlpha = s.alpha;
+						let _idxs = mode == 2 ? [0, data[i][0].length - 1] : getOuterIdxs(data[i]);
+						s._paths = s.paths(self, i, _idxs[0], _idxs[1]);
+						if (ctxAlpha != _ctxAlpha) ctx.globalAlpha = ctxAlpha = _ctxAlpha;
+					}
+				}
+			});
+			series.forEach((s, i) => {
+				if (i > 0 && s.show) {
+					let _ctxAlpha = ctxAlpha;
+					if (ctxAlpha != s.alpha) ctx.globalAlpha = ctxAlpha = s.alpha;
+					s._paths != null && drawPath(i, false);
+					{
+						let _gaps = s._paths != null ? s._paths.gaps : null;
+						let show = s.points.show(self, i, i0, i1, _gaps);
+						let idxs = s.points.filter(self, i, show, _gaps);
+						if (show || idxs) {
+							s.points._paths = s.points.paths(self, i, i0, i1, idxs);
+							drawPath(i, true);
+						}
+					}
+					if (ctxAlpha != _ctxAlpha) ctx.globalAlpha = ctxAlpha = _ctxAlpha;
+					fire("drawSeries", i);
+				}
+			});
+			if (shouldAlpha) ctx.globalAlpha = ctxAlpha = 1;
+		}
+	}
+	function cacheStrokeFill(si, _points) {
+		let s = _points ? series[si].points : series[si];
+		s._stroke = s.stroke(self, si);
+		s._fill = s.fill(self, si);
+	}
+	function drawPath(si, _points) {
+		let s = _points ? series[si].points : series[si];
+		let { stroke, fill, clip: gapsClip, flags, _stroke: strokeStyle = s._stroke, _fill: fillStyle = s._fill, _width: width = s.width } = s._paths;
+		width = roundDec(width * pxRatio, 3);
+		let boundsClip = null;
+		let offset = width % 2 / 2;
+		if (_points && fillStyle == null) fillStyle = width > 0 ? "#fff" : strokeStyle;
+		let _pxAlign = s.pxAlign == 1 && offset > 0;
+		_pxAlign && ctx.translate(offset, offset);
+		if (!_points) {
+			let lft = plotLft - width / 2, top = plotTop - width / 2, wid = plotWid + width, hgt = plotHgt + width;
+			boundsClip = new Path2D();
+			boundsClip.rect(lft, top, wid, hgt);
+		}
+		if (_points) strokeFill(strokeStyle, width, s.dash, s.cap, fillStyle, stroke, fill, flags, gapsClip);
+		else fillStroke(si, strokeStyle, width, s.dash, s.cap, fillStyle, stroke, fill, flags, boundsClip, gapsClip);
+		_pxAlign && ctx.translate(-offset, -offset);
+	}
+	function fillStroke(si, strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip) {
+		let didStrokeFill = false;
+		flags != 0 && bands.forEach((b, bi) => {
+			if (b.series[0] == si) {
+				let lowerEdge = series[b.series[1]];
+				let lowerData = data[b.series[1]];
+				let bandClip = (lowerEdge._paths || EMPTY_OBJ).band;
+				if (isArr(bandClip)) bandClip = b.dir == 1 ? bandClip[0] : bandClip[1];
+				let gapsClip2;
+				let _fillStyle = null;
+				if (lowerEdge.show && bandClip && hasData(lowerData, i0, i1)) {
+					_fillStyle = b.fill(self, bi) || fillStyle;
+					gapsClip2 = lowerEdge._paths.clip;
+				} else bandClip = null;
+				strokeFill(strokeStyle, lineWidth, lineDash, lineCap, _fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip, gapsClip2, bandClip);
+				didStrokeFill = true;
+			}
+		});
+		if (!didStrokeFill) strokeFill(strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip);
+	}
+	const CLIP_FILL_STROKE = 3;
+	function strokeFill(strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip, gapsClip2, bandClip) {
+		setCtxStyle(strokeStyle, lineWidth, lineDash, lineCap, fillStyle);
+		if (boundsClip || gapsClip || bandClip) {
+			ctx.save();
+			boundsClip && ctx.clip(boundsClip);
+			gapsClip && ctx.clip(gapsClip);
+		}
+		if (bandClip) {
+			if ((flags & CLIP_FILL_STROKE) == CLIP_FILL_STROKE) {
+				ctx.clip(bandClip);
+				gapsClip2 && ctx.clip(gapsClip2);
+				doFill(fillStyle, fillPath);
+				doStroke(strokeStyle, strokePath, lineWidth);
+			} else if (flags & BAND_CLIP_STROKE) {
+				doFill(fillStyle, fillPath);
+				ctx.clip(bandClip);
+				doStroke(strokeStyle, strokePath, lineWidth);
+			} else if (flags & BAND_CLIP_FILL) {
+				ctx.save();
+				ctx.clip(bandClip);
+				gapsClip2 && ctx.clip(gapsClip2);
+				doFill(fillStyle, fillPath);
+				ctx.restore();
+				doStroke(strokeStyle, strokePath, lineWidth);
+			}
+		} else {
+			doFill(fillStyle, fillPath);
+			doStroke(strokeStyle, strokePath, lineWidth);
+		}
+		if (boundsClip || gapsClip || bandClip) ctx.restore();
+	}
+	function doStroke(strokeStyle, strokePath, lineWidth) {
+		if (lineWidth > 0) {
+			if (strokePath instanceof Map) strokePath.forEach((strokePath, strokeStyle) => {
+				ctx.strokeStyle = ctxStroke = strokeStyle;
+				ctx.stroke(strokePath);
+			});
+			else strokePath != null && strokeStyle && ctx.stroke(strokePath);
+		}
+	}
+	function doFill(fillStyle, fillPath) {
+		if (fillPath instanceof Map) fillPath.forEach((fillPath, fillStyle) => {
+			ctx.fillStyle = ctxFill = fillStyle;
+			ctx.fill(fillPath);
+		});
+		else fillPath != null && fillStyle && ctx.fill(fillPath);
+	}
+	function getIncrSpace(axisIdx, min, max, fullDim) {
+		let axis = axes[axisIdx];
+		let incrSpace;
+		if (fullDim <= 0) incrSpace = [0, 0];
+		else {
+			let minSpace = axis._space = axis.space(self, axisIdx, min, max, fullDim);
+			incrSpace = findIncr(min, max, axis._incrs = axis.incrs(self, axisIdx, min, max, fullDim, minSpace), fullDim, minSpace);
+		}
+		return axis._found = incrSpace;
+	}
+	function drawOrthoLines(offs, filts, ori, side, pos0, len, width, stroke, dash, cap) {
+		let offset = width % 2 / 2;
+		pxAlign == 1 && ctx.translate(offset, offset);
+		setCtxStyle(stroke, width, dash, cap, stroke);
+		ctx.beginPath();
+		let x0, y0, x1, y1, pos1 = pos0 + (side == 0 || side == 3 ? -len : len);
+		if (ori == 0) {
+			y0 = pos0;
+			y1 = pos1;
+		} else {
+			x0 = pos0;
+			x1 = pos1;
+		}
+		for (let i = 0; i < offs.length; i++) if (filts[i] != null) {
+			if (ori == 0) x0 = x1 = offs[i];
+			else y0 = y1 = offs[i];
+			ctx.moveTo(x0, y0);
+			ctx.lineTo(x1, y1);
+		}
+		ctx.stroke();
+		pxAlign == 1 && ctx.translate(-offset, -offset);
+	}
+	function axesCalc(cycleNum) {
+		let converged = true;
+		axes.forEach((axis, i) => {
+			if (!axis.show) return;
+			let scale = scales[axis.scale];
+			if (scale.min == null) {
+				if (axis._show) {
+					converged = false;
+					axis._show = false;
+					resetYSeries(false);
+				}
+				return;
+			} else if (!axis._show) {
+				converged = false;
+				axis._show = true;
+				resetYSeries(false);
+			}
+			let side = axis.side;
+			let ori = side % 2;
+			let { min, max } = scale;
+			let [_incr, _space] = getIncrSpace(i, min, max, ori == 0 ? plotWidCss : plotHgtCss);
+			if (_space == 0) return;
+			let forceMin = scale.distr == 2;
+			let _splits = axis._splits = axis.splits(self, i, min, max, _incr, _space, forceMin);
+			let splits = scale.distr == 2 ? _splits.map((i) => data0[i]) : _splits;
+			let incr = scale.distr == 2 ? data0[_splits[1]] - data0[_splits[0]] : _incr;
+			let values = axis._values = axis.values(self, axis.filter(self, splits, i, _space, incr), i, _space, incr);
+			axis._rotate = side == 2 ? axis.rotate(self, values, i, _space) : 0;
+			let oldSize = axis._size;
+			axis._size = ceil(axis.size(self, values, i, cycleNum));
+			if (oldSize != null && axis._size != oldSize) converged = false;
+		});
+		return converged;
+	}
+	function paddingCalc(cycleNum) {
+		let converged = true;
+		padding.forEach((p, i) => {
+			let _p = p(self, i, sidesWithAxes, cycleNum);
+			if (_p != _padding[i]) converged = false;
+			_padding[i] = _p;
+		});
+		return converged;
+	}
+	function drawAxesGrid() {
+		for (let i = 0; i < axes.length; i++) {
+			let axis = axes[i];
+			if (!axis.show || !axis._show) continue;
+			let side = axis.side;
+			let ori = side % 2;
+			let x, y;
+			let fillStyle = axis.stroke(self, i);
+			let shiftDir = side == 0 || side == 3 ? -1 : 1;
+			let [_incr, _space] = axis._found;
+			if (axis.label != null) {
+				let shiftAmt = axis.labelGap * shiftDir;
+				let baseLpos = round((axis._lpos + shiftAmt) * pxRatio);
+				setFontStyle(axis.labelFont[0], fillStyle, "center", side == 2 ? TOP : BOTTOM);
+				ctx.save();
+				if (ori == 1) {
+					x = y = 0;
+					ctx.translate(baseLpos, round(plotTop + plotHgt / 2));
+					ctx.rotate((side == 3 ? -PI : PI) / 2);
+				} else {
+					x = round(plotLft + plotWid / 2);
+					y = baseLpos;
+				}
+				let _label = isFn(axis.label) ? axis.label(self, i, _incr, _space) : axis.label;
+				ctx.fillText(_label, x, y);
+				ctx.restore();
+			}
+			if (_space == 0) continue;
+			let scale = scales[axis.scale];
+			let plotDim = ori == 0 ? plotWid : plotHgt;
+			let plotOff = ori == 0 ? plotLft : plotTop;
+			let _splits = axis._splits;
+			let splits = scale.distr == 2 ? _splits.map((i) => data0[i]) : _splits;
+			let incr = scale.distr == 2 ? data0[_splits[1]] - data0[_splits[0]] : _incr;
+			let ticks = axis.ticks;
+			let border = axis.border;
+			let _tickSize = ticks.show ? ticks.size : 0;
+			let tickSize = round(_tickSize * pxRatio);
+			let axisGap = round((axis.alignTo == 2 ? axis._size - _tickSize - axis.gap : axis.gap) * pxRatio);
+			let angle = axis._rotate * -PI / 180;
+			let basePos = pxRound(axis._pos * pxRatio);
+			let finalPos = basePos + (tickSize + axisGap) * shiftDir;
+			y = ori == 0 ? finalPos : 0;
+			x = ori == 1 ? finalPos : 0;
+			let font = axis.font[0];
+			setFontStyle(font, fillStyle, axis.align == 1 ? LEFT : axis.align == 2 ? RIGHT : angle > 0 ? LEFT : angle < 0 ? RIGHT : ori == 0 ? "center" : side == 3 ? RIGHT : LEFT, angle || ori == 1 ? "middle" : side == 2 ? TOP : BOTTOM);
+			let lineHeight = axis.font[1] * axis.lineGap;
+			let canOffs = _splits.map((val) => pxRound(getPos(val, scale, plotDim, plotOff)));
+			let _values = axis._values;
+			for (let i = 0; i < _values.length; i++) {
+				let val = _values[i];
+				if (val != null) {
+					if (ori == 0) x = canOffs[i];
+					else y = canOffs[i];
+					val = "" + val;
+					let _parts = val.indexOf("\n") == -1 ? [val] : val.split(/\n/gm);
+					for (let j = 0; j < _parts.length; j++) {
+						let text = _parts[j];
+						if (angle) {
+							ctx.save();
+							ctx.translate(x, y + j * lineHeight);
+							ctx.rotate(angle);
+							ctx.fillText(text, 0, 0);
+							ctx.restore();
+						} else ctx.fillText(text, x, y + j * lineHeight);
+					}
+				}
+			}
+			if (ticks.show) drawOrthoLines(canOffs, ticks.filter(self, splits, i, _space, incr), ori, side, basePos, tickSize, roundDec(ticks.width * pxRatio, 3), ticks.stroke(self, i), ticks.dash, ticks.cap);
+			let grid = axis.grid;
+			if (grid.show) drawOrthoLines(canOffs, grid.filter(self, splits, i, _space, incr), ori, ori == 0 ? 2 : 1, ori == 0 ? plotTop : plotLft, ori == 0 ? plotHgt : plotWid, roundDec(grid.width * pxRatio, 3), grid.stroke(self, i), grid.dash, grid.cap);
+			if (border.show) drawOrthoLines([basePos], [1], ori == 0 ? 1 : 0, ori == 0 ? 1 : 2, ori == 1 ? plotTop : plotLft, ori == 1 ? plotHgt : plotWid, roundDec(border.width * pxRatio, 3), border.stroke(self, i), border.dash, border.cap);
+		}
+		fire("drawAxes");
+	}
+	function resetYSeries(minMax) {
+		series.forEach((s, i) => {
+			if (i > 0) {
+				s._paths = null;
+				if (minMax) {
+					if (mode == 1) {
+						s.min = null;
+						s.max = null;
+					} else s.facets.forEach((f) => {
+						f.min = null;
+						f.max = null;
+					});
+				}
+			}
+		});
+	}
+	let queuedCommit = false;
+	let deferHooks = false;
+	let hooksQueue = [];
+	function flushHooks() {
+		deferHooks = false;
+		for (let i = 0; i < hooksQueue.length; i++) fire(...hooksQueue[i]);
+		hooksQueue.length = 0;
+	}
+	function commit() {
+		if (!queuedCommit) {
+			microTask(_commit);
+			queuedCommit = true;
+		}
+	}
+	function batch(fn, _deferHooks = false) {
+		queuedCommit = true;
+		deferHooks = _deferHooks;
+		fn(self);
+		_commit();
+		if (_deferHooks && hooksQueue.length > 0) queueMicrotask(flushHooks);
+	}
+	self.batch = batch;
+	function _commit() {
+		if (shouldSetScales) {
+			setScales();
+			shouldSetScales = false;
+		}
+		if (shouldConvergeSize) {
+			convergeSize();
+			shouldConvergeSize = false;
+		}
+		if (shouldSetSize) {
+			setStylePx(under, LEFT, plotLftCss);
+			setStylePx(under, TOP, plotTopCss);
+			setStylePx(under, WIDTH, plotWidCss);
+			setStylePx(under, HEIGHT$1, plotHgtCss);
+			setStylePx(over, LEFT, plotLftCss);
+			setStylePx(over, TOP, plotTopCss);
+			setStylePx(over, WIDTH, plotWidCss);
+			setStylePx(over, HEIGHT$1, plotHgtCss);
+			setStylePx(wrap, WIDTH, fullWidCss);
+			setStylePx(wrap, HEIGHT$1, fullHgtCss);
+			can.width = round(fullWidCss * pxRatio);
+			can.height = round(fullHgtCss * pxRatio);
+			axes.forEach(({ _el, _show, _size, _pos, side }) => {
+				if (_el != null) {
+					if (_show) {
+						let posOffset = side === 3 || side === 0 ? _size : 0;
+						let isVt = side % 2 == 1;
+						setStylePx(_el, isVt ? "left" : "top", _pos - posOffset);
+						setStylePx(_el, isVt ? "width" : "height", _size);
+						setStylePx(_el, isVt ? "top" : "left", isVt ? plotTopCss : plotLftCss);
+						setStylePx(_el, isVt ? "height" : "width", isVt ? plotHgtCss : plotWidCss);
+						remClass(_el, OFF);
+					} else addClass(_el, OFF);
+				}
+			});
+			ctxStroke = ctxFill = ctxWidth = ctxJoin = ctxCap = ctxFont = ctxAlign = ctxBaseline = ctxDash = null;
+			ctxAlpha = 1;
+			syncRect(true);
+			if (plotLftCss != _plotLftCss || plotTopCss != _plotTopCss || plotWidCss != _plotWidCss || plotHgtCss != _plotHgtCss) {
+				resetYSeries(false);
+				let pctWid = plotWidCss / _plotWidCss;
+				let pctHgt = plotHgtCss / _plotHgtCss;
+				if (showCursor && !shouldSetCursor && cursor.left >= 0) {
+					cursor.left *= pctWid;
+					cursor.top *= pctHgt;
+					vCursor && elTrans(vCursor, round(cursor.left), 0, plotWidCss, plotHgtCss);
+					hCursor && elTrans(hCursor, 0, round(cursor.top), plotWidCss, plotHgtCss);
+					for (let i = 0; i < cursorPts.length; i++) {
+						let pt = cursorPts[i];
+						if (pt != null) {
+							cursorPtsLft[i] *= pctWid;
+							cursorPtsTop[i] *= pctHgt;
+							elTrans(pt, ceil(cursorPtsLft[i]), ceil(cursorPtsTop[i]), plotWidCss, plotHgtCss);
+						}
+					}
+				}
+				if (select.show && !shouldSetSelect && select.left >= 0 && select.width > 0) {
+					select.left *= pctWid;
+					select.width *= pctWid;
+					select.top *= pctHgt;
+					select.height *= pctHgt;
+					for (let prop in _hideProps) setStylePx(selectDiv, prop, select[prop]);
+				}
+				_plotLftCss = plotLftCss;
+				_plotTopCss = plotTopCss;
+				_plotWidCss = plotWidCss;
+				_plotHgtCss = plotHgtCss;
+			}
+			fire("setSize");
+			shouldSetSize = false;
+		}
+		if (fullWidCss > 0 && fullHgtCss > 0) {
+			ctx.clearRect(0, 0, can.width, can.height);
+			fire("drawClear");
+			drawOrder.forEach((fn) => fn());
+			fire("draw");
+		}
+		if (select.show && shouldSetSelect) {
+			setSelect(select);
+			shouldSetSelect = false;
+		}
+		if (showCursor && shouldSetCursor) {
+			updateCursor(null, true, false);
+			shouldSetCursor = false;
+		}
+		if (legend.show && legend.live && shouldSetLegend) {
+			setLegend();
+			shouldSetLegend = false;
+		}
+		if (!ready) {
+			ready = true;
+			self.status = 1;
+			fire("ready");
+		}
+		viaAutoScaleX = false;
+		queuedCommit = false;
+	}
+	self.redraw = (rebuildPaths, recalcAxes) => {
+		shouldConvergeSize = recalcAxes || false;
+		if (rebuildPaths !== false) _setScale(xScaleKey, scaleX.min, scaleX.max);
+		else commit();
+	};
+	function setScale(key, opts) {
+		let sc = scales[key];
+		if (sc.from == null) {
+			if (dataLen == 0) {
+				let minMax = sc.range(self, opts.min, opts.max, key);
+				opts.min = minMax[0];
+				opts.max = minMax[1];
+			}
+			if (opts.min > opts.max) {
+				let _min = opts.min;
+				opts.min = opts.max;
+				opts.max = _min;
+			}
+			if (dataLen > 1 && opts.min != null && opts.max != null && opts.max - opts.min < 1e-16) return;
+			if (key == xScaleKey) {
+				if (sc.distr == 2 && dataLen > 0) {
+					opts.min = closestIdx(opts.min, data[0]);
+					opts.max = closestIdx(opts.max, data[0]);
+					if (opts.min == opts.max) opts.max++;
+				}
+			}
+			pendScales[key] = opts;
+			shouldSetScales = true;
+			commit();
+		}
+	}
+	self.setScale = setScale;
+	let xCursor;
+	let yCursor;
+	let vCursor;
+	let hCursor;
+	let rawMouseLeft0;
+	let rawMouseTop0;
+	let mouseLeft0;
+	let mouseTop0;
+	let rawMouseLeft1;
+	let rawMouseTop1;
+	let mouseLeft1;
+	let mouseTop1;
+	let dragging = false;
+	const drag = cursor.drag;
+	let dragX = drag.x;
+	let dragY = drag.y;
+	if (showCursor) {
+		if (cursor.x) xCursor = placeDiv(CURSOR_X, over);
+		if (cursor.y) yCursor = placeDiv(CURSOR_Y, over);
+		if (scaleX.ori == 0) {
+			vCursor = xCursor;
+			hCursor = yCursor;
+		} else {
+			vCursor = yCursor;
+			hCursor = xCursor;
+		}
+		mouseLeft1 = cursor.left;
+		mouseTop1 = cursor.top;
+	}
+	const select = self.select = assign({
+		show: true,
+		over: true,
+		left: 0,
+		width: 0,
+		top: 0,
+		height: 0
+	}, opts.select);
+	const selectDiv = select.show ? placeDiv(SELECT, select.over ? over : under) : null;
+	function setSelect(opts, _fire) {
+		if (select.show) {
+			for (let prop in opts) {
+				select[prop] = opts[prop];
+				if (prop in _hideProps) setStylePx(selectDiv, prop, opts[prop]);
+			}
+			_fire !== false && fire("setSelect");
+		}
+	}
+	self.setSelect = setSelect;
+	function toggleDOM(i) {
+		if (series[i].show) showLegend && remClass(legendRows[i], OFF);
+		else {
+			showLegend && addClass(legendRows[i], OFF);
+			if (showCursor) {
+				let pt = cursorOnePt ? cursorPts[0] : cursorPts[i];
+				pt != null && elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			}
+		}
+	}
+	function _setScale(key, min, max) {
+		setScale(key, {
+			min,
+			max
+		});
+	}
+	function setSeries(i, opts, _fire, _pub) {
+		if (opts.focus != null) setFocus(i);
+		if (opts.show != null) series.forEach((s, si) => {
+			if (si > 0 && (i == si || i == null)) {
+				s.show = opts.show;
+				toggleDOM(si);
+				if (mode == 2) {
+					_setScale(s.facets[0].scale, null, null);
+					_setScale(s.facets[1].scale, null, null);
+				} else _setScale(s.scale, null, null);
+				commit();
+			}
+		});
+		_fire !== false && fire("setSeries", i, opts);
+		_pub && pubSync("setSeries", self, i, opts);
+	}
+	self.setSeries = setSeries;
+	function setBand(bi, opts) {
+		assign(bands[bi], opts);
+	}
+	function addBand(opts, bi) {
+		opts.fill = fnOrSelf(opts.fill || null);
+		opts.dir = ifNull(opts.dir, -1);
+		bi = bi == null ? bands.length : bi;
+		bands.splice(bi, 0, opts);
+	}
+	function delBand(bi) {
+		if (bi == null) bands.length = 0;
+		else bands.splice(bi, 1);
+	}
+	self.addBand = addBand;
+	self.setBand = setBand;
+	self.delBand = delBand;
+	function setAlpha(i, value) {
+		series[i].alpha = value;
+		if (showCursor && cursorPts[i] != null) cursorPts[i].style.opacity = value;
+		if (showLegend && legendRows[i]) legendRows[i].style.opacity = value;
+	}
+	let closestDist;
+	let closestSeries;
+	let focusedSeries;
+	const FOCUS_TRUE = { focus: true };
+	function setFocus(i) {
+		if (i != focusedSeries) {
+			let allFocused = i == null;
+			let _setAlpha = focus.alpha != 1;
+			series.forEach((s, i2) => {
+				if (mode == 1 || i2 > 0) {
+					let isFocused = allFocused || i2 == 0 || i2 == i;
+					s._focus = allFocused ? null : isFocused;
+					_setAlpha && setAlpha(i2, isFocused ? 1 : focus.alpha);
+				}
+			});
+			focusedSeries = i;
+			_setAlpha && commit();
+		}
+	}
+	if (showLegend && cursorFocus) onMouse(mouseleave, legendTable, (e) => {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		if (focusedSeries != null) setSeries(null, FOCUS_TRUE, true, syncOpts.setSeries);
+	});
+	function posToVal(pos, scale, can) {
+		let sc = scales[scale];
+		if (can) pos = pos / pxRatio - (sc.ori == 1 ? plotTopCss : plotLftCss);
+		let dim = plotWidCss;
+		if (sc.ori == 1) {
+			dim = plotHgtCss;
+			pos = dim - pos;
+		}
+		if (sc.dir == -1) pos = dim - pos;
+		let _min = sc._min, _max = sc._max, pct = pos / dim;
+		let sv = _min + (_max - _min) * pct;
+		let distr = sc.distr;
+		return distr == 3 ? pow(10, sv) : distr == 4 ? sinh(sv, sc.asinh) : distr == 100 ? sc.bwd(sv) : sv;
+	}
+	function closestIdxFromXpos(pos, can) {
+		return closestIdx(posToVal(pos, xScaleKey, can), data[0], i0, i1);
+	}
+	self.valToIdx = (val) => closestIdx(val, data[0]);
+	self.posToIdx = closestIdxFromXpos;
+	self.posToVal = posToVal;
+	self.valToPos = (val, scale, can) => scales[scale].ori == 0 ? getHPos(val, scales[scale], can ? plotWid : plotWidCss, can ? plotLft : 0) : getVPos(val, scales[scale], can ? plotHgt : plotHgtCss, can ? plotTop : 0);
+	self.setCursor = (opts, _fire, _pub) => {
+		mouseLeft1 = opts.left;
+		mouseTop1 = opts.top;
+		updateCursor(null, _fire, _pub);
+	};
+	function setSelH(off, dim) {
+		setStylePx(selectDiv, LEFT, select.left = off);
+		setStylePx(selectDiv, WIDTH, select.width = dim);
+	}
+	function setSelV(off, dim) {
+		setStylePx(selectDiv, TOP, select.top = off);
+		setStylePx(selectDiv, HEIGHT$1, select.height = dim);
+	}
+	let setSelX = scaleX.ori == 0 ? setSelH : setSelV;
+	let setSelY = scaleX.ori == 1 ? setSelH : setSelV;
+	function syncLegend() {
+		if (showLegend && legend.live) for (let i = mode == 2 ? 1 : 0; i < series.length; i++) {
+			if (i == 0 && multiValLegend) continue;
+			let vals = legend.values[i];
+			let j = 0;
+			for (let k in vals) legendCells[i][j++].firstChild.nodeValue = vals[k];
+		}
+	}
+	function setLegend(opts, _fire) {
+		if (opts != null) {
+			if (opts.idxs) opts.idxs.forEach((didx, sidx) => {
+				activeIdxs[sidx] = didx;
+			});
+			else if (!isUndef(opts.idx)) activeIdxs.fill(opts.idx);
+			legend.idx = activeIdxs[0];
+		}
+		if (showLegend && legend.live) {
+			for (let sidx = 0; sidx < series.length; sidx++) if (sidx > 0 || mode == 1 && !multiValLegend) setLegendValues(sidx, activeIdxs[sidx]);
+			syncLegend();
+		}
+		shouldSetLegend = false;
+		_fire !== false && fire("setLegend");
+	}
+	self.setLegend = setLegend;
+	function setLegendValues(sidx, idx) {
+		let s = series[sidx];
+		let src = sidx == 0 && xScaleDistr == 2 ? data0 : data[sidx];
+		let val;
+		if (multiValLegend) val = s.values(self, sidx, idx) ?? NULL_LEGEND_VALUES;
+		else {
+			val = s.value(self, idx == null ? null : src[idx], sidx, idx);
+			val = val == null ? NULL_LEGEND_VALUES : { _: val };
+		}
+		legend.values[sidx] = val;
+	}
+	function updateCursor(src, _fire, _pub) {
+		rawMouseLeft1 = mouseLeft1;
+		rawMouseTop1 = mouseTop1;
+		[mouseLeft1, mouseTop1] = cursor.move(self, mouseLeft1, mouseTop1);
+		cursor.left = mouseLeft1;
+		cursor.top = mouseTop1;
+		if (showCursor) {
+			vCursor && elTrans(vCursor, round(mouseLeft1), 0, plotWidCss, plotHgtCss);
+			hCursor && elTrans(hCursor, 0, round(mouseTop1), plotWidCss, plotHgtCss);
+		}
+		let idx;
+		let noDataInRange = i0 > i1;
+		closestDist = inf;
+		closestSeries = null;
+		let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss;
+		let yDim = scaleX.ori == 1 ? plotWidCss : plotHgtCss;
+		if (mouseLeft1 < 0 || dataLen == 0 || noDataInRange) {
+			idx = cursor.idx = null;
+			for (let i = 0; i < series.length; i++) {
+				let pt = cursorPts[i];
+				pt != null && elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			}
+			if (cursorFocus) setSeries(null, FOCUS_TRUE, true, src == null && syncOpts.setSeries);
+			if (legend.live) {
+				activeIdxs.fill(idx);
+				shouldSetLegend = true;
+			}
+		} else {
+			let mouseXPos, valAtPosX, xPos;
+			if (mode == 1) {
+				mouseXPos = scaleX.ori == 0 ? mouseLeft1 : mouseTop1;
+				valAtPosX = posToVal(mouseXPos, xScaleKey);
+				idx = cursor.idx = closestIdx(valAtPosX, data[0], i0, i1);
+				xPos = valToPosX(data[0][idx], scaleX, xDim, 0);
+			}
+			let _ptLft = -10;
+			let _ptTop = -10;
+			let _ptWid = 0;
+			let _ptHgt = 0;
+			let _centered = true;
+			let _ptFill = "";
+			let _ptStroke = "";
+			for (let i = mode == 2 ? 1 : 0; i < series.length; i++) {
+				let s = series[i];
+				let idx1 = activeIdxs[i];
+				let yVal1 = idx1 == null ? null : mode == 1 ? data[i][idx1] : data[i][1][idx1];
+				let idx2 = cursor.dataIdx(self, i, idx, valAtPosX);
+				let yVal2 = idx2 == null ? null : mode == 1 ? data[i][idx2] : data[i][1][idx2];
+				shouldSetLegend = shouldSetLegend || yVal2 != yVal1 || idx2 != idx1;
+				activeIdxs[i] = idx2;
+				if (i > 0 && s.show) {
+					let xPos2 = idx2 == null ? -10 : idx2 == idx ? xPos : valToPosX(mode == 1 ? data[0][idx2] : data[i][0][idx2], scaleX, xDim, 0);
+					let yPos = yVal2 == null ? -10 : valToPosY(yVal2, mode == 1 ? scales[s.scale] : scales[s.facets[1].scale], yDim, 0);
+					if (cursorFocus && yVal2 != null) {
+						let mouseYPos = scaleX.ori == 1 ? mouseLeft1 : mouseTop1;
+						let dist = abs(focus.dist(self, i, idx2, yPos, mouseYPos));
+						if (dist < closestDist) {
+							let bias = focus.bias;
+							if (bias != 0) {
+								let mouseYVal = posToVal(mouseYPos, s.scale);
+								let seriesYValSign = yVal2 >= 0 ? 1 : -1;
+								let mouseYValSign = mouseYVal >= 0 ? 1 : -1;
+								if (mouseYValSign == seriesYValSign && (mouseYValSign == 1 ? bias == 1 ? yVal2 >= mouseYVal : yVal2 <= mouseYVal : bias == 1 ? yVal2 <= mouseYVal : yVal2 >= mouseYVal)) {
+									closestDist = dist;
+									closestSeries = i;
+								}
+							} else {
+								closestDist = dist;
+								closestSeries = i;
+							}
+						}
+					}
+					if (shouldSetLegend || cursorOnePt) {
+						let hPos, vPos;
+						if (scaleX.ori == 0) {
+							hPos = xPos2;
+							vPos = yPos;
+						} else {
+							hPos = yPos;
+							vPos = xPos2;
+						}
+						let ptWid, ptHgt, ptLft, ptTop, ptStroke, ptFill, centered = true, getBBox = points.bbox;
+						if (getBBox != null) {
+							centered = false;
+							let bbox = getBBox(self, i);
+							ptLft = bbox.left;
+							ptTop = bbox.top;
+							ptWid = bbox.width;
+							ptHgt = bbox.height;
+						} else {
+							ptLft = hPos;
+							ptTop = vPos;
+							ptWid = ptHgt = points.size(self, i);
+						}
+						ptFill = points.fill(self, i);
+						ptStroke = points.stroke(self, i);
+						if (cursorOnePt) {
+							if (i == closestSeries && closestDist <= focus.prox) {
+								_ptLft = ptLft;
+								_ptTop = ptTop;
+								_ptWid = ptWid;
+								_ptHgt = ptHgt;
+								_centered = centered;
+								_ptFill = ptFill;
+								_ptStroke = ptStroke;
+							}
+						} else {
+							let pt = cursorPts[i];
+							if (pt != null) {
+								cursorPtsLft[i] = ptLft;
+								cursorPtsTop[i] = ptTop;
+								elSize(pt, ptWid, ptHgt, centered);
+								elColor(pt, ptFill, ptStroke);
+								elTrans(pt, ceil(ptLft), ceil(ptTop), plotWidCss, plotHgtCss);
+							}
+						}
+					}
+				}
+			}
+			if (cursorOnePt) {
+				let p = focus.prox;
+				if (shouldSetLegend || (focusedSeries == null ? closestDist <= p : closestDist > p || closestSeries != focusedSeries)) {
+					let pt = cursorPts[0];
+					if (pt != null) {
+						cursorPtsLft[0] = _ptLft;
+						cursorPtsTop[0] = _ptTop;
+						elSize(pt, _ptWid, _ptHgt, _centered);
+						elColor(pt, _ptFill, _ptStroke);
+						elTrans(pt, ceil(_ptLft), ceil(_ptTop), plotWidCss, plotHgtCss);
+					}
+				}
+			}
+		}
+		if (select.show && dragging) {
+			if (src != null) {
+				let [xKey, yKey] = syncOpts.scales;
+				let [matchXKeys, matchYKeys] = syncOpts.match;
+				let [xKeySrc, yKeySrc] = src.cursor.sync.scales;
+				let sdrag = src.cursor.drag;
+				dragX = sdrag._x;
+				dragY = sdrag._y;
+				if (dragX || dragY) {
+					let { left, top, width, height } = src.select;
+					let sori = src.scales[xKeySrc].ori;
+					let sPosToVal = src.posToVal;
+					let sOff, sDim, sc, a, b;
+					let matchingX = xKey != null && matchXKeys(xKey, xKeySrc);
+					let matchingY = yKey != null && matchYKeys(yKey, yKeySrc);
+					if (matchingX && dragX) {
+						if (sori == 0) {
+							sOff = left;
+							sDim = width;
+						} else {
+							sOff = top;
+							sDim = height;
+						}
+						sc = scales[xKey];
+						a = valToPosX(sPosToVal(sOff, xKeySrc), sc, xDim, 0);
+						b = valToPosX(sPosToVal(sOff + sDim, xKeySrc), sc, xDim, 0);
+						setSelX(min(a, b), abs(b - a));
+					} else setSelX(0, xDim);
+					if (matchingY && dragY) {
+						if (sori == 1) {
+							sOff = left;
+							sDim = width;
+						} else {
+							sOff = top;
+							sDim = height;
+						}
+						sc = scales[yKey];
+						a = valToPosY(sPosToVal(sOff, yKeySrc), sc, yDim, 0);
+						b = valToPosY(sPosToVal(sOff + sDim, yKeySrc), sc, yDim, 0);
+						setSelY(min(a, b), abs(b - a));
+					} else setSelY(0, yDim);
+				} else hideSelect();
+			} else {
+				let rawDX = abs(rawMouseLeft1 - rawMouseLeft0);
+				let rawDY = abs(rawMouseTop1 - rawMouseTop0);
+				if (scaleX.ori == 1) {
+					let _rawDX = rawDX;
+					rawDX = rawDY;
+					rawDY = _rawDX;
+				}
+				dragX = drag.x && rawDX >= drag.dist;
+				dragY = drag.y && rawDY >= drag.dist;
+				let uni = drag.uni;
+				if (uni != null) {
+					if (dragX && dragY) {
+						dragX = rawDX >= uni;
+						dragY = rawDY >= uni;
+						if (!dragX && !dragY) {
+							if (rawDY > rawDX) dragY = true;
+							else dragX = true;
+						}
+					}
+				} else if (drag.x && drag.y && (dragX || dragY)) dragX = dragY = true;
+				let p0, p1;
+				if (dragX) {
+					if (scaleX.ori == 0) {
+						p0 = mouseLeft0;
+						p1 = mouseLeft1;
+					} else {
+						p0 = mouseTop0;
+						p1 = mouseTop1;
+					}
+					setSelX(min(p0, p1), abs(p1 - p0));
+					if (!dragY) setSelY(0, yDim);
+				}
+				if (dragY) {
+					if (scaleX.ori == 1) {
+						p0 = mouseLeft0;
+						p1 = mouseLeft1;
+					} else {
+						p0 = mouseTop0;
+						p1 = mouseTop1;
+					}
+					setSelY(min(p0, p1), abs(p1 - p0));
+					if (!dragX) setSelX(0, xDim);
+				}
+				if (!dragX && !dragY) {
+					setSelX(0, 0);
+					setSelY(0, 0);
+				}
+			}
+		}
+		drag._x = dragX;
+		drag._y = dragY;
+		if (src == null) {
+			if (_pub) {
+				if (syncKey != null) {
+					let [xSyncKey, ySyncKey] = syncOpts.scales;
+					syncOpts.values[0] = xSyncKey != null ? posToVal(scaleX.ori == 0 ? mouseLeft1 : mouseTop1, xSyncKey) : null;
+					syncOpts.values[1] = ySyncKey != null ? posToVal(scaleX.ori == 1 ? mouseLeft1 : mouseTop1, ySyncKey) : null;
+				}
+				pubSync(mousemove, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, idx);
+			}
+			if (cursorFocus) {
+				let shouldPub = _pub && syncOpts.setSeries;
+				let p = focus.prox;
+				if (focusedSeries == null) {
+					if (closestDist <= p) setSeries(closestSeries, FOCUS_TRUE, true, shouldPub);
+				} else if (closestDist > p) setSeries(null, FOCUS_TRUE, true, shouldPub);
+				else if (closestSeries != focusedSeries) setSeries(closestSeries, FOCUS_TRUE, true, shouldPub);
+			}
+		}
+		if (shouldSetLegend) {
+			legend.idx = idx;
+			setLegend();
+		}
+		_fire !== false && fire("setCursor");
+	}
+	let rect = null;
+	Object.defineProperty(self, "rect", { get() {
+		if (rect == null) syncRect(false);
+		return rect;
+	} });
+	function syncRect(defer = false) {
+		if (defer) rect = null;
+		else {
+			rect = over.getBoundingClientRect();
+			fire("syncRect", rect);
+		}
+	}
+	function mouseMove(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		if (dragging && e != null && e.movementX == 0 && e.movementY == 0) return;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, false, e != null);
+		if (e != null) updateCursor(null, true, true);
+		else updateCursor(src, true, false);
+	}
+	function cacheMouse(e, src, _l, _t, _w, _h, _i, initial, snap) {
+		if (rect == null) syncRect(false);
+		setCursorEvent(e);
+		if (e != null) {
+			_l = e.clientX - rect.left;
+			_t = e.clientY - rect.top;
+		} else {
+			if (_l < 0 || _t < 0) {
+				mouseLeft1 = -10;
+				mouseTop1 = -10;
+				return;
+			}
+			let [xKey, yKey] = syncOpts.scales;
+			let syncOptsSrc = src.cursor.sync;
+			let [xValSrc, yValSrc] = syncOptsSrc.values;
+			let [xKeySrc, yKeySrc] = syncOptsSrc.scales;
+			let [matchXKeys, matchYKeys] = syncOpts.match;
+			let rotSrc = src.axes[0].side % 2 == 1;
+			let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss, yDim = scaleX.ori == 1 ? plotWidCss : plotHgtCss, _xDim = rotSrc ? _h : _w, _yDim = rotSrc ? _w : _h, _xPos = rotSrc ? _t : _l, _yPos = rotSrc ? _l : _t;
+			if (xKeySrc != null) _l = matchXKeys(xKey, xKeySrc) ? getPos(xValSrc, scales[xKey], xDim, 0) : -10;
+			else _l = xDim * (_xPos / _xDim);
+			if (yKeySrc != null) _t = matchYKeys(yKey, yKeySrc) ? getPos(yValSrc, scales[yKey], yDim, 0) : -10;
+			else _t = yDim * (_yPos / _yDim);
+			if (scaleX.ori == 1) {
+				let __l = _l;
+				_l = _t;
+				_t = __l;
+			}
+		}
+		if (snap && (src == null || src.cursor.event.type == mousemove)) {
+			if (_l <= 1 || _l >= plotWidCss - 1) _l = incrRound(_l, plotWidCss);
+			if (_t <= 1 || _t >= plotHgtCss - 1) _t = incrRound(_t, plotHgtCss);
+		}
+		if (initial) {
+			rawMouseLeft0 = _l;
+			rawMouseTop0 = _t;
+			[mouseLeft0, mouseTop0] = cursor.move(self, _l, _t);
+		} else {
+			mouseLeft1 = _l;
+			mouseTop1 = _t;
+		}
+	}
+	const _hideProps = {
+		width: 0,
+		height: 0,
+		left: 0,
+		top: 0
+	};
+	function hideSelect() {
+		setSelect(_hideProps, false);
+	}
+	let downSelectLeft;
+	let downSelectTop;
+	let downSelectWidth;
+	let downSelectHeight;
+	function mouseDown(e, src, _l, _t, _w, _h, _i) {
+		dragging = true;
+		dragX = dragY = drag._x = drag._y = false;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, true, false);
+		if (e != null) {
+			onMouse(mouseup, doc, mouseUp, false);
+			pubSync(mousedown, self, mouseLeft0, mouseTop0, plotWidCss, plotHgtCss, null);
+		}
+		let { left, top, width, height } = select;
+		downSelectLeft = left;
+		downSelectTop = top;
+		downSelectWidth = width;
+		downSelectHeight = height;
+	}
+	function mouseUp(e, src, _l, _t, _w, _h, _i) {
+		dragging = drag._x = drag._y = false;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, false, true);
+		let { left, top, width, height } = select;
+		let hasSelect = width > 0 || height > 0;
+		let chgSelect = downSelectLeft != left || downSelectTop != top || downSelectWidth != width || downSelectHeight != height;
+		hasSelect && chgSelect && setSelect(select);
+		if (drag.setScale && hasSelect && chgSelect) {
+			let xOff = left, xDim = width, yOff = top, yDim = height;
+			if (scaleX.ori == 1) xOff = top, xDim = height, yOff = left, yDim = width;
+			if (dragX) _setScale(xScaleKey, posToVal(xOff, xScaleKey), posToVal(xOff + xDim, xScaleKey));
+			if (dragY) for (let k in scales) {
+				let sc = scales[k];
+				if (k != xScaleKey && sc.from == null && sc.min != inf) _setScale(k, posToVal(yOff + yDim, k), posToVal(yOff, k));
+			}
+			hideSelect();
+		} else if (cursor.lock) {
+			cursor._lock = !cursor._lock;
+			updateCursor(src, true, e != null);
+		}
+		if (e != null) {
+			offMouse(mouseup, doc);
+			pubSync(mouseup, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, null);
+		}
+	}
+	function mouseLeave(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		let _dragging = dragging;
+		if (dragging) {
+			let snapH = true;
+			let snapV = true;
+			let snapProx = 10;
+			let dragH, dragV;
+			if (scaleX.ori == 0) {
+				dragH = dragX;
+				dragV = dragY;
+			} else {
+				dragH = dragY;
+				dragV = dragX;
+			}
+			if (dragH && dragV) {
+				snapH = mouseLeft1 <= snapProx || mouseLeft1 >= plotWidCss - snapProx;
+				snapV = mouseTop1 <= snapProx || mouseTop1 >= plotHgtCss - snapProx;
+			}
+			if (dragH && snapH) mouseLeft1 = mouseLeft1 < mouseLeft0 ? 0 : plotWidCss;
+			if (dragV && snapV) mouseTop1 = mouseTop1 < mouseTop0 ? 0 : plotHgtCss;
+			updateCursor(null, true, true);
+			dragging = false;
+		}
+		mouseLeft1 = -10;
+		mouseTop1 = -10;
+		activeIdxs.fill(null);
+		updateCursor(null, true, true);
+		if (_dragging) dragging = _dragging;
+	}
+	function dblClick(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		autoScaleX();
+		hideSelect();
+		if (e != null) pubSync(dblclick, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, null);
+	}
+	function syncPxRatio() {
+		axes.forEach(syncFontSize);
+		_setSize(self.width, self.height, true);
+	}
+	on(dppxchange, win, syncPxRatio);
+	const events = {};
+	events.mousedown = mouseDown;
+	events.mousemove = mouseMove;
+	events.mouseup = mouseUp;
+	events.dblclick = dblClick;
+	events["setSeries"] = (e, src, idx, opts) => {
+		let seriesIdxMatcher = syncOpts.match[2];
+		idx = seriesIdxMatcher(self, src, idx);
+		idx != -1 && setSeries(idx, opts, true, false);
+	};
+	if (showCursor) {
+		onMouse(mousedown, over, mouseDown);
+		onMouse(mousemove, over, mouseMove);
+		onMouse(mouseenter, over, (e) => {
+			setCursorEvent(e);
+			syncRect(false);
+		});
+		onMouse(mouseleave, over, mouseLeave);
+		onMouse(dblclick, over, dblClick);
+		cursorPlots.add(self);
+		self.syncRect = syncRect;
+	}
+	const hooks = self.hooks = opts.hooks || {};
+	function fire(evName, a1, a2) {
+		if (deferHooks) hooksQueue.push([
+			evName,
+			a1,
+			a2
+		]);
+		else if (evName in hooks) hooks[evName].forEach((fn) => {
+			fn.call(null, self, a1, a2);
+		});
+	}
+	(opts.plugins || []).forEach((p) => {
+		for (let evName in p.hooks) hooks[evName] = (hooks[evName] || []).concat(p.hooks[evName]);
+	});
+	const seriesIdxMatcher = (self, src, srcSeriesIdx) => srcSeriesIdx;
+	const syncOpts = assign({
+		key: null,
+		setSeries: false,
+		filters: {
+			pub: retTrue,
+			sub: retTrue
+		},
+		scales: [xScaleKey, series[1] ? series[1].scale : null],
+		match: [
+			retEq,
+			retEq,
+			seriesIdxMatcher
+		],
+		values: [null, null]
+	}, cursor.sync);
+	if (syncOpts.match.length == 2) syncOpts.match.push(seriesIdxMatcher);
+	cursor.sync = syncOpts;
+	const syncKey = syncOpts.key;
+	const sync = _sync(syncKey);
+	function pubSync(type, src, x, y, w, h, i) {
+		if (syncOpts.filters.pub(type, src, x, y, w, h, i)) sync.pub(type, src, x, y, w, h, i);
+	}
+	sync.sub(self);
+	function pub(type, src, x, y, w, h, i) {
+		if (syncOpts.filters.sub(type, src, x, y, w, h, i)) events[type](null, src, x, y, w, h, i);
+	}
+	self.pub = pub;
+	function destroy() {
+		sync.unsub(self);
+		cursorPlots.delete(self);
+		mouseListeners.clear();
+		off(dppxchange, win, syncPxRatio);
+		root.remove();
+		legendTable?.remove();
+		fire("destroy");
+	}
+	self.destroy = destroy;
+	function _init() {
+		fire("init", opts, data);
+		setData(data || opts.data, false);
+		if (pendScales[xScaleKey]) setScale(xScaleKey, pendScales[xScaleKey]);
+		else autoScaleX();
+		shouldSetSelect = select.show && (select.width > 0 || select.height > 0);
+		shouldSetCursor = shouldSetLegend = true;
+		_setSize(opts.width, opts.height);
+	}
+	series.forEach(initSeries);
+	axes.forEach(initAxis);
+	if (then) {
+		if (then instanceof HTMLElement) {
+			then.appendChild(root);
+			_init();
+		} else then(self, _init);
+	} else _init();
+	return self;
+}
+uPlot.assign = assign;
+uPlot.fmtNum = fmtNum;
+uPlot.rangeNum = rangeNum;
+uPlot.rangeLog = rangeLog;
+uPlot.rangeAsinh = rangeAsinh;
+uPlot.orient = orient;
+uPlot.pxRatio = pxRatio;
+uPlot.join = join;
+uPlot.fmtDate = fmtDate;
+uPlot.tzDate = tzDate;
+uPlot.sync = _sync;
+{
+	uPlot.addGap = addGap;
+	uPlot.clipGaps = clipGaps;
+	let paths = uPlot.paths = { points };
+	paths.linear = linear;
+	paths.stepped = stepped;
+	paths.bars = bars;
+	paths.spline = monotoneCubic;
+}
+// src/parts/Chart.tsx
+/** A chart over time. */
+var HEIGHT = 190;
+/** `times` in seconds since 1970, one for each value. */
+function Chart({ label, times, lines, unit }) {
+	const box = T(null);
+	const wears = theme.value;
+	A$1(() => {
+		const parent = box.current;
+		const style = getComputedStyle(document.documentElement);
+		const of = (name) => style.getPropertyValue(name).trim();
+		const axis = {
+			stroke: of("--dim"),
+			grid: {
+				stroke: of("--line"),
+				width: 1
+			},
+			ticks: {
+				stroke: of("--line"),
+				width: 1
+			}
+		};
+		const chart = new uPlot({
+			width: parent.clientWidth,
+			height: HEIGHT,
+			series: [{}, ...lines.map((line) => ({
+				label: line.label,
+				stroke: of(line.colour),
+				width: 2,
+				...line.bars ? {
+					fill: `${of(line.colour)}66`,
+					paths: uPlot.paths.bars?.({ size: [.8, 40] })
+				} : {}
+			}))],
+			axes: [axis, {
+				...axis,
+				label: unit,
+				labelSize: 16,
+				stroke: of("--dim")
+			}],
+			cursor: { drag: {
+				x: true,
+				y: false
+			} }
+		}, [times, ...lines.map(({ values }) => values)], parent);
+		const size = new ResizeObserver(() => chart.setSize({
+			width: parent.clientWidth,
+			height: HEIGHT
+		}));
+		size.observe(parent);
+		return () => {
+			size.disconnect();
+			chart.destroy();
+		};
+	}, [
+		wears,
+		times,
+		lines
+	]);
+	return /* @__PURE__ */ a("figure", {
+		class: "chart",
+		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
+			ref: box,
+			role: "img",
+			"aria-label": label
+		})]
+	});
+}
+// src/parts/Statistics.tsx
+/** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
+var PERIODS = {
+	hour: [3600, 60],
+	shift: [28800, 900],
+	day: [86400, 3600],
+	week: [604800, 21600]
+};
+var PHASES = [
+	"queued",
+	"fetching",
+	"acquiring",
+	"carrying",
+	"depositing",
+	"total"
+];
+var TABLES = [
+	"phases",
+	"intervals",
+	"vehicles",
+	"waits",
+	"transfers"
+];
+/** Read anew so often, s. */
+var EVERY = 60;
+function Statistics() {
+	const period = useSignal("hour");
+	const round = Math.floor(tick.value / EVERY);
+	const query = w$2(() => {
+		const [length, interval] = PERIODS[period.value];
+		const end = Date.now();
+		return new URLSearchParams({
+			from: (/* @__PURE__ */ new Date(end - length * 1e3)).toISOString(),
+			to: new Date(end).toISOString(),
+			interval: String(interval)
+		});
+	}, [period.value, round]);
+	const { value, error } = useRead(`/statistics?${query}`);
+	const asking = useAsking();
+	const save = (path, name) => void asking.ask(() => download(path, name), "");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("statistics"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: t("statistics") }),
+				/* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: Object.keys(PERIODS).map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": period.value === name,
+						onClick: () => period.value = name,
+						children: t(`period_${name}`)
+					}, name))
+				}),
+				TABLES.map((table) => /* @__PURE__ */ a("button", {
+					type: "button",
+					title: t("save_csv"),
+					onClick: () => save(`/statistics/${table}.csv?${query}`, `${table}.csv`),
+					children: [t(`table_${table}`), " ⤓"]
+				}, table)),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => save(`/statistics/report?${query}&lang=${language.value}`, "report.html"),
+					children: [t("report"), " ⤓"]
+				}),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Problem, { error })
+			]
+		}), /* @__PURE__ */ a("div", {
+			class: "scroll figures",
+			tabIndex: 0,
+			role: "group",
+			"aria-label": t("statistics"),
+			children: value && /* @__PURE__ */ a(Shown, { found: value })
+		})]
+	});
+}
+var seconds = (value) => value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1e3);
+function Shown({ found }) {
+	const times = w$2(() => found.intervals.map((one) => Date.parse(one.begin) / 1e3), [found]);
+	const through = w$2(() => [
+		{
+			label: t("completed"),
+			colour: "--look-charging",
+			values: found.intervals.map((one) => one.completed),
+			bars: true
+		},
+		{
+			label: t("ordered_at"),
+			colour: "--look-moving",
+			values: found.intervals.map((one) => one.ordered)
+		},
+		{
+			label: t("queue"),
+			colour: "--look-waiting",
+			values: found.intervals.map((one) => one.queue)
+		}
+	], [found, language.value]);
+	const delivery = w$2(() => [{
+		label: "p50",
+		colour: "--look-moving",
+		values: found.intervals.map((one) => one.delivery.p50)
+	}, {
+		label: "p95",
+		colour: "--look-held",
+		values: found.intervals.map((one) => one.delivery.p95)
+	}], [found]);
+	const most = Math.max(1, ...found.waits.map((one) => one.seconds));
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("p", {
+			class: "tiles",
+			children: [Object.entries(found.jobs).map(([state, count]) => /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: count }),
+				" ",
+				said(state)
+			] }, state)), /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %` }),
+				" ",
+				t("empty_travel")
+			] })]
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("throughput"),
+			times,
+			lines: through,
+			unit: t("jobs")
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("delivery_time"),
+			times,
+			lines: delivery,
+			unit: "s"
+		}),
+		/* @__PURE__ */ a(Phases, { phases: found.phases }),
+		/* @__PURE__ */ a("h3", { children: t("waits_by_cause") }),
+		/* @__PURE__ */ a("table", {
+			class: "list",
+			children: /* @__PURE__ */ a("tbody", { children: found.waits.map((one) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: tell(said(one.cause)) }),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: one.times
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: span(one.seconds * 1e3)
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "bar",
+					children: /* @__PURE__ */ a("i", { style: { width: `${100 * one.seconds / most}%` } })
+				})
+			] }, one.cause)) })
+		}),
+		found.waits.length === 0 && /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_waited")
+		}),
+		/* @__PURE__ */ a("h3", { children: t("vehicles") }),
+		/* @__PURE__ */ a(Table, {
+			label: t("vehicles"),
+			rows: found.vehicles,
+			keyOf: (row) => row.vehicle,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("completed"),
+					by: (row) => row.completed,
+					of: (row) => row.completed,
+					number: true
+				},
+				{
+					name: t("utilisation"),
+					by: (row) => row.busy_share,
+					of: (row) => `${(row.busy_share * 100).toFixed(1)} %`,
+					number: true
+				},
+				{
+					name: t("failures"),
+					by: (row) => row.failures,
+					of: (row) => row.failures,
+					number: true
+				},
+				{
+					name: "MTBF (h)",
+					by: (row) => row.mtbf_hours,
+					of: (row) => row.mtbf_hours ?? "–",
+					number: true
+				},
+				{
+					name: "MTTR (min)",
+					by: (row) => row.mttr_minutes,
+					of: (row) => row.mttr_minutes ?? "–",
+					number: true
+				},
+				{
+					name: t("availability"),
+					by: (row) => row.availability,
+					of: (row) => `${(row.availability * 100).toFixed(2)} %`,
+					number: true
+				}
+			]
+		})
+	] });
+}
+function Phases({ phases }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h3", { children: t("phases") }), /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("phase"),
+			t("count"),
+			t("mean"),
+			"p50",
+			"p95",
+			t("longest")
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: PHASES.filter((name) => phases[name]).map((name) => {
+			const { count, mean, p50, p95, longest } = phases[name];
+			return /* @__PURE__ */ a("tr", {
+				"data-phase": name,
+				children: [
+					/* @__PURE__ */ a("td", { children: t(`phase_${name}`) }),
+					/* @__PURE__ */ a("td", { children: count }),
+					[
+						mean,
+						p50,
+						p95,
+						longest
+					].map((value, i) => /* @__PURE__ */ a("td", { children: seconds(value) }, i))
+				]
+			}, name);
+		}) })]
+	})] });
 }
 // src/parts/Teaching.tsx
 /** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
@@ -9121,6 +13447,7 @@ function Room() {
 		case "closures": return /* @__PURE__ */ a(Closing, {});
 		case "stations": return /* @__PURE__ */ a(Stations, {});
 		case "teaching": return /* @__PURE__ */ a(Teaching, {});
+		case "statistics": return /* @__PURE__ */ a(Statistics, {});
 		default: return null;
 	}
 }
