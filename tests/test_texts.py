@@ -88,7 +88,10 @@ def test_every_saying_is_still_said_somewhere() -> None:
             "1203의 V012: STK01-P02에서 적재 중인 V007(8초) 점유 1204 대기",
         ),
         ("V012 waits at 1203: everything is stopped by Kim", "1203의 V012: Kim 님이 전체 정지"),
-        ("no vehicle is free: V001 is on job J7, and V002 is not ready", "가용 차량 없음: V001 작업 J7 수행 중, V002 is not ready"),
+        (
+            "no vehicle is free: V001 is on job J7, and V002 is not ready",
+            "가용 차량 없음: V001 작업 J7 수행 중, V002 is not ready",
+        ),
         ("P2 is occupied by F7", "P2에 F7이(가) 있음"),
     ],
 )

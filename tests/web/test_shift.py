@@ -21,7 +21,13 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
-FLAGS = ("--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking", "--disable-dev-shm-usage")
+FLAGS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--disable-background-networking",
+    "--disable-dev-shm-usage",
+)
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 PATIENCE = GENEROUS * 500
 
@@ -31,7 +37,9 @@ def page() -> Iterator[Page]:
     with sync_api.sync_playwright() as play:
         chromium = play.chromium.launch(executable_path=installed(), args=list(FLAGS))
         try:
-            context = chromium.new_context(viewport={"width": 1440, "height": 1000}, locale="en-GB", reduced_motion="reduce")
+            context = chromium.new_context(
+                viewport={"width": 1440, "height": 1000}, locale="en-GB", reduced_motion="reduce"
+            )
             page = context.new_page()
             page.set_default_timeout(PATIENCE)
             expect.set_options(timeout=PATIENCE)
@@ -243,6 +251,8 @@ def test_the_map_can_be_moved_zoomed_and_left_by_key(page: Page) -> None:
         before = ground.evaluate("(canvas) => canvas.style.transform")
         page.keyboard.press("ArrowRight")
         expect(ground).not_to_have_css("transform", "none")
-        page.wait_for_function("(before) => document.querySelector('.map canvas').style.transform !== before", arg=before)
+        page.wait_for_function(
+            "(before) => document.querySelector('.map canvas').style.transform !== before", arg=before
+        )
         page.keyboard.press("/")
         expect(page.get_by_role("combobox", name="Find")).to_be_focused()
