@@ -1,9 +1,9 @@
 """The words for people, in each language, from one catalogue: page, API and command line speak from it.
 
-``en.json`` and ``ko.json`` have the same sections and keys. ``page`` are words and sentences with ``{0}``, ``{1}`` …
-for what is filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns of sentences
-that the controller says and keeps in English: they are translated where they are shown (:func:`told`), since what is
-kept in a plant's database does not depend on who reads it.
+``en.json`` and ``ko.json`` have the same sections and keys. ``page`` are words and sentences with ``{0}``, ``{1}`` … for what is
+filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
+of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
+since what is kept in a plant's database does not depend on who reads it.
 """
 
 import json
