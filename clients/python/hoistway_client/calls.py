@@ -439,6 +439,20 @@ class Calls(Synchronous):
         """End a closure. One for people's work is opened by its owner alone, or by two others together."""
         return cast("m.Closure", self._call("POST", f"/api/v1/closures/{path(closure)}/open", body=body))
 
+    def show_moment(self, *, at: str | None = None) -> m.Moment:
+        """Show the plant as it was at a moment: vehicles, jobs, stations, carriers, devices, closures, alarms."""
+        return cast("m.Moment", self._call("GET", "/api/v1/history", params={"at": at}))
+
+    def show_span(self) -> m.Span:
+        """Show from when to when there is playback, and how large it is."""
+        return cast("m.Span", self._call("GET", "/api/v1/history/span"))
+
+    def list_changes(self, *, from_: str | None = None, to: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.PlaybackChange]:
+        """List what changed in a period (by default the last hour). Of a vehicle a change has only the fields that are
+        other now.
+        """
+        return cast("m.Page[m.PlaybackChange]", self._call("GET", "/api/v1/history/changes", params={"from": from_, "to": to, "after": after, "limit": limit}))
+
     def show_statistics(self, *, from_: str | None = None, to: str | None = None, interval: int | None = None) -> m.Statistics:
         """Show what a period came to (by default the last day): delivery times by phase, throughput, queue, vehicles,
         waits.
@@ -1046,6 +1060,20 @@ class AsyncCalls(Asynchronous):
     async def open_place(self, closure: int, body: m.OpenIn) -> m.Closure:
         """End a closure. One for people's work is opened by its owner alone, or by two others together."""
         return cast("m.Closure", await self._call("POST", f"/api/v1/closures/{path(closure)}/open", body=body))
+
+    async def show_moment(self, *, at: str | None = None) -> m.Moment:
+        """Show the plant as it was at a moment: vehicles, jobs, stations, carriers, devices, closures, alarms."""
+        return cast("m.Moment", await self._call("GET", "/api/v1/history", params={"at": at}))
+
+    async def show_span(self) -> m.Span:
+        """Show from when to when there is playback, and how large it is."""
+        return cast("m.Span", await self._call("GET", "/api/v1/history/span"))
+
+    async def list_changes(self, *, from_: str | None = None, to: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.PlaybackChange]:
+        """List what changed in a period (by default the last hour). Of a vehicle a change has only the fields that are
+        other now.
+        """
+        return cast("m.Page[m.PlaybackChange]", await self._call("GET", "/api/v1/history/changes", params={"from": from_, "to": to, "after": after, "limit": limit}))
 
     async def show_statistics(self, *, from_: str | None = None, to: str | None = None, interval: int | None = None) -> m.Statistics:
         """Show what a period came to (by default the last day): delivery times by phase, throughput, queue, vehicles,

@@ -316,7 +316,8 @@ class Controller(TypedDict):
     ``kept_off``: what routes keep off, and why, a line for each reason; ``closed_places`` counts the places.
     ``cut_off``: the stations that nobody can reach for that, with the reason. How many vehicles under way were led
     another way since the start: ``led_round`` what is closed, ``led_quicker`` because another way had become
-    quicker. ``pauses``: zones that are paused or stopped.
+    quicker. ``slow_track``: pieces of track that take twice as long as usual for the traffic on them; ``weighed``:
+    how often ways were weighed anew by that. ``pauses``: zones that are paused or stopped.
     """
 
     plant: str
@@ -335,6 +336,8 @@ class Controller(TypedDict):
     cut_off: list[str]
     led_round: int
     led_quicker: int
+    slow_track: int
+    weighed: int
     pauses: list[Pause]
 
 
@@ -648,6 +651,13 @@ class Lockout(TypedDict):
     releases: list[str]
 
 
+class Moment(TypedDict):
+    """The plant as it was."""
+
+    at: str
+    objects: dict[str, dict[str, dict[str, Any]]]
+
+
 class MoveCommand(TypedDict):
     """Drive to a barcode, under grants like any job."""
 
@@ -753,6 +763,13 @@ class PlainCommand(TypedDict):
     """A command without data. ``stop`` drops the vehicle to MANT; ``stop_by_host`` keeps it in its mode."""
 
     command: Literal['status', 'stop', 'stop_by_host', 'servo_on', 'servo_off', 'search_home', 'go_home', 'system_reset', 'alarm_clear', 'auto']
+
+
+class PlaybackChange(TypedDict):
+    at: str
+    topic: str
+    key: str
+    value: Any | None
 
 
 class PreviewIn(TypedDict):
@@ -950,6 +967,16 @@ class SightsIn(TypedDict):
     """What stands at several places: all are entered, or none."""
 
     sights: list[NamedSightIn]
+
+
+Span = TypedDict(
+    "Span",
+    {
+        'from': 'str | None',
+        'to': 'str | None',
+        'bytes': 'int',
+    },
+)
 
 
 class StartIn(TypedDict):
