@@ -10,6 +10,7 @@ LONG = {
     "tests/e2e/test_whole_shift.py": 107,
     "tests/sim/test_whole_plant.py::test_two_hours": 70,
     "tests/e2e/test_curl_teaching.py": 67,
+    "tests/e2e/test_room_scripts.py": 30,
     "tests/e2e/test_drive_scripts.py::test_a_maintenance_person": 45,
     "tests/e2e/test_tutorial.py::test_every_command": 60,
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
