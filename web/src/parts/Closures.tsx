@@ -124,6 +124,11 @@ function Close() {
       previewed.value = [];
     };
   }, [two]);
+  useEffect(() => {
+    // What was looked at is another place now.
+    preview.value = null;
+    previewed.value = [];
+  }, [kind.value, from.value, to.value]);
   const place = (): object => {
     const [a, b] = [from.value.trim(), to.value.trim()];
     if (kind.value === "stretch" || kind.value === "edge") return { kind: kind.value, from: a, to: b };
@@ -153,7 +158,7 @@ function Close() {
       }}
     >
       <h2 class="sub">{t("close_place")}</h2>
-      <div class="fields" onInput={() => (preview.value = null)}>
+      <div class="fields">
         <Choice
           label={t("kind")}
           value={kind}

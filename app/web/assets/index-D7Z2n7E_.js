@@ -3179,6 +3179,14 @@ function Close() {
 			previewed.value = [];
 		};
 	}, [two]);
+	A$1(() => {
+		preview.value = null;
+		previewed.value = [];
+	}, [
+		kind.value,
+		from.value,
+		to.value
+	]);
 	const place = () => {
 		const [a, b] = [from.value.trim(), to.value.trim()];
 		if (kind.value === "stretch" || kind.value === "edge") return {
@@ -3234,7 +3242,6 @@ function Close() {
 			}),
 			/* @__PURE__ */ a("div", {
 				class: "fields",
-				onInput: () => preview.value = null,
 				children: [
 					/* @__PURE__ */ a(Choice$1, {
 						label: t("kind"),
