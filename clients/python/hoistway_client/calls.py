@@ -71,6 +71,10 @@ class Calls(Synchronous):
         """Recover from an alarm: clear, servo on, home, auto, as far as each is safe."""
         return cast("m.Taken", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/recover", body=body))
 
+    def park_vehicle(self, vehicle: str) -> m.Vehicle:
+        """Send a vehicle to the nearest free parking place."""
+        return cast("m.Vehicle", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/park"))
+
     def hold_vehicle(self, vehicle: str, body: m.ReasonIn) -> m.Vehicle:
         """Send nothing more to a vehicle until it is released."""
         return cast("m.Vehicle", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/hold", body=body))
@@ -114,6 +118,10 @@ class Calls(Synchronous):
     def patch_station(self, station: str, body: m.StationPatch) -> m.Station:
         """Write parts of a station's state."""
         return cast("m.Station", self._call("PATCH", f"/api/v1/stations/{path(station)}", body=body))
+
+    def stage_vehicle(self, station: str, body: m.StageIn) -> m.Vehicle:
+        """Send a vehicle to a station before its lot is ready. It stays idle there: it gives way, and takes jobs."""
+        return cast("m.Vehicle", self._call("POST", f"/api/v1/stations/{path(station)}/stage", body=body))
 
     def list_dests(self, station: str) -> m.Page[m.PulsesVersion]:
         """Show a station's DEST and its history."""
@@ -693,6 +701,10 @@ class AsyncCalls(Asynchronous):
         """Recover from an alarm: clear, servo on, home, auto, as far as each is safe."""
         return cast("m.Taken", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/recover", body=body))
 
+    async def park_vehicle(self, vehicle: str) -> m.Vehicle:
+        """Send a vehicle to the nearest free parking place."""
+        return cast("m.Vehicle", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/park"))
+
     async def hold_vehicle(self, vehicle: str, body: m.ReasonIn) -> m.Vehicle:
         """Send nothing more to a vehicle until it is released."""
         return cast("m.Vehicle", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/hold", body=body))
@@ -736,6 +748,10 @@ class AsyncCalls(Asynchronous):
     async def patch_station(self, station: str, body: m.StationPatch) -> m.Station:
         """Write parts of a station's state."""
         return cast("m.Station", await self._call("PATCH", f"/api/v1/stations/{path(station)}", body=body))
+
+    async def stage_vehicle(self, station: str, body: m.StageIn) -> m.Vehicle:
+        """Send a vehicle to a station before its lot is ready. It stays idle there: it gives way, and takes jobs."""
+        return cast("m.Vehicle", await self._call("POST", f"/api/v1/stations/{path(station)}/stage", body=body))
 
     async def list_dests(self, station: str) -> m.Page[m.PulsesVersion]:
         """Show a station's DEST and its history."""

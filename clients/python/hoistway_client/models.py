@@ -979,6 +979,12 @@ Span = TypedDict(
 )
 
 
+class StageIn(TypedDict):
+    """Which vehicle; none: the nearest that is free."""
+
+    vehicle: NotRequired[str | None]
+
+
 class StartIn(TypedDict):
     """``dest``: PORT DEST TEACHING, for the port. ``offset``: PORT OFFSET TEACHING, for the vehicle."""
 
