@@ -12,6 +12,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    accounts,
+    audit,
     devices,
     drive_backups,
     drive_jog,
@@ -25,6 +27,7 @@ from app.api import (
     operations,
     plant,
     problems,
+    sessions,
     stations,
     taught,
     taught_files,
@@ -87,6 +90,10 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
     """Return the ASGI application around a running controller."""
     app = described(settings)
     app.state.controller = controller
+    if controller.reception is not None:
+        callers: Callers = app.state.callers
+        callers.register = controller.reception.access
+        controller.reception.access.on_look = callers.look
     return app
 
 
@@ -130,7 +137,10 @@ def described(settings: Settings) -> FastAPI:
         emergency.router,
         plant.controller_routes,
         plant.layout,
-        plant.audit,
+        audit.router,
+        sessions.router,
+        accounts.users,
+        accounts.keys,
         plant.problems,
         live.router,
     ):

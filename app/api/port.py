@@ -17,6 +17,8 @@ from app.domain.view import LineView
 from app.domain.why import Why
 from app.planning.routing import Route
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.reception import Reception
+from app.store.chain import Checked
 
 
 class Reader(TeachingReader, Protocol):
@@ -76,6 +78,22 @@ class Reader(TeachingReader, Protocol):
         """Return numbered audit rows above ``after``, oldest first."""
         ...
 
+    def audit_found(
+        self,
+        *,
+        actor: str | None = None,
+        action: str | None = None,
+        target: str | None = None,
+        before: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[tuple[int, AuditRow]]:
+        """Return numbered audit rows, newest first, with numbers below ``before``."""
+        ...
+
+    def audit_checked(self, after: int, limit: int) -> Checked:
+        """Look whether the rows above ``after`` follow from one another. Raises StoreError."""
+        ...
+
     def operation(self, number: int) -> DriveOperation | None:
         """Return one operation on drives."""
         ...
@@ -111,6 +129,11 @@ class Controller(Protocol):
     @property
     def reader(self) -> Reader:
         """Committed history."""
+        ...
+
+    @property
+    def reception(self) -> Reception | None:
+        """Who may call, and what they and administrators do about it; None: everybody may."""
         ...
 
     @property

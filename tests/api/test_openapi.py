@@ -17,7 +17,9 @@ from typer.testing import CliRunner
 
 from app.cli.openapi import document, openapi
 from app.domain import requests as r
+from app.domain.access import Role
 from app.domain.view import Topic
+from tests.api.receptions import reception, with_admin
 from tests.api.scripted import ACTOR, NOW, Scripted
 from tests.api.sockets import Socket
 
@@ -78,7 +80,16 @@ def test_the_live_description_names_every_topic() -> None:
 
 
 @pytest.mark.anyio
-async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClient, controller: Scripted) -> None:
+async def test_every_answer_is_what_the_description_says(
+    client: httpx.AsyncClient, controller: Scripted, tmp_path: Path
+) -> None:
+    async with reception(tmp_path) as controller.reception:
+        await with_admin(controller.reception)
+        await controller.reception.add_key("mes-1", frozenset({Role.MES}), None, ACTOR)
+        await _every_answer_is_described(client, controller)
+
+
+async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scripted) -> None:
     controller.traffic = [(NOW, "in", b"\x06")]
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     await client.post("/jobs", json=ORDER)
@@ -95,7 +106,7 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
     controller.teach()
-    known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
+    known |= {"user": "kim", "key": "mes-1", "session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):
