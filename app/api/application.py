@@ -14,6 +14,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from app.api import (
     accounts,
     audit,
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -33,6 +34,7 @@ from app.api import (
     taught_files,
     teaching,
     vehicles,
+    zones,
 )
 from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
@@ -135,6 +137,8 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         audit.router,

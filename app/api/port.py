@@ -3,6 +3,7 @@
 from collections.abc import Awaitable, Sequence
 from typing import Protocol
 
+from app.api.room_port import RoomReader
 from app.api.teaching_port import TeachingReader
 from app.domain.drive import DriveId
 from app.domain.drive_records import DriveBackup, DriveOperation
@@ -15,13 +16,14 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
 from app.domain.why import Why
+from app.fleet.closure_preview import Survey
 from app.planning.routing import Route
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.reception import Reception
 from app.store.chain import Checked
 
 
-class Reader(TeachingReader, Protocol):
+class Reader(TeachingReader, RoomReader, Protocol):
     """Committed history; blocking, called from the thread pool. Raises StoreError."""
 
     def job(self, job: JobId) -> Job | None:
@@ -168,6 +170,10 @@ class Controller(Protocol):
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
+        ...
+
+    def survey(self) -> Survey:
+        """Return the fleet at this moment, fixed."""
         ...
 
     def utc(self) -> Timestamp:

@@ -12,6 +12,7 @@ from app.cli import (
     demo,
     detect,
     fab,
+    layout,
     openapi,
     schema,
     serve,
@@ -43,5 +44,6 @@ for command in (
     openapi.openapi,
 ):
     app.command()(command)
+app.add_typer(layout.commands, name="layout")
 app.add_typer(db.commands, name="db")
 app.add_typer(bench.commands, name="bench")

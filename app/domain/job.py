@@ -137,6 +137,11 @@ class JobEvent(StrEnum):
     DEVICE_CHANGED = "DeviceChanged"
     EMERGENCY_SET = "EmergencySet"
     EMERGENCY_RELEASED = "EmergencyReleased"
+    PLACE_CLOSING = "PlaceClosing"
+    PLACE_CLOSED = "PlaceClosed"
+    PLACE_OPENED = "PlaceOpened"
+    ZONE_PAUSED = "ZonePaused"
+    ZONE_RESUMED = "ZoneResumed"
 
 
 HOT_FROM = 90

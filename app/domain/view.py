@@ -26,6 +26,7 @@ class Topic(StrEnum):
     OPERATIONS = "operations"
     PARAMETERS = "parameters"
     TEACHING = "teaching"
+    CLOSURES = "closures"
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +166,7 @@ class StationView:
     """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it (None: we
     never learnt anything); ``verified`` is true only where the host or a person wrote it. ``target`` is the DEST in
     pulses (shft, rota, lift), ports only, null while it is not complete; ``missing`` are the axes that it lacks.
-    ``teaching`` is the session that closes the port to jobs.
+    ``teaching`` is the session that closes the port to jobs, ``closures`` are the numbers of the closures that do.
     """
 
     id: str
@@ -182,6 +183,7 @@ class StationView:
     target_version: int | None
     missing: tuple[str, ...] = ()
     teaching: int | None = None
+    closures: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,11 +198,23 @@ class CarrierView:
 
 
 @dataclass(frozen=True, slots=True)
+class PauseView:
+    """A zone in which nothing begins to move; ``stopped``: what drove there was stopped where it was."""
+
+    zone: str
+    owner: str
+    reason: str
+    since: float
+    stopped: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ControllerView:
     """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
 
     ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
+    ``pauses``: zones that are paused or stopped.
     """
 
     plant: str
@@ -214,6 +228,7 @@ class ControllerView:
     circles: tuple[str, ...] = ()
     circles_found: int = 0
     circles_resolved: int = 0
+    pauses: tuple[PauseView, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -458,6 +473,36 @@ class TeachingSessionView:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class ClosureView:
+    """A reason for which a place is closed. ``kind``: barcode, edge, stretch, zone or station; ``names`` as it was named.
+
+    ``state``: draining (nobody comes in, those ``inside`` drive out), closed (nobody is inside), opened, expired. ``barcodes``
+    are kept empty, ``stations`` cannot be used. ``purpose``: traffic or work; work never expires, and its ``owner`` opens it,
+    or two others together (``releases``: who wished so). ``closed`` is when it was empty; ``waiting`` says who is not out yet,
+    and why.
+    """
+
+    id: int
+    kind: str
+    names: tuple[str, ...]
+    place: str
+    barcodes: tuple[str, ...]
+    stations: tuple[str, ...]
+    reason: str
+    owner: str
+    purpose: str
+    state: str
+    since: float
+    expires: float | None
+    closed: float | None
+    releases: tuple[str, ...]
+    ended: float | None
+    ended_by: str | None
+    inside: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()
+
+
 View = (
     VehicleView
     | JobView
@@ -473,6 +518,7 @@ View = (
     | LineView
     | ProposalView
     | TeachingSessionView
+    | ClosureView
 )
 
 

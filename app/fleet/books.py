@@ -1,8 +1,9 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from app.domain.closures import Closure
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
@@ -12,6 +13,7 @@ from app.domain.records import (
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    ControllerState,
     HistoryEvent,
     Intent,
     IntentState,
@@ -24,10 +26,11 @@ from app.domain.records import (
 )
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import Topic, Update, View
+from app.domain.view import ClosureView, Topic, Update, View
 from app.domain.why import Why
 from app.fleet.backlog import Backlog
 from app.fleet.closed import Closed
+from app.fleet.closure_book import ClosureBook
 from app.fleet.effects import Effects
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
@@ -35,6 +38,7 @@ from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
     view_of_carrier,
+    view_of_closure,
     view_of_controller,
     view_of_event,
     view_of_intent,
@@ -62,6 +66,10 @@ class Books:
         """What routes are kept off, and why: nobody else closes or opens anything for the router."""
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
+        self.closures = ClosureBook(self.track, self.closed, self.traffic, kept.closures)
+        self.closures.still(kept.controller.pauses)
+        self._next_closure = kept.next_closure
+        self._closures_shown: dict[int, ClosureView] = {}
         self.circles: tuple[str, ...] = ()
         """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""
         self.circles_found = self.circles_resolved = 0
@@ -367,8 +375,24 @@ class Books:
             self.show_station(session.station)
         return session
 
+    def new_closure(self) -> int:
+        """Return the next number of a closure."""
+        self._next_closure += 1
+        return self._next_closure - 1
+
+    def save_closure(self, closure: Closure) -> None:
+        """Keep and show a closure, and the stations that it concerns."""
+        self.closures.put(closure)
+        self.effects.records.append(closure)
+        self.show_closure(closure)
+        for station in self.closures.stations(closure):
+            if station in self.specs:
+                self.show_station(station)
+
     def save_controller(self, record: ControllerRecord) -> None:
         """Keep and show the controller's state."""
+        if record.pauses != self.controller.pauses:
+            self.closures.still(record.pauses)
         self.controller = record
         self.effects.records.append(record)
         self.show_controller()
@@ -385,9 +409,26 @@ class Books:
             Topic.STATIONS,
             station,
             view_of_station(
-                self.specs[station], self.stations[station], self.dests.get(station), self.teaching.closing(station)
+                self.specs[station],
+                self.stations[station],
+                self.dests.get(station),
+                self.teaching.closing(station),
+                tuple(closure.number for closure in self.closures.of(self.specs[station])),
             ),
         )
+
+    def show_closure(self, closure: Closure, inside: Sequence[VehicleNow] = (), waiting: tuple[str, ...] = ()) -> None:
+        """Show a closure, with who is inside and what those do; one that is over leaves the live ones."""
+        stations = self.closures.stations(closure)
+        names = tuple(vehicle.id for vehicle in inside)
+        if closure.state.over:
+            self._closures_shown.pop(closure.number, None)
+            self.show(Topic.CLOSURES, str(closure.number), None)
+            return
+        view = view_of_closure(closure, stations, names, waiting)
+        if self._closures_shown.get(closure.number) != view:
+            self._closures_shown[closure.number] = view
+            self.show(Topic.CLOSURES, str(closure.number), view)
 
     def show_carrier(self, carrier: CarrierId) -> None:
         """Show a carrier as it is now."""
@@ -405,6 +446,12 @@ class Books:
                 circles_resolved=self.circles_resolved,
             ),
         )
+
+    def stilled(self, vehicle: VehicleNow) -> str:
+        """Return why a vehicle begins nothing where it is, or anywhere; empty if it may."""
+        if self.controller.state is not ControllerState.AUTO:
+            return f"the controller is {self.controller.state.value}"
+        return self.closures.barring(vehicle) or self.closures.paused_at(vehicle.barcode)
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""

@@ -24,6 +24,7 @@ from app.fleet.books import Books
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
+from app.fleet.closures import Closures
 from app.fleet.courtesy import Courtesy
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
@@ -44,6 +45,7 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
@@ -93,6 +95,7 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._closures = Closures(self.books, self.motion, self._courtesy)
         self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
@@ -118,6 +121,8 @@ class Fleet:
             teaching,
             device_orders,
             emergency,
+            self._closures,
+            Standstills(self.books, self._plant_orders, self.alarms),
         )
         self._link = link
         self._looks = Looks()
@@ -151,6 +156,8 @@ class Fleet:
             books.show(Topic.TEACHING, f"session-{session.number}", view_of_session(session))
         for proposal in books.teaching.proposals.values():
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
+        for closure in books.closures.live.values():
+            books.show_closure(closure)
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -185,6 +192,7 @@ class Fleet:
         self.devices.tick()
         self._charging.run()
         self._parking.run(self._free)
+        self._closures.tick()
         self._dispatch.run()
         self._circles.look()
         self._go_on(all_devices=True)

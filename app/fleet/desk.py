@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.requests import (
@@ -19,13 +20,17 @@ from app.domain.requests import (
     LockVehicle,
     MoveVehicle,
     PauseController,
+    PauseZone,
     PlantRequest,
     RecoverAlarm,
     ReleaseVehicle,
     Reply,
     Request,
     ResumeController,
+    ResumeZone,
+    RoomRequest,
     SetService,
+    StopAll,
     UnlockVehicle,
     VehicleRequest,
     WriteCarrier,
@@ -36,6 +41,7 @@ from app.domain.requests import (
 from app.domain.teaching_requests import TeachingRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
+from app.fleet.closures import Closures
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
@@ -43,10 +49,25 @@ from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.refusals import no_vehicle
+from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
 
-TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
+TARGETS = (
+    "job",
+    "vehicle",
+    "station",
+    "carrier",
+    "drive",
+    "line",
+    "device",
+    "proposal",
+    "session",
+    "side",
+    "closure",
+    "place",
+    "zone",
+)
 """Parts of a request that name what it is about, the first that is there."""
 
 UNSAID = frozenset({"actor", "fingerprint", "values"})
@@ -70,6 +91,8 @@ class Desk:
         teaching: TeachingDesk,
         devices: DeviceOrders,
         emergency: EmergencyDesk,
+        closures: Closures,
+        standstills: Standstills,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -80,6 +103,8 @@ class Desk:
         self._teaching = teaching
         self._devices = devices
         self._emergency = emergency
+        self._closures = closures
+        self._standstills = standstills
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -104,7 +129,16 @@ class Desk:
             return self._teaching.answer(request)
         if isinstance(request, HallRequest):
             return self._answer_about_hall(request)
+        if isinstance(request, RoomRequest):
+            return self._answer_about_room(request)
         return self._answer_about_plant(request)
+
+    def _answer_about_room(self, request: RoomRequest) -> Reply:
+        match request:
+            case ClosePlace() | OpenPlace():
+                return self._closures.answer(request)
+            case StopAll() | PauseZone() | ResumeZone():
+                return self._standstills.answer(request)
 
     def _answer_about_plant(self, request: CancelJob | AbortJob | ChangeJob | PlantRequest) -> Reply:
         match request:

@@ -142,7 +142,8 @@ class Dispatch:
 
     def _idle(self, vehicle: VehicleNow) -> bool:
         """Whether a job at a station may be given to a vehicle now."""
-        return vehicle.job is None and vehicle.available and not self._reasons.loaded(vehicle)
+        free = vehicle.job is None and vehicle.available and not self._books.closures.paused_at(vehicle.barcode)
+        return free and not self._reasons.loaded(vehicle)
 
     def _say(self, job: Job, why: str) -> None:
         if job.reason == why:

@@ -158,7 +158,8 @@ class Jobs:
             if start is not None:
                 books.router.route(start, books.specs[StationId(destination)].barcode)
         except NoRoute as why:
-            return Refusal("no-route", why.message, "see GET /api/v1/layout", "destination")
+            if why.closed is None:  # hosts order ahead: what is closed opens again
+                return Refusal("no-route", why.message, "see GET /api/v1/layout", "destination")
         return None
 
     def _carrier_aboard(self, source: str) -> CarrierId | None:

@@ -11,7 +11,7 @@ from app.domain.errors import NoRoute, Refusal
 from app.domain.ids import StationId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.layout import PulseSet, Station
-from app.domain.records import ControllerState, IntentState, Provenance
+from app.domain.records import IntentState, Provenance
 from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
@@ -113,7 +113,7 @@ class Missions:
         if usable is None:
             return
         station = self._head_for(vehicle, usable, pickup=pickup)
-        if station and self._motion.arrived(vehicle) and self._books.controller.state is ControllerState.AUTO:
+        if station and self._motion.arrived(vehicle) and not self._books.stilled(vehicle):
             if pickup and self._usable_source(vehicle, usable) is None:  # It was sent to where it stands, ahead of it.
                 return
             if why := self._buffers.lend(vehicle, station):
@@ -409,11 +409,12 @@ class Missions:
 
     def _handle_for_person(self, vehicle: VehicleNow) -> None:
         order = vehicle.order
-        if order is None or self._books.controller.state is not ControllerState.AUTO:
+        if order is None or self._books.stilled(vehicle):
             return
         station = self._books.specs[order.station]
         target = target_for(self._books, vehicle, station, order.target)
-        if isinstance(target, Refusal) or station.id in self._books.buffer_trouble:
+        closed = self._books.closures.against(station)
+        if isinstance(target, Refusal) or closed or station.id in self._books.buffer_trouble:
             vehicle.order = None
             return
         if self._buffers.lend(vehicle, station):

@@ -5,7 +5,7 @@ XMOVE goes on from it; where that comes too late, the vehicle stops by itself an
 """
 
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
@@ -13,7 +13,7 @@ from app.domain.events import Answered
 from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState, IntentState
+from app.domain.records import IntentState
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
@@ -184,7 +184,7 @@ class Motion:
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
         books = self._books
-        if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
+        if not vehicle.fit or vehicle.barcode is None or books.stilled(vehicle):
             return False
         return not books.roll_call.misses(vehicle.barcode)
 
@@ -231,9 +231,12 @@ class Motion:
         last = vehicle.ahead[-1] if vehicle.ahead else start
         wanted: list[Barcode] = []
         shut: Blocked | None = None
-        for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
+        for start_of_edge, barcode in pairwise(chain((last,), vehicle.rest)):
             enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
+                break
+            if closed := self._books.closures.edge(start_of_edge, barcode):
+                shut = Blocked(barcode, None, BlockReason.CLOSED, note=closed)
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
                 shut = Blocked(barcode, None, BlockReason.DOOR, note=self.passages.wait_for(door))
@@ -244,9 +247,16 @@ class Motion:
             if shut:
                 self._books.traffic.forget(vehicle.id)
             return shut
-        beyond = vehicle.rest[len(wanted) :]
-        cut_short, now = len(wanted) >= room, self._books.now
-        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=now, cut_short=cut_short)
+        count, rest = len(wanted), vehicle.rest
+        grant = self._books.traffic.claim(
+            vehicle.id,
+            wanted,
+            count == len(rest),
+            beyond=rest,
+            begun=count,
+            now=self._books.now,
+            cut_short=count >= room,
+        )
         self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]

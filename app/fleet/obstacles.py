@@ -34,6 +34,8 @@ def against_fetching(books: Books, job: Job) -> str:
     """Return why nothing can be fetched from the job's source, whatever stands there."""
     if taught := _taught(books, StationId(job.source)):
         return taught
+    if closed := books.closures.against(books.specs[StationId(job.source)]):
+        return closed
     record = books.stations[StationId(job.source)]
     if record.out_of_service:
         return f"{job.source} is out of service: {record.out_of_service}"
@@ -75,6 +77,8 @@ def against_putting_down(books: Books, station: StationId, job: JobId | None) ->
     """Return why nothing can be put down at a station, as far as is known."""
     if job is not None and (taught := _taught(books, station)):
         return taught
+    if closed := books.closures.against(books.specs[station]):
+        return closed
     record = books.stations[station]
     if record.out_of_service:
         return f"{station} is out of service: {record.out_of_service}"

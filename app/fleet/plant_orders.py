@@ -7,7 +7,6 @@ from app.domain.ids import Actor, CarrierId, StationId, VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import StopAction
 from app.domain.records import (
-    ControllerRecord,
     ControllerState,
     Provenance,
     StationDest,
@@ -203,8 +202,9 @@ class PlantOrders:
     def pause(self, request: PauseController) -> Reply:
         """No new movement; paused once everything stands."""
         if self._books.controller.state is ControllerState.AUTO:
-            self._books.save_controller(ControllerRecord(ControllerState.PAUSING, f"{request.actor}: {request.reason}"))
-            self._books.event(JobEvent.CONTROLLER_PAUSING, detail=f"{request.actor}: {request.reason}")
+            why, now = f"{request.actor}: {request.reason}", self._books.controller
+            self._books.save_controller(replace(now, state=ControllerState.PAUSING, reason=why))
+            self._books.event(JobEvent.CONTROLLER_PAUSING, detail=why)
             self.note_rest()
         return Accepted(Topic.CONTROLLER, self._books.plant.name)
 
@@ -221,7 +221,7 @@ class PlantOrders:
             told = ", ".join(f"{e.kind.value} told by {e.actor}: {e.reason}" for e in emergencies)
             return Refusal("not-now", told, "release it first: POST /api/v1/controller/emergency/release")
         if self._books.controller.state is not ControllerState.AUTO:
-            self._books.save_controller(ControllerRecord(ControllerState.AUTO))
+            self._books.save_controller(replace(self._books.controller, state=ControllerState.AUTO, reason=""))
             self._books.event(JobEvent.CONTROLLER_AUTO, detail=str(Actor(request.actor)))
             for vehicle in self._books.vehicles:
                 self._books.wake(vehicle)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
+from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
 from app.domain.layout import Plant, PulseSet, Station
@@ -22,6 +23,7 @@ from app.domain.view import (
     AgvView,
     BitView,
     CarrierView,
+    ClosureView,
     CommandView,
     ControllerView,
     EventView,
@@ -29,6 +31,7 @@ from app.domain.view import (
     JobView,
     LinkView,
     LockoutView,
+    PauseView,
     StationView,
     VehicleView,
 )
@@ -83,8 +86,38 @@ def view_of_event(event: HistoryEvent) -> EventView:
     )
 
 
+def view_of_closure(
+    closure: Closure, stations: tuple[str, ...], inside: tuple[str, ...] = (), waiting: tuple[str, ...] = ()
+) -> ClosureView:
+    """Return a closure as people see it."""
+    return ClosureView(
+        id=closure.number,
+        kind=closure.place.kind.value,
+        names=closure.place.names,
+        place=str(closure.place),
+        barcodes=closure.barcodes,
+        stations=stations,
+        reason=closure.reason,
+        owner=closure.owner,
+        purpose=closure.purpose.value,
+        state=closure.state.value,
+        since=closure.since,
+        expires=closure.expires,
+        closed=closure.closed,
+        releases=closure.releases,
+        ended=closure.ended,
+        ended_by=closure.ended_by,
+        inside=inside,
+        waiting=waiting,
+    )
+
+
 def view_of_station(
-    spec: Station, record: StationRecord, dest: StationDest | None, teaching: TeachingSession | None = None
+    spec: Station,
+    record: StationRecord,
+    dest: StationDest | None,
+    teaching: TeachingSession | None = None,
+    closures: tuple[int, ...] = (),
 ) -> StationView:
     """Return a station and what is believed of it."""
     return StationView(
@@ -102,6 +135,7 @@ def view_of_station(
         target_version=dest.version if dest else None,
         missing=tuple(axis.value for axis in missing(dest.pulses)) if dest else (),
         teaching=teaching.number if teaching else None,
+        closures=closures,
     )
 
 
@@ -128,6 +162,7 @@ def view_of_controller(
         started=started,
         waiting_for=tuple(waiting_for),
         emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
+        pauses=tuple(PauseView(p.zone, p.owner, p.reason, p.since, p.stopped) for p in record.pauses),
     )
 
 

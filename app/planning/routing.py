@@ -110,6 +110,16 @@ class Router:
             self._seconds[places] = values
             self._change()
 
+    @property
+    def edges(self) -> Mapping[EdgeKey, int]:
+        """The number of each edge, for ``seconds``."""
+        return self._arcs.edges
+
+    @property
+    def seconds(self) -> Floats:
+        """The seconds that each edge takes by the newest weights, by its number. Not to be changed; a new array each time."""
+        return self._seconds
+
     def weight(self, start: Barcode, end: Barcode) -> float:
         """Return the seconds that an edge takes by the newest weights. Raises KeyError: it is no edge of the track."""
         return float(self._seconds[self._arcs.edges[start, end]])

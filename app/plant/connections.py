@@ -1,5 +1,7 @@
 """Whether the track connects what it should: dead ends, lone pieces, stations that cannot be reached or left."""
 
+from collections import Counter
+
 import networkx as nx
 
 from app.domain.layout import Plant, Station, VehicleKind
@@ -82,9 +84,11 @@ def _check_piece(document: Document, plant: Plant, places: Places, piece: "nx.Di
 
 def _main_loop(piece: "nx.DiGraph[str]", stations: list[Station]) -> str:
     """Return a barcode of the strongly connected part that has the most stations."""
-    parts = nx.strongly_connected_components(piece)
-    best = max(parts, key=lambda part: (sum(station.barcode in part for station in stations), len(part)))
-    return min(best)
+    parts = list(nx.strongly_connected_components(piece))
+    part_of = {barcode: i for i, part in enumerate(parts) for barcode in part}
+    served = Counter(part_of[station.barcode] for station in stations)
+    best = max(range(len(parts)), key=lambda i: (served[i], len(parts[i])))
+    return min(parts[best])
 
 
 def _check_station(document: Document, station: Station, reference: Station, onward: set[str], back: set[str]) -> None:

@@ -23,6 +23,7 @@ from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import EventView, LineView, Update
+from app.fleet.closure_preview import Survey, survey
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.planning.routing import Route
 from app.planning.tables import Tables
@@ -57,6 +58,8 @@ NOTEWORTHY = frozenset(
         JobEvent.DRIVE_ERROR_CLEARED,
         JobEvent.EMERGENCY_SET,
         JobEvent.EMERGENCY_RELEASED,
+        JobEvent.PLACE_CLOSING,
+        JobEvent.PLACE_OPENED,
     }
 )
 """Events that the log has too, for a person on duty without the page."""
@@ -232,6 +235,10 @@ class Controller:
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now. Raises NoRoute."""
         return self._control.fleet.books.router.alternatives(start, goal, most)
+
+    def survey(self) -> Survey:
+        """Return the fleet at this moment, fixed."""
+        return survey(self._control.fleet.books)
 
     def utc(self) -> Timestamp:
         """Return the present moment."""

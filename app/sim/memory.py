@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive import DriveId, Parameter
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveValue, OperationState
@@ -52,6 +53,7 @@ class MemoryLedger:
         self._proposals: dict[int, Proposal] = {}
         self._sessions: dict[int, TeachingSession] = {}
         self._next_taught = 1
+        self._closures: dict[int, Closure] = {}
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -79,6 +81,8 @@ class MemoryLedger:
             next_taught=self._next_taught,
             next_proposal=max(self._proposals, default=0) + 1,
             next_session=max(self._sessions, default=0) + 1,
+            closures=tuple(c for c in self._closures.values() if not c.state.over),
+            next_closure=max(self._closures, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -134,6 +138,8 @@ class MemoryLedger:
         match record:
             case Why():
                 self._whys[record.order] = record
+            case Closure():
+                self._closures[record.number] = record
             case DriveRecord():
                 self._drives[record.drive] = record
             case DriveValue():

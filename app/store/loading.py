@@ -5,9 +5,11 @@ import sqlalchemy as sa
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
 from app.store import drive_rows, rows, teaching, why_rows
+from app.store.closure_rows import closure
 from app.store.device_rows import device
 from app.store.tables import (
     carriers,
+    closures,
     controller,
     devices,
     drive_values,
@@ -15,6 +17,7 @@ from app.store.tables import (
     events,
     going_on,
     going_on_teaching,
+    in_force,
     intents,
     job_whys,
     jobs,
@@ -69,6 +72,8 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         next_taught=_next(connection, teaching_events.c.seq),
         next_proposal=_next(connection, teaching_proposals.c.number),
         next_session=_next(connection, teaching_sessions.c.number),
+        closures=tuple(map(closure, _those(connection, closures, in_force))),
+        next_closure=_next(connection, closures.c.number),
         fresh=fresh,
     )
 

@@ -6,6 +6,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
 from app.domain.job import Job
@@ -44,6 +45,7 @@ REPLACED: dict[type, sa.Table] = {
     TeachingSession: tables.teaching_sessions,
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
+    Closure: tables.closures,
 }
 """A record replaces the row of its key: the table's first columns."""
 

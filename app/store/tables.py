@@ -8,6 +8,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from app.domain.closures import ClosureState
 from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
@@ -383,6 +384,7 @@ controller = sa.Table(
     _text("state"),
     _text("reason"),
     sa.Column("emergencies", JSON),
+    sa.Column("pauses", JSON),
     sa.CheckConstraint("one = 1", name="only"),
 )
 
@@ -396,3 +398,25 @@ devices = sa.Table(
     sa.Column("locked", sa.Boolean()),
     _text("out_of_service"),
 )
+
+closures = sa.Table(
+    "closures",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    sa.Column("names", JSON, nullable=False),
+    sa.Column("barcodes", JSON, nullable=False),
+    _text("reason"),
+    _text("owner"),
+    _text("purpose"),
+    _at("since"),
+    sa.Column("expires", UTC),
+    _text("state"),
+    sa.Column("closed", UTC),
+    sa.Column("releases", JSON, nullable=False),
+    sa.Column("ended", UTC),
+    _maybe("ended_by"),
+)
+in_force = closures.c.state.not_in([sa.literal_column(f"'{state}'") for state in sorted(ClosureState) if state.over])
+"""Closures that a restart must take up again."""
+sa.Index("ix_closures_in_force", closures.c.number, sqlite_where=in_force, postgresql_where=in_force)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.closures import ClosePlace, Closure, ClosureState, OpenPlace
 from app.domain.device_requests import (
     CommandDevice,
     RaiseEmergency,
@@ -40,14 +41,16 @@ from app.domain.view import (
     DeviceView,
     LineView,
     LinkView,
+    PauseView,
     StationView,
     Topic,
     Update,
     VehicleView,
 )
 from app.domain.why import Why
+from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_closure, view_of_event, view_of_intent, view_of_job
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.runtime.hub import Hub, ReadModel
@@ -96,6 +99,14 @@ class MemoryReader:
         self.sent: list[TeachingEvent] = []
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
+        self.shut: dict[int, Closure] = {}
+
+    def closure(self, number: int) -> Closure | None:
+        return self.shut.get(number)
+
+    def closures(self, after: int | None = None, limit: int = 100) -> Sequence[Closure]:
+        found = [one for one in reversed(self.shut.values()) if after is None or one.number < after]
+        return found[:limit]
 
     def why(self, order: int) -> Why | None:
         return self.whys.get(order)
@@ -263,6 +274,13 @@ class Scripted:
     def utc(self) -> Timestamp:
         return NOW
 
+    def survey(self) -> Survey:
+        track = Track(self.plant)
+        router = Router(track)
+        vehicle = SeenVehicle(VehicleId("V001"), B("1003"), (B("1003"),), (B("1003"), B("1001"), B("1002")))
+        job = SeenJob(JobId("J1"), "P1", StationId("P2"), None)
+        return Survey(track, router.edges, router.seconds, (), (vehicle,), (job,))
+
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         return Router(Track(self.plant)).alternatives(start, goal, most)
 
@@ -338,6 +356,15 @@ class Scripted:
             case _ if isinstance(request, r.HallRequest):
                 return self._hall(request)
             case _:
+                return self._of_room(request)
+
+    def _of_room(self, request: r.Request) -> r.Reply:
+        match request:
+            case ClosePlace() | OpenPlace():
+                return self._closure(request)
+            case r.StopAll() | r.PauseZone() | r.ResumeZone():
+                return self._still(request)
+            case _:
                 return self._vehicles(request)
 
     def _hall(self, request: r.HallRequest) -> r.Reply:
@@ -348,6 +375,35 @@ class Scripted:
                 return r.Accepted(Topic.CONTROLLER, "controller")
             case _:
                 return r.Accepted(Topic.DEVICES, request.device)
+
+    def _closure(self, request: ClosePlace | OpenPlace) -> r.Reply:
+        shut = self.reader.shut
+        if isinstance(request, ClosePlace):
+            number = len(shut) + 1
+            row = Closure(
+                number, request.place, (), request.reason, request.actor, request.purpose, NOW, request.expires
+            )
+        elif request.closure in shut:
+            number = request.closure
+            row = replace(shut[number], state=ClosureState.OPENED, ended=NOW, ended_by=request.actor)
+        else:
+            return Refusal("not-found", f"There is no closure {request.closure} now.")
+        shut[number] = row
+        view = None if row.state.over else view_of_closure(row, ())
+        self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
+        return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _still(self, request: r.Stilling) -> r.Reply:
+        record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)
+        view = self._controller(record).value
+        assert isinstance(view, ControllerView)
+        if isinstance(request, r.PauseZone):
+            if request.zone not in {zone.id for zone in self.plant.zones}:
+                return Refusal("not-found", f"There is no zone {request.zone}.")
+            pause = PauseView(request.zone, request.actor, request.reason, NOW, request.stop)
+            view = replace(view, pauses=(pause,))
+        self.hub.publish([Update(Topic.CONTROLLER, "controller", view)])
+        return r.Accepted(Topic.CONTROLLER, "controller")
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1

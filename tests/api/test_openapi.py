@@ -32,6 +32,7 @@ REGISTRY: Registry[Any] = Registry().with_resources(
         for name, contents in (("openapi.json", DOCUMENT), ("asyncapi.yaml", ASYNC))
     ]
 )
+CLOSE = {"place": {"kind": "zone", "zone": "Z1"}, "reason": "a rail is changed"}
 ORDER = {"job_id": "LOT-1", "source": "P1", "destination": "P2", "carrier": "F1"}
 
 
@@ -106,7 +107,10 @@ async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scri
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
     controller.teach()
-    known |= {"user": "kim", "key": "mes-1", "session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
+    await client.post("/zones/Z1/pause", json={"reason": "look"})
+    await client.post("/closures", json=CLOSE, headers={"X-Actor": "kim"})
+    known |= {"closure": "1", "zone": "Z1", "user": "kim", "key": "mes-1"}
+    known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
         if "get" not in operations or path.endswith("/stream"):

@@ -62,6 +62,23 @@ def test_the_slot_is_taken_when_the_grant_is_given_not_when_the_vehicle_arrives(
     assert fork.queues.load(buffer) == 1
 
 
+def test_a_vehicle_cut_short_wants_the_next_buffer_on_its_way_not_the_one_after(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("c4"))
+    fork.hold(V2, way("b1"))
+    grant = fork.claim(V1, way("a1 a2 a3 a4 b1 b2 b3 b4"), goal_included=False, beyond=way("a1 a2"))
+    assert grant.granted == tuple(way("a1 a2 a3 a4"))
+    assert fork.queues.want(V1) == fork.queues.buffers.at(Barcode("b1"))
+
+
+def test_the_rest_of_a_way_need_not_be_copied(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("c4"))
+    whole = way("a1 a2 a3 a4 b1 b2")
+    assert fork.claim(V1, whole[:2], goal_included=False, beyond=whole, begun=2).granted == tuple(whole[:2])
+    assert fork.queues.want(V1) == fork.queues.buffers.at(Barcode("b1"))
+
+
 def test_what_is_given_back_ahead_gives_the_slot_back(fork: Traffic) -> None:
     assert fork.queues is not None
     fork.hold(V1, way("a3"))

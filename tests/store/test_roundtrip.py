@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
     DriveOperation,
@@ -44,6 +45,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
     VehicleRecord,
+    ZonePause,
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
@@ -87,6 +89,7 @@ READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_i
 PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
 BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
 EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
+PAUSES = st.builds(ZonePause, zone=TEXT, owner=TEXT, reason=TEXT, since=TIME, stopped=st.booleans())
 SECONDS = st.floats(-1e9, 1e9)
 CANDIDATES = st.builds(Candidate, vehicle=TEXT, seconds=st.none() | SECONDS, why_not=TEXT)
 CHOICES = st.builds(
@@ -291,6 +294,7 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         state=st.sampled_from(ControllerState),
         reason=TEXT,
         emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+        pauses=st.lists(PAUSES, max_size=2).map(tuple),
     ),
     DeviceRecord: st.builds(
         DeviceRecord,
@@ -300,6 +304,22 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         lock=st.none() | BUFFER_LOCKS,
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
+    ),
+    Closure: st.builds(
+        Closure,
+        number=NUMBER,
+        place=st.builds(ClosedPlace, kind=st.sampled_from(PlaceKind), names=NAMES),
+        barcodes=NAMES,
+        reason=TEXT,
+        owner=TEXT,
+        purpose=st.sampled_from(ClosurePurpose),
+        since=TIME,
+        expires=st.none() | TIME,
+        state=st.sampled_from(ClosureState),
+        closed=st.none() | TIME,
+        releases=NAMES,
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
     ),
 }
 
@@ -332,6 +352,11 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Closure: lambda one, kept, reader: [
+        reader.closure(one.number),
+        *reader.closures(),
+        *([] if one.state.over else [kept.closures[0]]),
+    ],
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}
