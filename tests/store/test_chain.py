@@ -111,7 +111,8 @@ def test_an_audit_from_before_is_chained_when_the_plant_is_opened(
             values = {"seq": number, "at": 1.5 + number, "detail": 'was "\u1100"', "accepted": number != 2}
             names = "seq, at, actor, action, target, detail, accepted"
             connection.execute(
-                sa.text(f"INSERT INTO audit ({names}) VALUES (:seq, :at, 'kim', 'Old', 'V1', :detail, :accepted)"), values
+                sa.text(f"INSERT INTO audit ({names}) VALUES (:seq, :at, 'kim', 'Old', 'V1', :detail, :accepted)"),
+                values,
             )
     engine.dispose()
     ledger = open_ledger(url)
