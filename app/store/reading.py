@@ -126,13 +126,17 @@ class Reader(TeachingReader, RoomReader):
             query = query.where(audit.c.seq < before)
         return self._list(query.order_by(audit.c.seq.desc()).limit(limit), lambda row: (row.seq, rows.audit(row)))
 
+    def audit_hash(self, seq: int) -> str | None:
+        """Return the hash of an audit row; None: there is no such row."""
+        return self._first(sa.select(audit).where(audit.c.seq == seq), lambda row: str(row.hash))
+
     def audit_checked(self, after: int, limit: int) -> Checked:
         """Look at so many audit rows above ``after`` at most, whether each follows from the one before it.
 
         The row ``after`` itself is believed; 0 begins at the first. A row missing at the end is not noticed: compare the
         last number and hash with what was noted elsewhere.
         """
-        first = self._first(sa.select(audit).where(audit.c.seq == after), lambda row: str(row.hash))
+        first = self.audit_hash(after)
         if after and first is None:
             return Checked(0, after, "", after, f"there is no row {after}")
         checked = Checked(0, after, first or START)
