@@ -42,6 +42,8 @@ class Settings(BaseSettings):
     """The plant file."""
     access_key: Annotated[SecretStr | None, Field(min_length=16)] = None
     """A key that may do everything, shared by all who know it: ``Authorization: Bearer KEY``."""
+    metrics_key: Annotated[SecretStr | None, Field(min_length=16)] = None
+    """A key that opens ``/metrics`` and nothing else, for Prometheus, where callers have to say who they are."""
     access: Literal["auto", "required"] = "auto"
     """Whether callers have to say who they are: ``auto`` once there is a user or a key, ``required`` always."""
     address_rate: Annotated[float, Field(gt=0)] = 1000.0

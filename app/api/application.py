@@ -25,6 +25,7 @@ from app.api import (
     jobs,
     links,
     live,
+    metrics,
     operations,
     plant,
     problems,
@@ -38,10 +39,11 @@ from app.api import (
 )
 from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
+from app.api.calls_counted import CountedCalls
 from app.api.commands import COMMANDS
 from app.api.declared import Raw, declare, gives
 from app.api.guard import Guard
-from app.api.orders import Orders
+from app.api.orders import PATH, Orders
 from app.api.policy import Policy
 from app.api.port import Controller
 from app.domain.view import Topic
@@ -79,11 +81,14 @@ class Api(FastAPI):
     """FastAPI, with orders answered before its own layers."""
 
     orders: ASGIApp
+    counted: CountedCalls
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
         if Orders.take(scope):
-            await self.orders(scope, receive, send)
+            await self.counted(self.orders, PATH, scope, receive, send)
+        elif scope["type"] == "http":
+            await self.counted(super().__call__, "", scope, receive, send)
         else:
             await super().__call__(scope, receive, send)
 
@@ -115,6 +120,7 @@ def described(settings: Settings) -> FastAPI:
     )
     app.state.settings = settings
     app.state.callers = callers
+    app.counted = app.state.counted = CountedCalls()
     app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
@@ -151,6 +157,7 @@ def described(settings: Settings) -> FastAPI:
         api.include_router(router)
     app.include_router(api)
     app.include_router(probes)
+    app.include_router(metrics.router)
     problems.install(app)
     declare(app)
     _serve_docs(app)

@@ -20,6 +20,8 @@ CALLER = "hoistway.caller"
 """Where a request's scope has its :class:`Caller`; it is not there where nobody has to say who they are."""
 SHARED = "access-key"
 """The name in the audit of whoever brings the key of the settings."""
+SCRAPER = "metrics-key"
+"""The name of whoever brings the key for the metrics alone."""
 TICKET_LIFE = 30.0
 """Seconds in which a ticket for the live stream can be used, once. Our choice."""
 TICKETS = 1000
@@ -84,7 +86,11 @@ class Callers:
             shared = Caller(SHARED, frozenset({Role.ADMIN}), person=False)
             self._fixed.append((settings.access_key.get_secret_value().encode(), shared))
         self._watched: dict[int, tuple[Caller | None, Callable[[], None]]] = {}
-        self._required = bool(self._fixed) or settings.access == "required"
+        closed = bool(self._fixed)
+        if settings.metrics_key is not None:
+            scraper = Caller(SCRAPER, frozenset(), person=False, besides=frozenset({About.METRICS}))
+            self._fixed.append((settings.metrics_key.get_secret_value().encode(), scraper))
+        self._required = closed or settings.access == "required"
         self._of_address = Rates(settings.address_rate, 2.0 * settings.address_rate, now)
         self._of_caller = Rates(settings.caller_rate, 2.0 * settings.caller_rate, now)
 

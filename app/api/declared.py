@@ -309,7 +309,17 @@ OTHERS: Json = {
                 _object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT, "buffer": _nullable(_TEXT)})
             ),
             "zones": _list(
-                _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
+                _object(
+                    {
+                        "id": _TEXT,
+                        "name": _TEXT,
+                        "barcodes": _list(_TEXT),
+                        "capacity": _WHOLE,
+                        "no_stop": _FLAG,
+                        "soft": _nullable(_object({"share": {"type": "number"}, "patience": {"type": "number"}}))
+                        | {"description": "No hard cap: a share of its slots is filled from outside, for so many s."},
+                    }
+                )
             ),
             "vehicles": _list(
                 _object(

@@ -122,6 +122,7 @@ def _drawn(plant: Plant) -> dict[str, object]:
                 "barcodes": sorted(z.barcodes),
                 "capacity": z.capacity,
                 "no_stop": z.no_stop,
+                "soft": None if z.meter is None else {"share": z.meter.share, "patience": z.meter.patience},
             }
             for z in plant.zones
         ],

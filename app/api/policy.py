@@ -168,6 +168,8 @@ OUTSIDE: Mapping[str, Scope] = {
     "GET /api/openapi.json": Scope.PUBLIC,
     "GET /healthz": Scope.PUBLIC,
     "GET /readyz": Scope.PUBLIC,
+    "GET /metrics": Scope.METRICS,
+    "GET /metrics/lines": Scope.METRICS,
     "LIVE /{path:path}": Scope.PUBLIC,
 }
 """The same for whole paths elsewhere. Some are there only if their files are."""

@@ -18,7 +18,9 @@ from app.domain.view import LineView
 from app.domain.why import Why
 from app.fleet.closure_preview import Survey
 from app.planning.routing import Route
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.metrics import Figures
 from app.runtime.reception import Reception
 from app.store.chain import Checked
 
@@ -126,6 +128,24 @@ class Controller(Protocol):
     @property
     def hub(self) -> Hub:
         """The fan-out of what is published."""
+        ...
+
+    @property
+    def figures(self) -> Figures:
+        """What is counted as it happens."""
+        ...
+
+    @property
+    def backlog(self) -> tuple[int, int]:
+        """Batches that wait for the writer, and decisions that are not durable yet."""
+        ...
+
+    def waits(self) -> dict[str, int]:
+        """Return how many vehicles wait for what, by cause."""
+        ...
+
+    def named_quality(self) -> Sequence[tuple[VehicleId, LinkQuality]]:
+        """Return the figures of every hoist's line, by the hoist's name."""
         ...
 
     @property

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli import layout_look, layout_out
 from app.cli.plainly import CannotStart, refuse, said, text_of
 
 if TYPE_CHECKING:
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
 commands = typer.Typer(
     help="Import, check, draw, compare and export layouts.", no_args_is_help=True, rich_markup_mode=None
 )
+commands.command()(layout_out.export)
+commands.command()(layout_out.render)
+commands.command()(layout_look.check)
+commands.command()(layout_look.diff)
 SIZE_LIMIT = 64 << 20
 """Largest file that is read, bytes. Our choice."""
 

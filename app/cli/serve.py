@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -41,6 +42,7 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant = plant_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
+    from app.runtime.notify import Notifier
 
     listening = hosting.bound(settings.host, settings.port)
 
@@ -54,6 +56,9 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
         print(f"hoistway controls {plant.name}: {url}\n{said}", flush=True)
 
     async def run() -> int:
-        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored, seen=seen)
+        stop, manager = stop_signal(), Notifier(os.environ)
+        return await hosting.serve(
+            plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager
+        )
 
     return on_loop(run())

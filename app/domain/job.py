@@ -110,6 +110,8 @@ class JobEvent(StrEnum):
     TRANSFER_PAUSED = "TransferPaused"
     TRANSFER_RESUMED = "TransferResumed"
     TRANSFER_UPDATED = "TransferUpdated"
+    VEHICLE_BROKEN_DOWN = "VehicleBrokenDown"
+    VEHICLE_MENDED = "VehicleMended"
     VEHICLE_HELD = "VehicleHeld"
     VEHICLE_RELEASED = "VehicleReleased"
     VEHICLE_INSTALLED = "VehicleInstalled"

@@ -214,6 +214,9 @@ class ControllerView:
 
     ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
+    ``kept_off``: what routes keep off, and why, a line for each reason; ``closed_places`` counts the places. ``cut_off``: the
+    stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
+    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker.
     ``pauses``: zones that are paused or stopped.
     """
 
@@ -228,6 +231,11 @@ class ControllerView:
     circles: tuple[str, ...] = ()
     circles_found: int = 0
     circles_resolved: int = 0
+    kept_off: tuple[str, ...] = ()
+    closed_places: int = 0
+    cut_off: tuple[str, ...] = ()
+    led_round: int = 0
+    led_quicker: int = 0
     pauses: tuple[PauseView, ...] = ()
 
 

@@ -32,9 +32,11 @@ from app.fleet.backlog import Backlog
 from app.fleet.closed import Closed
 from app.fleet.closure_book import ClosureBook
 from app.fleet.effects import Effects
+from app.fleet.noway import NoWay
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
+from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
     view_of_carrier,
@@ -44,6 +46,7 @@ from app.fleet.views import (
     view_of_intent,
     view_of_job,
     view_of_station,
+    with_traffic,
 )
 from app.planning.routing import Router
 from app.planning.track import Track
@@ -64,15 +67,14 @@ class Books:
         self.router = Router(self.track)
         self.closed = Closed(self.router.close, self.router.open)
         """What routes are kept off, and why: nobody else closes or opens anything for the router."""
+        self.no_way = NoWay(self.track, self.router, self.closed)
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
+        self.traffic_state = TrafficState()
         self.closures = ClosureBook(self.track, self.closed, self.traffic, kept.closures)
         self.closures.still(kept.controller.pauses)
         self._next_closure = kept.next_closure
         self._closures_shown: dict[int, ClosureView] = {}
-        self.circles: tuple[str, ...] = ()
-        """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""
-        self.circles_found = self.circles_resolved = 0
         self.cmd_ids = cmd_ids
         self.now = now
         self.started = utc
@@ -439,11 +441,10 @@ class Books:
         self.show(
             Topic.CONTROLLER,
             self.plant.name,
-            replace(
+            with_traffic(
                 view_of_controller(self.plant.name, self.controller, self.epoch, self.started, self.roll_call),
-                circles=self.circles,
-                circles_found=self.circles_found,
-                circles_resolved=self.circles_resolved,
+                self.traffic_state,
+                self.closed,
             ),
         )
 

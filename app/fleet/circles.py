@@ -18,6 +18,8 @@ AGE = Seconds(5.0)
 """Circles are sought, at most once a second, while a vehicle has waited so long for another (our choice)."""
 WAYS = 8
 """So many of the quickest ways of a vehicle are tried (our choice)."""
+IN_A_CIRCLE = "wait for each other in a circle"
+"""What the alarm says, by which it is told from a vehicle's own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,17 +64,17 @@ class Circles:
     def _words(self, cycle: tuple[VehicleId, ...]) -> str:
         waits = "; ".join(self._books.vehicles[name].waiting or f"{name} waits" for name in cycle)
         return (
-            f"{', '.join(cycle)} wait for each other in a circle ({waits}); if none finds another way, move {cycle[0]} by hand, "
+            f"{', '.join(cycle)} {IN_A_CIRCLE} ({waits}); if none finds another way, move {cycle[0]} by hand, "
             "or take it off the rail"
         )
 
     def _count(self, name: JobEvent, circle: Circle) -> None:
         books = self._books
         if name is JobEvent.ALARM_SET:
-            books.circles_found += 1
+            books.traffic_state.circles_found += 1
         else:
-            books.circles_resolved += 1
-        books.circles = tuple(known.detail for known in self._known)
+            books.traffic_state.circles_resolved += 1
+        books.traffic_state.circles = tuple(known.detail for known in self._known)
         books.event(name, vehicle=circle.vehicles[0], detail=circle.detail)
         books.show_controller()
 

@@ -21,11 +21,13 @@ from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
+from app.fleet.breakdowns import Breakdowns
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
 from app.fleet.closures import Closures
 from app.fleet.courtesy import Courtesy
+from app.fleet.cutoff import CutOff
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.devices import Devices
@@ -45,6 +47,7 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.reroutes import Reroutes
 from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
@@ -95,6 +98,9 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._breakdowns = Breakdowns(self.books)
+        self._cut_off = CutOff(self.books, self._breakdowns)
+        self._reroutes = Reroutes(self.books, self.motion)
         self._closures = Closures(self.books, self.motion, self._courtesy)
         self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
@@ -130,6 +136,7 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
+        self._told: tuple[object, ...] = (0, (), 0, 0)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -168,7 +175,8 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        at_once = self.books.now if self._dispatch.pending else Seconds(inf)
+        pending = self._dispatch.pending or self._reroutes.pending
+        at_once = self.books.now if pending else Seconds(inf)
         return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at, at_once)
 
     def tick(self, now: Seconds) -> None:
@@ -178,6 +186,8 @@ class Fleet:
         all_seen = self._look()
         if all_seen and self._dispatch.pending:
             self._dispatch.go_on()  # to the end: a new thought before would begin anew for ever under load
+        elif self._reroutes.pending:
+            self._reroutes.go_on()
         elif all_seen and now >= self._next_thought:
             self._think()
             return
@@ -192,10 +202,23 @@ class Fleet:
         self.devices.tick()
         self._charging.run()
         self._parking.run(self._free)
+        self._breakdowns.run()
+        self._cut_off.look()
         self._closures.tick()
         self._dispatch.run()
         self._circles.look()
+        self._reroutes.run()
+        self._show_traffic()
         self._go_on(all_devices=True)
+
+    def _show_traffic(self) -> None:
+        """Show what is told of the traffic as a whole, if it is other than it was."""
+        books = self.books
+        state = books.traffic_state
+        told = (books.closed.edition, tuple(state.cut_off), state.led_round, state.led_quicker)
+        if told != self._told:
+            self._told = told
+            books.show_controller()
 
     def _look(self) -> bool:
         """Look at the vehicles whose time has come, though nothing was heard of them; return whether that was all of them."""
@@ -296,6 +319,7 @@ class Fleet:
                 name = next(iter(books.woken))
                 del books.woken[name]
                 vehicle = books.vehicles[name]
+                self._breakdowns.goes_on(vehicle)
                 self.missions.proceed(vehicle)
                 if vehicle.errand:
                     self._courtesy.explain(vehicle, self.motion.advance(vehicle))
@@ -319,6 +343,7 @@ class Fleet:
         for name in changed:
             vehicle = books.vehicles[name]
             self._note_fitness(vehicle)
+            self._breakdowns.mind(vehicle)
             self._looks.mind(vehicle, books.now)
             if not vehicle.available:
                 self._free.discard(name)

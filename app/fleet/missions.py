@@ -19,7 +19,14 @@ from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
 from app.fleet.kinds import serves
 from app.fleet.motion import Motion
-from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer, brought_first
+from app.fleet.obstacles import (
+    against_driving,
+    against_fetching,
+    against_picking_up,
+    against_putting_down,
+    bringer,
+    brought_first,
+)
 from app.fleet.recovery import Recovery
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
@@ -127,6 +134,14 @@ class Missions:
         A vehicle that is there before the carrier stands by: whoever brings it must get past (``Courtesy``).
         """
         obstacle = against_picking_up(self._books, job) or brought_first(self._books, job.source, job.order)
+        if not obstacle and (
+            cut_off := self._cut_off(vehicle, StationId(job.source)) or against_driving(self._books, job)
+        ):
+            if job.allows(JobStep.UNASSIGNED):
+                self.give_back(vehicle, cut_off)
+            else:
+                self._wait(job, cut_off)
+            return None
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith(STANDS_BY) else job
         first = None if against_fetching(self._books, job) else bringer(self._books, job)
@@ -150,7 +165,7 @@ class Missions:
         try:
             self._motion.send(vehicle, errand)
         except NoRoute as why:
-            self._wait(job, f"{vehicle.id} finds no way: {why.message}")
+            self._wait(job, f"{vehicle.id} finds no way: {self._books.closed.explain(why)}")
             return
         if vehicle.barcode == errand.goal and vehicle.status:
             tags = {kind.stop_action for kind in vehicle.status.condition.tags}
@@ -169,6 +184,7 @@ class Missions:
     def _usable_destination(self, vehicle: VehicleNow, job: Job) -> Job | None:
         """Return the job with a destination that can be used now; None: it has to wait, and says so."""
         obstacle = against_putting_down(self._books, job.destination, job.id)
+        obstacle = obstacle or self._cut_off(vehicle, job.destination)
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith(NO_PLACE) else job
         fallback = self._fallback(vehicle, job)
@@ -184,6 +200,12 @@ class Missions:
             self._motion.drop(vehicle)
         return None
 
+    def _cut_off(self, vehicle: VehicleNow, station: StationId) -> str:
+        """Return why this vehicle cannot come to a station from where it can turn, for what is closed now."""
+        start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
+        why = self._books.no_way.why(start, self._books.specs[station].barcode) if start is not None else ""
+        return f"{vehicle.id} finds no way: {why}" if why else ""
+
     def _fallback(self, vehicle: VehicleNow, job: Job) -> StationId | None:
         """Return the first fall-back of the job or the plant that this vehicle can use and no other job is going to."""
         books = self._books
@@ -191,6 +213,8 @@ class Missions:
         for fallback in (*job.fallbacks, *books.specs[job.destination].fallbacks):
             spec = books.specs.get(fallback)
             if spec is None or fallback in engaged or against_putting_down(books, fallback, job.id):
+                continue
+            if self._cut_off(vehicle, fallback):
                 continue
             if serves(vehicle, spec) and not isinstance(target_for(self._books, vehicle, spec), Refusal):
                 return fallback

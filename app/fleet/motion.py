@@ -4,6 +4,7 @@ A vehicle moves only on what it holds. MOVE goes to the end of what is held; bef
 XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
 
@@ -17,6 +18,7 @@ from app.domain.records import IntentState
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
+from app.fleet.closed import Reason
 from app.fleet.cover import covered, maybe_covered, next_tag
 from app.fleet.detours import Detours
 from app.fleet.halting import halt
@@ -50,6 +52,7 @@ class Motion:
         Returns the barcodes that another vehicle holds too.
         """
         books = self._books
+        books.closed.shut_only(Reason(vehicle.id, ""))  # what it stands on is closed to others, not to its own way on
         before = books.traffic.held(vehicle.id)
         vehicle.toward = next_tag(self._books.track, vehicle, barcode)
         vehicle.trail = covered(self._books, vehicle, barcode)
@@ -165,6 +168,13 @@ class Motion:
         if via is None or rest[:1] == [via]:
             return rest
         return list(self._books.router.route(via, goal))
+
+    def lead(self, vehicle: VehicleNow, rest: Sequence[Barcode]) -> None:
+        """Let a vehicle go on to its errand's goal by this way from the end of what it holds."""
+        vehicle.rest = list(rest)
+        self._books.touch(vehicle)
+        self._wake_waiters(())
+        self._books.wake(vehicle.id)
 
     def drop(self, vehicle: VehicleNow) -> None:
         """Forget the errand: the vehicle runs to the end of what it was told, and stays there."""

@@ -177,7 +177,9 @@ class VehicleOrders:
         try:
             self._motion.send(vehicle, Errand(request.barcode, request.action, Purpose.PERSON))
         except NoRoute as why:
-            return Refusal("no-route", why.message, "see GET /api/v1/layout", "barcode")
+            shut = "end what closes it: kept_off in GET /api/v1/controller lists it"
+            remedy = "see GET /api/v1/layout" if why.closed is None else shut
+            return Refusal("no-route", self._books.closed.explain(why), remedy, "barcode")
         return self._accepted(vehicle)
 
     def handle(self, vehicle: VehicleNow, request: HandleOnce) -> Reply:

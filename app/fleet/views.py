@@ -1,6 +1,7 @@
 """How the fleet's state looks to people and hosts (``app.domain.view``)."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
@@ -35,6 +36,8 @@ from app.domain.view import (
     StationView,
     VehicleView,
 )
+from app.fleet.closed import Closed, named
+from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
 VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
@@ -163,6 +166,21 @@ def view_of_controller(
         waiting_for=tuple(waiting_for),
         emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
         pauses=tuple(PauseView(p.zone, p.owner, p.reason, p.since, p.stopped) for p in record.pauses),
+    )
+
+
+def with_traffic(view: ControllerView, state: TrafficState, closed: Closed) -> ControllerView:
+    """Return the controller's view with what is told of the traffic as a whole."""
+    return replace(
+        view,
+        circles=state.circles,
+        circles_found=state.circles_found,
+        circles_resolved=state.circles_resolved,
+        kept_off=tuple(f"{', '.join(map(named, places))}: {words}" for words, places in closed.by_words().items()),
+        closed_places=len(closed),
+        cut_off=tuple(f"{station}: {why}" for station, why in state.cut_off.items()),
+        led_round=state.led_round,
+        led_quicker=state.led_quicker,
     )
 
 

@@ -12,6 +12,7 @@ from app.domain.units import Barcode, Seconds
 from app.planning.alternatives import by_present, by_table, drawn, search, ways
 from app.planning.arcs import EdgeKey, contract
 from app.planning.compiled import NO_CUTS, Cuts, View, is_open
+from app.planning.reach import reached
 from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
@@ -75,6 +76,11 @@ class Router:
     def version(self) -> int:
         """The version that routes are planned by; rises."""
         return self.view.version
+
+    @property
+    def newly_open(self) -> bool:
+        """Whether track is open again that the tables do not lead over yet: ``time`` may be infinite where there is a way."""
+        return self._newly_open
 
     @property
     def view(self) -> View:
@@ -228,6 +234,11 @@ class Router:
             return 0.0 if start in self._track else inf
         return self.view.time(start, goal, self._cuts)
 
+    def along(self, way: Sequence[Barcode]) -> float:
+        """Return the seconds of this way by the weights that ``time`` goes by, whatever is closed on it."""
+        edges = self._arcs.edges
+        return float(self.view.seconds[[edges[edge] for edge in pairwise(way)]].sum())
+
     def times(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> list[list[float]]:
         """Return a row for each start with the time to each goal, in seconds, infinite if there is no route."""
         times: list[list[float]] = self.table(starts, goals).tolist()
@@ -236,6 +247,10 @@ class Router:
     def table(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> Floats:
         """Return what ``times`` does, as an array."""
         return self.view.times(starts, goals, self._cuts)
+
+    def reached(self, starts: Iterable[Barcode], goals: Sequence[Barcode], *, anyway: bool = False) -> list[bool]:
+        """Return for each goal whether an open way leads there from any of the starts; ``anyway``: whatever is closed."""
+        return reached(self._arcs, NO_CUTS if anyway else self._cuts, starts, goals)
 
     def _timed(self, path: tuple[Barcode, ...]) -> Route:
         view = self.view

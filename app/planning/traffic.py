@@ -128,11 +128,30 @@ class Traffic:
         """Return whether a grant that is not for a goal may end here."""
         return barcode not in self._no_end
 
+    def barred_by(self, vehicle: VehicleId) -> tuple[Barcode, ...]:
+        """Return what nobody else is granted as long as this vehicle stays: what it holds, what excludes that, and what lies in
+        a zone that it fills alone."""
+        found: dict[Barcode, None] = {}
+        for barcode in self._held.get(vehicle, ()):
+            found[barcode] = None
+            found.update(dict.fromkeys(sorted(self._track.conflicts(barcode))))
+            for zone in self._track.zones_at(barcode):
+                if zone.meter is None and zone.capacity == 1 and vehicle in self._inside[zone.id]:
+                    found.update(dict.fromkeys(sorted(zone.barcodes)))
+        return tuple(found)
+
     def strays(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
         """Return whether this way leads elsewhere than where the vehicle is committed to wait next, after a refused change."""
         if self.queues is None or (slot := self.queues.slot(vehicle)) < 0:
             return False
         return self.queues.want(vehicle) not in {ANY, self.queues.want_after(slot, way)}
+
+    def turns(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
+        """Commit the vehicle to where it waits next on this way; False: a circle of full buffers could close by the change."""
+        if self.queues is None or (slot := self.queues.slot(vehicle)) < 0:
+            return True
+        done = self.queues.commit(vehicle, self.queues.want_after(slot, way))
+        return done or not self.strays(vehicle, way)
 
     def lets_in(self, vehicle: VehicleId, way: Sequence[Barcode]) -> bool:
         """Return whether the vehicle could begin this way now: its first barcode is free, the next buffer has a slot for it."""

@@ -53,7 +53,9 @@ from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.views import view_of_closure, view_of_event, view_of_intent, view_of_job
 from app.planning.routing import Route, Router
 from app.planning.track import Track
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.metrics import Figures
 from app.runtime.reception import Reception
 from app.store.chain import Checked
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
@@ -257,6 +259,8 @@ class Scripted:
         self.model = ReadModel(lambda: float(self.model.version))
         self.hub = Hub(self.model, later)
         self.reader = MemoryReader()
+        self.figures = Figures(plant)
+        self.backlog = (0, 0)
         self.trouble = ""
         self.refusal: Refusal | Exception | None = None
         self.seen: list[r.Request] = []
@@ -283,6 +287,13 @@ class Scripted:
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         return Router(Track(self.plant)).alternatives(start, goal, most)
+
+    def waits(self) -> dict[str, int]:
+        return {"held": 0}
+
+    def named_quality(self) -> Sequence[tuple[VehicleId, LinkQuality]]:
+        quality = LinkQuality(2, 10, 11, 1, 3, 4, 9, 5, 12.5, 11.0)
+        return [(vehicle.id, quality) for vehicle in self.plant.vehicles]
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic
@@ -318,7 +329,9 @@ class Scripted:
             VehicleId(vehicle) if vehicle else None,
         )
         self.reader.past.append(row)
-        self.hub.publish([Update(Topic.EVENTS, str(row.seq), view_of_event(row))])
+        updates = [Update(Topic.EVENTS, str(row.seq), view_of_event(row))]
+        self.hub.publish(updates)
+        self.figures.jobs.take(updates)
         return row
 
     def end(self, job: str, state: JobState = JobState.COMPLETED) -> None:

@@ -36,6 +36,8 @@ MAY: dict[str, str] = {
     "GET /api/openapi.json": OPEN,
     "GET /healthz": OPEN,
     "GET /readyz": OPEN,
+    "GET /metrics": ALL,
+    "GET /metrics/lines": ALL,
     "LIVE /{path:path}": OPEN,
     "GET /problems": OPEN,
     "GET /problems/{code}": OPEN,

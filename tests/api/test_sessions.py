@@ -56,7 +56,7 @@ async def logged_in(app: FastAPI, body: dict[str, Any] = KIM, address: str = "12
 
 def audited(tmp_path: Path) -> list[tuple[str, str, str, bool]]:
     reader = Reader(f"sqlite:///{tmp_path}/access.db")
-    rows = [(row.action, row.actor, row.target, row.accepted) for _, row in reader.audit()]
+    rows = [(row.action, str(row.actor), row.target, row.accepted) for _, row in reader.audit()]
     reader.close()
     return rows
 

@@ -81,3 +81,54 @@ def test_several_files_must_be_tables(tmp_path: Path) -> None:
     result = run("import", written(tmp_path, "ring.csv", RING), written(tmp_path, "hall.xml", OPENTCS))
     assert result.exit_code == 2
     assert "several files make one layout only where all are tables" in result.stdout
+
+
+SMALL = Path(__file__).parents[2] / "plants" / "small.yaml"
+
+
+def test_a_plant_is_exported_and_what_is_lost_said(tmp_path: Path) -> None:
+    for name, form in (("a.geojson", "geojson"), ("a.graphml", "graphml"), ("a.lif.json", "lif")):
+        result = run("export", SMALL, "-o", tmp_path / name)
+        assert result.exit_code == 0, result.output
+        assert f"{name}: {form}, 18 barcodes, 18 edges, 5 stations" in result.stdout
+        assert "left out: 2 vehicles" in result.stdout
+    result = run("export", SMALL, "-o", tmp_path / "b.json", "--format", "node-link", "--links")
+    assert result.exit_code == 0
+    assert "links" in json.loads((tmp_path / "b.json").read_text(encoding="utf-8"))
+    assert run("export", SMALL, "-o", tmp_path / "b.json").exit_code == 1
+    assert "is no place" in run("export", SMALL, "-o", tmp_path / "a.geojson", "--origin", "Seoul").output
+
+
+def test_a_plant_is_drawn(tmp_path: Path) -> None:
+    for name in ("a.svg", "a.png"):
+        result = run("render", SMALL, "-o", tmp_path / name, "--width", "700", "--dark")
+        assert result.exit_code == 0, result.output
+        assert "700 x " in result.stdout
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    assert "neither .svg nor .png" in run("render", SMALL, "-o", tmp_path / "a.gif").output
+    assert "cannot be written" in run("render", SMALL, "-o", tmp_path / "no" / "a.svg").output
+
+
+def test_a_layout_is_checked_beyond_its_mistakes(tmp_path: Path) -> None:
+    result = run("check", SMALL)
+    assert result.exit_code == 0
+    assert "dense barcodes: 101, 102, 103, 104, 105 and 3 more" in result.stdout
+    told = json.loads(run("check", SMALL, "--json").stdout)
+    assert told["figures"]["barcodes"] == 18
+    bad = written(tmp_path, "bad.yaml", "barcodes: {1: [0, 0], 2: [1000, 0]}\ntrack: [{through: [1, 2]}]\n")
+    assert run("check", bad).exit_code == 1
+    assert run("check", tmp_path / "none.yaml").exit_code == 2
+
+
+def test_two_plants_are_compared(tmp_path: Path) -> None:
+    text = SMALL.read_text(encoding="utf-8")
+    new = written(tmp_path, "new.yaml", text.replace("at: 106", "at: 107"))
+    result = run("diff", SMALL, new)
+    assert result.exit_code == 1
+    assert "station P2 changed: barcode 106 → 107" in result.stdout
+    assert "breaks: station P2: it is served from 107 instead of 106" in result.stdout
+    told = json.loads(run("diff", SMALL, new, "--json").stdout)
+    assert told["changes"][0]["name"] == told["breaks"][0]["name"] == "P2"
+    assert run("diff", SMALL, SMALL).stdout == "no difference\n"
+    bad = written(tmp_path, "bad.yaml", "barcodes: {}\n")
+    assert run("diff", SMALL, bad).exit_code == 2

@@ -68,6 +68,11 @@ def test_the_words_of_a_reason_may_change(closed: Closed) -> None:
     closed.shut(BROKEN, A)
     closed.shut(Reason("V001", "V001 stands there, locked out"), A)
     assert closed.why(A) == "V001 stands there, locked out"
+    edition = closed.edition
+    closed.shut(Reason("V001", "V001 stands there, locked out"), A)
+    assert closed.edition == edition
+    closed.shut(Reason("V001", "V001 is there, silent"), A)
+    assert closed.edition > edition
     assert len(closed.reasons(A)) == 1
 
 
@@ -96,11 +101,29 @@ def test_an_edge_is_another_place_than_its_ends(track: Track, closed: Closed) ->
     assert list(closed) == [(A, B)]
 
 
-def test_what_has_closed_or_opened_is_told_until_it_is_taken(closed: Closed) -> None:
-    closed.shut(CLEANING, A, B)
+def test_a_new_version_tells_that_a_place_has_closed_or_opened_and_nothing_else_does(closed: Closed) -> None:
+    versions = [closed.version]
+    for change in (closed.shut, closed.lift):
+        change(CLEANING, A, B)
+        change(CLEANING, A)
+        versions.append(closed.version)
+    assert versions == sorted(set(versions))
+    closed.shut(CLEANING, A)
+    before = closed.version
     closed.shut(BROKEN, A)
-    closed.lift(CLEANING, A, B)
-    assert closed.changed == {A: True, B: False}
+    closed.lift(CLEANING, A)
+    assert closed.version == before
+
+
+def test_the_first_closed_place_on_a_way_is_found_but_not_where_it_begins(closed: Closed) -> None:
+    assert closed.on([A, B, C]) is None
+    closed.shut(BROKEN, A)
+    assert closed.on([A, B, C]) is None
+    closed.shut(BROKEN, C)
+    assert closed.on([A, B, C]) == C
+    closed.shut(CLEANING, (A, B))
+    assert closed.on([A, B, C]) == (A, B)
+    assert closed.told(C) == "c is closed (V001 stands there, on hold)"
 
 
 def test_a_missing_way_is_explained_by_the_reasons_of_what_is_closed(closed: Closed) -> None:

@@ -140,7 +140,17 @@ def test_a_head_keeps_what_it_wanted_where_a_change_could_close_a_circle(fork: T
     fork.claim(head, (), goal_included=False, beyond=way("b1 b2"))
     assert fork.queues.want(head) == c
     assert fork.strays(head, way("b1 b2"))
+    assert not fork.turns(head, way("b1 b2"))
+    assert fork.turns(head, way("c1 c2"))
     assert fork.claim(head, way("c1"), goal_included=True).granted == ("c1",)
+
+
+def test_a_head_turns_to_another_queue_where_no_circle_closes_by_it_and_is_committed_to_that(fork: Traffic) -> None:
+    head, *_ = fill(fork, "a4 a3 a2 a1")
+    fork.claim(head, (), goal_included=False, beyond=way("c1 c2"))
+    assert fork.turns(head, way("b1 b2"))
+    assert not fork.strays(head, way("b1 b2"))
+    assert fork.strays(head, way("c1 c2"))
 
 
 def test_a_goal_in_a_transit_buffer_asks_for_no_slot_of_it(lay: Callable[..., Track]) -> None:

@@ -93,7 +93,7 @@ def test_the_last_administrator_stays(store: AccessStore) -> None:
     store.add_user(user("kim"))
     store.add_user(user("lee", MES))
     for changes in ({"disabled": True}, {"roles": MES}):
-        refusal = store.change_user("kim", ROOT, NOW, **changes)  # type: ignore[arg-type]
+        refusal = store.change_user("kim", ROOT, NOW, **changes)
         assert refusal is not None
         assert "last administrator" in refusal.reason
     assert store.change_user("lee", ROOT, NOW, roles=ADMIN) is None

@@ -92,6 +92,7 @@ class Draft:
     title: str = ""
     kind: VehicleKind = VehicleKind.HOIST
     maps: bool = False
+    clearance: int = 0
     spots: list[Spot] = field(default_factory=list)
     ways: list[Way] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)

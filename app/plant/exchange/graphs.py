@@ -12,6 +12,7 @@ from app.plant.exchange.numbers import number
 from app.plant.exchange.report import Report, UnreadableLayout, shown
 from app.plant.exchange.units import Reading, scale, settle_speeds
 from app.plant.exchange.xml_text import Element, child, children, local
+from app.plant.format import MAX_LENGTH
 
 _IDENTITY = frozenset({"id", "source", "target", "key", "name", "label", "title", "role"})
 _OURS = frozenset({"stations", "zones", "pos", "position", "park", "charger"})
@@ -231,8 +232,10 @@ class _Builder:
         """Return the draft, in millimetres."""
         draft = self._draft
         unit = str(self._about.get("unit") or "")
-        scale(draft, unit, unit, reading, self._report)
+        scale(draft, unit, unit, reading, self._report, y_known=self._about.get("y") == "down")
         settle_speeds(draft, "%" if unit else "", self._report)
+        clearance = self._number(self._about, "clearance", "graph") or 0
+        draft.clearance = round(min(max(clearance, 0), MAX_LENGTH))
         if draft.charges or any(place.kind is StationKind.AGV_BUFFER for place in draft.places):
             draft.kind = VehicleKind.AGV
         counted = {"nodes": len(draft.spots), "edges": len(draft.ways), "stations": len(draft.places)}

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from typing import Any
 
-from app.domain.layout import VehicleKind
+from app.domain.layout import StationKind, VehicleKind
 from app.plant.exchange.curves import nurbs
 from app.plant.exchange.draft import Charge, Draft, Place, Spot, Way
 from app.plant.exchange.json_text import Item
@@ -15,6 +15,8 @@ CHARGING = frozenset({"startcharging", "stopcharging"})
 HANDLING = frozenset({"pick", "drop", "pickup", "dropoff", "load", "unload"})
 APART = 5.0
 """Levels are drawn side by side, so many metres apart. Our choice."""
+KINDS = {kind.value: kind for kind in StationKind}
+"""As our own writer describes stations."""
 _LEFT_OUT = {
     "vehicleOrientation": "how vehicles are turned on track",
     "rotationAllowed": "where vehicles may turn",
@@ -246,7 +248,8 @@ class _Reader:
             if known and all(spot in self._charging for spot in known):
                 self._draft.charges.append(Charge(name, known[0], station.where))
             else:
-                self._draft.places.append(Place(name, known, station.where, display=station.text("stationName")))
+                kind = KINDS.get(station.text("stationDescription"))
+                self._draft.places.append(Place(name, known, station.where, kind, station.text("stationName")))
 
     def _spots_of(self, station: Item) -> list[str]:
         given = station.get("interactionNodeIds")

@@ -83,7 +83,7 @@ def settle(draft: Draft, options: Options, report: Report) -> Settled:
         zones=tuple(_zones(draft, barcodes, report)),
         chargers=chargers,
         charging=CHARGE_AFTER if chargers else ChargingRules(),
-        clearance=Millimetres(options.clearance),
+        clearance=Millimetres(options.clearance or draft.clearance),
     )
     plant = crew(plant, draft, barcodes, kind, options.vehicles, top, taken, report, text=text)
     notes = {Barcode(by_name[s.name]): s.name for s in kept if by_name[s.name] != s.name}
@@ -289,7 +289,7 @@ def _stations(draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, rep
 def _chargers(
     draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, taken: set[str], report: Report
 ) -> tuple[ChargerSpec, ...]:
-    if draft.charges and kind is not VehicleKind.AGV:
+    if kind is not VehicleKind.AGV and not any(place.kind is StationKind.AGV_BUFFER for place in draft.places):
         for charge in draft.charges:
             report.left_out(charge.where, "hoists do not charge")
         return ()

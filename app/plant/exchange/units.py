@@ -23,8 +23,13 @@ class Reading:
     loop: bool = False
 
 
-def scale(draft: Draft, positions: str, lengths: str, reading: Reading, report: Report) -> None:
-    """Bring positions and lengths to millimetres. ``positions`` and ``lengths`` are the units that the file names."""
+def scale(
+    draft: Draft, positions: str, lengths: str, reading: Reading, report: Report, *, y_known: bool = False
+) -> None:
+    """Bring positions and lengths to millimetres. ``positions`` and ``lengths`` are the units that the file names.
+
+    ``y_known``: the file says itself that y grows downwards.
+    """
     given = reading.unit or positions
     unit = given or _likely(_steps(draft))
     if not given and draft.ways:
@@ -32,7 +37,7 @@ def scale(draft: Draft, positions: str, lengths: str, reading: Reading, report: 
     factor = MM.get(unit, 1.0)
     for spot in draft.spots:
         spot.x, spot.y = spot.x * factor, spot.y * (-factor if reading.y_up else factor)
-    if not reading.y_up:
+    if not reading.y_up and not y_known:
         report.assumed("", "y grows downwards, as on a screen", "say --y-up if the drawing stands on its head")
     known = [(way, way.length) for way in draft.ways if way.length is not None]
     if known and not lengths and not reading.unit:
