@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field, StringConstraints
 
-from app.api.inputs import ID_PATTERN, Strict
+from app.api.inputs import ID_PATTERN, TEXT_PATTERN, Strict
 from app.api.problems import Problem
 from app.domain.access import Role
 from app.runtime.passwords import LONGEST, SHORTEST, trouble_with
@@ -12,7 +12,8 @@ from app.runtime.passwords import LONGEST, SHORTEST, trouble_with
 Name = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=32, pattern=ID_PATTERN)]
 Roles = Annotated[list[Annotated[Role, Field(strict=False)]], Field(min_length=1, max_length=len(Role))]
 Password = Annotated[
-    str, Field(min_length=SHORTEST, max_length=LONGEST, json_schema_extra={"format": "password"}, strict=True)
+    str,
+    Field(min_length=SHORTEST, max_length=LONGEST, pattern=TEXT_PATTERN, json_schema_extra={"format": "password"}),
 ]
 
 
@@ -32,7 +33,7 @@ class UserChange(Strict):
     password: Password | None = None
 
 
-class KeyIn(Strict):
+class MachineKeyIn(Strict):
     """A machine's key. Without ``days`` it is good until it is revoked."""
 
     name: Name

@@ -4,13 +4,13 @@ from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 
-from app.api.access_inputs import KeyIn, Roles, UserChange, UserIn, fitting
+from app.api.access_inputs import MachineKeyIn, Roles, UserChange, UserIn, fitting
 from app.api.callers import Callers
-from app.api.calls import Who, answer_of, items, location, missing
+from app.api.calls import Ctl, Who, answer_of, items, location, missing
 from app.api.declared import gives
 from app.api.inputs import PathId
 from app.api.problems import Problem, refused
-from app.api.sessions import SECRET, Desk, shown_roles
+from app.api.sessions import SECRET, reception_of, shown_roles
 from app.domain.access import Key, Role, User
 from app.domain.errors import Refusal
 from app.domain.units import Timestamp
@@ -71,14 +71,16 @@ def _accepted(refusal: Refusal | None) -> None:
 
 
 @users.get("", **gives("User[]", description="All people, by name; `next` is null."))
-async def list_users(desk: Desk) -> Response:
+async def list_users(controller: Ctl) -> Response:
     """List the people who may log in, and those who may not any more."""
+    desk = reception_of(controller)
     return items(map(_user, desk.users))
 
 
 @users.post("", **gives("User", 201))
-async def add_user(body: UserIn, request: Request, desk: Desk, actor: Who) -> Response:
+async def add_user(body: UserIn, request: Request, controller: Ctl, actor: Who) -> Response:
     """Add a person. From the first one on, everybody has to log in."""
+    desk = reception_of(controller)
     _first_is_admin(request, body.roles)
     fitting(body.password, body.name)
     _accepted(await desk.add_user(body.name, frozenset(body.roles), body.password, actor))
@@ -86,14 +88,16 @@ async def add_user(body: UserIn, request: Request, desk: Desk, actor: Who) -> Re
 
 
 @users.get("/{user}", **gives("User"))
-async def get_user(user: PathId, desk: Desk) -> Response:
+async def get_user(user: PathId, controller: Ctl) -> Response:
     """Show a person."""
+    desk = reception_of(controller)
     return answer_of(_user(_known(desk, user)))
 
 
 @users.patch("/{user}", **gives("User", description="The person as they are now."))
-async def change_user(user: PathId, body: UserChange, desk: Desk, actor: Who) -> Response:
+async def change_user(user: PathId, body: UserChange, controller: Ctl, actor: Who) -> Response:
     """Change roles, disable or enable, give a new password; the last two log the person out."""
+    desk = reception_of(controller)
     if not body.model_fields_set:
         raise Problem("invalid", "Nothing to change was named.", "Send roles, disabled or password.")
     if body.password is not None:
@@ -109,15 +113,17 @@ def _known(desk: Reception, name: str) -> User:
 
 
 @keys.get("", **gives("Key[]", description="All keys, by name; `next` is null."))
-async def list_keys(desk: Desk) -> Response:
+async def list_keys(controller: Ctl) -> Response:
     """List keys, those that have ended too. No key itself is ever shown again."""
+    desk = reception_of(controller)
     now = _now(desk)
     return items(_key(key, now) for key in desk.keys)
 
 
 @keys.post("", **gives("NewKey", 201, "The key, shown once."))
-async def add_key(body: KeyIn, request: Request, desk: Desk, actor: Who) -> Response:
+async def add_key(body: MachineKeyIn, request: Request, controller: Ctl, actor: Who) -> Response:
     """Make a key for a machine: 256 random bits, of which a digest is kept."""
+    desk = reception_of(controller)
     _first_is_admin(request, body.roles)
     expires = None if body.days is None else Timestamp(_now(desk) + body.days * DAY)
     made = await desk.add_key(body.name, frozenset(body.roles), expires, actor)
@@ -128,13 +134,15 @@ async def add_key(body: KeyIn, request: Request, desk: Desk, actor: Who) -> Resp
 
 
 @keys.get("/{key}", **gives("Key"))
-async def get_key(key: PathId, desk: Desk) -> Response:
+async def get_key(key: PathId, controller: Ctl) -> Response:
     """Show what is known of a key."""
+    desk = reception_of(controller)
     return answer_of(_key(desk.key(key) or missing("key", key), _now(desk)))
 
 
 @keys.delete("/{key}", **gives("Key", description="The key as it is now."))
-async def revoke_key(key: PathId, desk: Desk, actor: Who) -> Response:
+async def revoke_key(key: PathId, controller: Ctl, actor: Who) -> Response:
     """End a key for ever; what it holds open is cut."""
+    desk = reception_of(controller)
     _accepted(await desk.revoke_key(key, actor))
     return answer_of(_key(desk.key(key) or missing("key", key), _now(desk)))

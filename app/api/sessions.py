@@ -3,16 +3,16 @@
 import math
 from typing import Annotated
 
-from fastapi import APIRouter, Depends
+from fastapi import APIRouter
 from pydantic import Field, StringConstraints
-from starlette.requests import HTTPConnection, Request
+from starlette.requests import Request
 from starlette.responses import Response
 
 from app.api.access_inputs import Password, fitting
 from app.api.callers import caller_of, credential_of
-from app.api.calls import answer_of
+from app.api.calls import Ctl, answer_of
 from app.api.declared import gives
-from app.api.inputs import Strict
+from app.api.inputs import TEXT_PATTERN, Strict
 from app.api.port import Controller
 from app.api.problems import Problem, refused
 from app.domain.access import Caller, Role, Scope
@@ -22,30 +22,31 @@ from app.runtime.showing import iso
 
 router = APIRouter(prefix="/session", tags=["session"])
 SECRET = {"Cache-Control": "no-store"}
+Known = Annotated[
+    str, Field(min_length=1, max_length=1000, pattern=TEXT_PATTERN, json_schema_extra={"format": "password"})
+]
+"""A password that somebody may have."""
 
 
 class LogInIn(Strict):
     """Name and password of a person."""
 
-    name: Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64)]
-    password: Annotated[str, Field(min_length=1, max_length=1000, json_schema_extra={"format": "password"})]
+    name: Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64, pattern=TEXT_PATTERN)]
+    password: Known
 
 
 class NewPasswordIn(Strict):
     """The old password, and the new one."""
 
-    old: Annotated[str, Field(min_length=1, max_length=1000, json_schema_extra={"format": "password"})]
+    old: Known
     new: Password
 
 
-async def _reception(connection: HTTPConnection) -> Reception:
-    controller: Controller = connection.app.state.controller
+def reception_of(controller: Controller) -> Reception:
+    """Return who keeps users and keys. Raises Problem: nobody does."""
     if controller.reception is None:
         raise Problem("not-now", "This server keeps nobody who may log in.", "Keep the plant in a database.")
     return controller.reception
-
-
-Desk = Annotated[Reception, Depends(_reception)]
 
 
 def shown_roles(roles: frozenset[Role]) -> list[str]:
@@ -82,9 +83,9 @@ def _why(reply: Refusal | Wait) -> Problem:
 
 
 @router.post("", **gives("Session", 201, "The token, shown once."))
-async def log_in(body: LogInIn, request: Request, desk: Desk) -> Response:
+async def log_in(body: LogInIn, request: Request, controller: Ctl) -> Response:
     """Log in with name and password. The token goes into the header ``Authorization: Bearer TOKEN``."""
-    return _given(await desk.log_in(body.name, body.password, _address(request)), 201)
+    return _given(await reception_of(controller).log_in(body.name, body.password, _address(request)), 201)
 
 
 @router.get("", **gives("Caller"))
@@ -103,27 +104,27 @@ async def who_am_i(request: Request) -> Response:
 
 
 @router.post("/renew", **gives("Session", 200, "A new token, shown once."))
-async def renew_session(request: Request, desk: Desk) -> Response:
+async def renew_session(request: Request, controller: Ctl) -> Response:
     """Give a new token for this one, which ends half a minute later."""
     caller = _caller(request)
     return _given(
-        await desk.renew(caller, credential_of(request.headers.get("authorization", "")), _address(request)), 200
+        await reception_of(controller).renew(caller, credential_of(request.headers.get("authorization", "")), _address(request)), 200
     )
 
 
 @router.delete("", **gives(None, 204, "Logged out."))
-async def log_out(request: Request, desk: Desk) -> Response:
+async def log_out(request: Request, controller: Ctl) -> Response:
     """Log out: the token, and those that it was renewed from, are good no longer."""
-    if refusal := await desk.log_out(_caller(request)):
+    if refusal := await reception_of(controller).log_out(_caller(request)):
         raise refused(refusal)
     return Response(status_code=204)
 
 
 @router.put("/password", **gives(None, 204, "The new password holds; other sessions of this person have ended."))
-async def change_password(body: NewPasswordIn, request: Request, desk: Desk) -> Response:
+async def change_password(body: NewPasswordIn, request: Request, controller: Ctl) -> Response:
     """Have a new password."""
     caller = _caller(request)
     fitting(body.new, caller.name, "new")
-    if reply := await desk.change_password(caller, body.old, body.new, _address(request)):
+    if reply := await reception_of(controller).change_password(caller, body.old, body.new, _address(request)):
         raise _why(reply)
     return Response(status_code=204)

@@ -73,7 +73,7 @@ async def test_what_the_command_line_changes_is_seen_at_the_next_look(
     await until(lambda: access.caller(b"hwk_x") is not None)
     other.revoke_key("line", ROOT, clock.utc())
     await until(lambda: access.caller(b"hwk_x") is None)
-    assert access.closed
+    await until(lambda: access.closed)
     other.close()
     await access.stop()
 
