@@ -13,6 +13,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
     accounts,
+    alarms,
     audit,
     closures,
     devices,
@@ -22,6 +23,7 @@ from app.api import (
     drives,
     emergency,
     events,
+    history,
     jobs,
     links,
     live,
@@ -31,10 +33,13 @@ from app.api import (
     problems,
     sessions,
     stations,
+    statistics,
     taught,
     taught_files,
     teaching,
     vehicles,
+    walks,
+    webhooks,
     zones,
 )
 from app.api.callers import Callers
@@ -144,6 +149,10 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        history.router,
+        statistics.router,
+        walks.router,
+        alarms.router,
         zones.router,
         plant.controller_routes,
         plant.layout,
@@ -153,6 +162,7 @@ def described(settings: Settings) -> FastAPI:
         accounts.keys,
         plant.problems,
         live.router,
+        webhooks.router,
     ):
         api.include_router(router)
     app.include_router(api)

@@ -107,9 +107,8 @@ async def who_am_i(request: Request) -> Response:
 async def renew_session(request: Request, controller: Ctl) -> Response:
     """Give a new token for this one, which ends half a minute later."""
     caller = _caller(request)
-    return _given(
-        await reception_of(controller).renew(caller, credential_of(request.headers.get("authorization", "")), _address(request)), 200
-    )
+    token = credential_of(request.headers.get("authorization", ""))
+    return _given(await reception_of(controller).renew(caller, token, _address(request)), 200)
 
 
 @router.delete("", **gives(None, 204, "Logged out."))

@@ -16,6 +16,7 @@ from app.cli import (
     fab,
     layout,
     openapi,
+    replay,
     schema,
     serve,
     sim,
@@ -43,6 +44,7 @@ for command in (
     decode.decode,
     detect.detect,
     vectors.vectors,
+    replay.replay,
     openapi.openapi,
 ):
     app.command()(command)

@@ -144,6 +144,8 @@ class JobEvent(StrEnum):
     PLACE_OPENED = "PlaceOpened"
     ZONE_PAUSED = "ZonePaused"
     ZONE_RESUMED = "ZoneResumed"
+    WALK_STARTED = "WalkStarted"
+    WALK_ENDED = "WalkEnded"
 
 
 HOT_FROM = 90

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
@@ -14,6 +15,8 @@ from app.domain.lockout import Lockout as Lockout
 from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.walks import Walk, WalkPlace
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 
 
@@ -87,6 +90,10 @@ class AuditRow:
     accepted: bool
 
 
+HELD_BY, STOPPED_BY = "held by ", "stopped by "
+"""How the reasons begin of holds that people wanted."""
+
+
 @dataclass(frozen=True, slots=True)
 class Hold:
     """A vehicle that nothing is sent to until a named person decides (COMMANDS section 3.4).
@@ -98,6 +105,16 @@ class Hold:
     remedy: str
     since: Timestamp
     doubt: str = ""
+
+    @property
+    def by_person(self) -> bool:
+        """Whether a person wanted it: nothing is wrong with the vehicle."""
+        return self.reason.startswith((HELD_BY, STOPPED_BY))
+
+    @property
+    def for_alarm(self) -> bool:
+        """Whether it is for an alarm that the vehicle reports."""
+        return self.reason.startswith("alarm ") and not self.reason.startswith("alarm recovery")
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +147,8 @@ class Provenance(StrEnum):
     SENSOR = "sensor"
     INFERRED = "inferred"
     PLANT = "plant"
+    VERIFIED = "verified"
+    """Seen on an audit walk, and accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -339,9 +358,15 @@ Record = (
     | DeviceRecord
     | Why
     | Closure
+    | Webhook
+    | WebhookProgress
+    | WebhookTry
+    | Alarm
+    | Walk
+    | WalkPlace
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord, Why and
-Closure replace the row of their key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord, Why,
+Closure, Alarm, Walk and WalkPlace replace the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -378,6 +403,17 @@ class Kept:
     next_session: int = 1
     closures: tuple[Closure, ...] = ()
     next_closure: int = 1
+    webhooks: tuple[Webhook, ...] = ()
+    """All but those removed, with their progress."""
+    webhook_progress: tuple[WebhookProgress, ...] = ()
+    next_webhook: int = 1
+    alarms: tuple[Alarm, ...] = ()
+    """Those that had not ended."""
+    next_alarm: int = 1
+    walks: tuple[Walk, ...] = ()
+    """Those that are open, with their places in the next."""
+    walk_places: tuple[WalkPlace, ...] = ()
+    next_walk: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

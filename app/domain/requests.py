@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosureRequest
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
@@ -14,6 +15,8 @@ from app.domain.layout import PulseSet, StopAction
 from app.domain.teaching import RowFate
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
+from app.domain.walks import WalkRequest
+from app.domain.webhooks import WebhookRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,6 +232,8 @@ class WriteStation:
     reserved: str | None = None
     out_of_service: str | None = None
     by_person: bool = False
+    walked: bool = False
+    """On an audit walk, accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,13 +290,22 @@ PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier 
 Stilling = StopAll | PauseZone | ResumeZone
 """About motion in the whole plant, or in a zone."""
 
-RoomRequest = ClosureRequest | Stilling
+RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
 """What a control room asks besides."""
 
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
 """About doors, buffers and chargers, and the signals that stop all."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest | RoomRequest
+Request = (
+    VehicleRequest
+    | JobRequest
+    | PlantRequest
+    | DriveOrder
+    | TeachingRequest
+    | HallRequest
+    | RoomRequest
+    | WebhookRequest
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,6 +27,8 @@ class Topic(StrEnum):
     PARAMETERS = "parameters"
     TEACHING = "teaching"
     CLOSURES = "closures"
+    ALARMS = "alarms"
+    WALKS = "walks"
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +218,8 @@ class ControllerView:
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
     ``kept_off``: what routes keep off, and why, a line for each reason; ``closed_places`` counts the places. ``cut_off``: the
     stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
-    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker.
+    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker. ``slow_track``: pieces of track that
+    take twice as long as usual for the traffic on them; ``weighed``: how often ways were weighed anew by that.
     ``pauses``: zones that are paused or stopped.
     """
 
@@ -236,6 +239,8 @@ class ControllerView:
     cut_off: tuple[str, ...] = ()
     led_round: int = 0
     led_quicker: int = 0
+    slow_track: int = 0
+    weighed: int = 0
     pauses: tuple[PauseView, ...] = ()
 
 
@@ -511,6 +516,44 @@ class ClosureView:
     waiting: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class AlarmView:
+    """Something that is, or was, wrong with ``source``. ``kind``: vehicle (it reports an alarm), hold (we hold it for a doubt),
+    link (nothing is heard of it), device, drive, traffic (vehicles wait for each other in a circle), plant (fire, earthquake).
+
+    ``code`` is what it is counted by. ``ended`` null: it is there now; ``outcome`` says how it ended.
+    """
+
+    id: int
+    kind: str
+    source: str
+    code: str
+    cause: str
+    remedy: str
+    begun: float
+    ended: float | None
+    outcome: str
+    job: str | None
+    acknowledged: float | None
+    acknowledged_by: str | None
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class WalkView:
+    """An audit walk: of so many ``places`` so many have been ``entered``. ``state``: open, accepted or abandoned."""
+
+    id: int
+    actor: str
+    reason: str
+    state: str
+    started: float
+    ended: float | None
+    ended_by: str | None
+    places: int
+    entered: int
+
+
 View = (
     VehicleView
     | JobView
@@ -527,6 +570,8 @@ View = (
     | ProposalView
     | TeachingSessionView
     | ClosureView
+    | AlarmView
+    | WalkView
 )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from app.domain.alarms import OF_VEHICLES, Alarm, AlarmKind
 from app.domain.closures import Closure
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
@@ -27,7 +28,9 @@ from app.domain.records import (
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.view import ClosureView, Topic, Update, View
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
+from app.fleet.alarm_book import AlarmBook
 from app.fleet.backlog import Backlog
 from app.fleet.closed import Closed
 from app.fleet.closure_book import ClosureBook
@@ -39,6 +42,7 @@ from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
+    view_of_alarm,
     view_of_carrier,
     view_of_closure,
     view_of_controller,
@@ -46,6 +50,7 @@ from app.fleet.views import (
     view_of_intent,
     view_of_job,
     view_of_station,
+    view_of_walk,
     with_traffic,
 )
 from app.planning.routing import Router
@@ -115,6 +120,14 @@ class Books:
         """Why the buffer of a station cannot be used now."""
         self.sensed: dict[StationId, bool] = {}
         """Whether the buffer of a station reports a cart, where it says so now."""
+        self.alarms = AlarmBook(kept.alarms, kept.next_alarm, self._keep_alarm, lambda: self.utc)
+        self.walks: dict[int, Walk] = {walk.number: walk for walk in kept.walks}
+        """Those that are open; their places by walk and station in the next."""
+        self.walk_places: dict[int, dict[StationId, WalkPlace]] = {number: {} for number in self.walks}
+        for place in kept.walk_places:
+            if place.station in self.specs:
+                self.walk_places[place.walk][place.station] = place
+        self._next_walk = kept.next_walk
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch
@@ -253,6 +266,11 @@ class Books:
         self.effects.records.append(event)
         self.show(Topic.EVENTS, str(event.seq), view_of_event(event))
 
+    @property
+    def last_event(self) -> int:
+        """The number of the last event."""
+        return self._next_event - 1
+
     def audit(self, actor: Actor, action: str, target: str, detail: str, *, accepted: bool) -> None:
         """Record that somebody asked for something."""
         self.effects.records.append(AuditRow(self.utc, actor, action, target, detail, accepted))
@@ -261,11 +279,29 @@ class Books:
         """Change and keep the durable part of a vehicle."""
         record = replace(vehicle.record, **changes)  # type: ignore[arg-type]
         if record != vehicle.record:
+            if record.hold != vehicle.record.hold or record.off_rail != vehicle.record.off_rail:
+                self._mind_hold(record)
             vehicle.record = record
             self.effects.records.append(record)
             if vehicle.id in self.roll_call:
                 self.roll_call.miss(vehicle)
         self.touch(vehicle)
+
+    def _mind_hold(self, record: VehicleRecord) -> None:
+        """A hold for a doubt of ours is an alarm; one by a person is none, and an alarm of its own has one already."""
+        name, hold = record.vehicle, record.hold
+        if hold is not None and not hold.by_person and not hold.for_alarm:
+            self.alarms.begin_only(AlarmKind.HOLD, name, "held", hold.reason, hold.remedy)
+        else:
+            self.alarms.end(AlarmKind.HOLD, name, "released" if hold is None else f"now: {hold.reason}")
+        if record.off_rail:
+            for kind in OF_VEHICLES:
+                self.alarms.end(kind, name, f"off the rail: {record.off_rail}")
+
+    def _keep_alarm(self, alarm: Alarm) -> None:
+        """Keep and show an alarm; one that has ended leaves the live ones."""
+        self.effects.records.append(alarm)
+        self.show(Topic.ALARMS, str(alarm.number), None if alarm.ended is not None else view_of_alarm(alarm))
 
     def open_intent(
         self,
@@ -376,6 +412,37 @@ class Books:
         if session.station in self.specs:
             self.show_station(session.station)
         return session
+
+    def new_walk(self) -> int:
+        """Return the next number of an audit walk."""
+        self._next_walk += 1
+        return self._next_walk - 1
+
+    def walk_at(self, station: StationId) -> Walk | None:
+        """Return the open walk that a station is on."""
+        return next((walk for walk in self.walks.values() if station in self.walk_places[walk.number]), None)
+
+    def save_walk_place(self, place: WalkPlace) -> None:
+        """Keep a place of a walk."""
+        self.walk_places.setdefault(place.walk, {})[place.station] = place
+        self.effects.records.append(place)
+
+    def save_walk(self, walk: Walk) -> None:
+        """Keep and show a walk; one that has ended leaves the live ones."""
+        self.effects.records.append(walk)
+        if walk.ended is None:
+            self.walks[walk.number] = walk
+            self.show_walk(walk)
+            return
+        self.walks.pop(walk.number, None)
+        self.walk_places.pop(walk.number, None)
+        self.show(Topic.WALKS, str(walk.number), None)
+
+    def show_walk(self, walk: Walk) -> None:
+        """Show an open walk."""
+        places = self.walk_places[walk.number].values()
+        seen = sum(place.seen is not None for place in places)
+        self.show(Topic.WALKS, str(walk.number), view_of_walk(walk, len(places), seen))
 
     def new_closure(self) -> int:
         """Return the next number of a closure."""

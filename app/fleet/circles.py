@@ -6,6 +6,7 @@ their own rule (``Courtesy``).
 
 from dataclasses import dataclass
 
+from app.domain.alarms import AlarmKind
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.job import JobEvent
@@ -75,7 +76,13 @@ class Circles:
         else:
             books.traffic_state.circles_resolved += 1
         books.traffic_state.circles = tuple(known.detail for known in self._known)
-        books.event(name, vehicle=circle.vehicles[0], detail=circle.detail)
+        source, code = circle.vehicles[0], ", ".join(circle.vehicles)
+        if name is JobEvent.ALARM_SET:
+            remedy = f"move {source} by hand, or take it off the rail, if none finds another way"
+            books.alarms.begin(AlarmKind.TRAFFIC, source, code, circle.detail, remedy)
+        else:
+            books.alarms.end_one(AlarmKind.TRAFFIC, source, code, "they go on")
+        books.event(name, vehicle=source, detail=circle.detail)
         books.show_controller()
 
     def _resolve(self, tied: list[VehicleNow]) -> None:

@@ -1,7 +1,6 @@
 """Closing and opening places: nobody comes in, those inside drive out, then it is closed (DOMAIN sections 1 and 7)."""
 
 from dataclasses import replace
-from itertools import pairwise
 
 from app.domain.closures import ClosePlace, Closure, ClosurePurpose, ClosureRequest, ClosureState, OpenPlace
 from app.domain.errors import NoRoute, Refusal
@@ -98,23 +97,8 @@ class Closures:
         books = self._books
         books.save_closure(closure)
         books.jobs_changed = True
-        for vehicle in books.vehicles.values():
-            self._lead_round(vehicle)
-            books.wake(vehicle.id)
-
-    def _lead_round(self, vehicle: VehicleNow) -> None:
-        """Let a vehicle whose way leads over closed track find another; without one it stays, and its job says why."""
-        errand, here = vehicle.errand, vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
-        if (
-            errand is None
-            or here is None
-            or all(edge not in self._books.closed for edge in pairwise([here, *vehicle.rest]))
-        ):
-            return
-        try:
-            self._motion.send(vehicle, errand)
-        except NoRoute:
-            self._motion.drop(vehicle)
+        for vehicle in books.vehicles:
+            books.wake(vehicle)
 
     # -- emptying ---------------------------------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
@@ -39,6 +40,8 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.domain.teaching_requests import TeachingRequest
+from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, StartWalk
+from app.domain.webhooks import WebhookRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.closures import Closures
@@ -52,6 +55,8 @@ from app.fleet.refusals import no_vehicle
 from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
+from app.fleet.walks import Walks
+from app.fleet.webhooks import Webhooks
 
 TARGETS = (
     "job",
@@ -67,10 +72,14 @@ TARGETS = (
     "closure",
     "place",
     "zone",
+    "alarm",
+    "walk",
+    "webhook",
+    "url",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "known", "sights", "secret"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -93,6 +102,8 @@ class Desk:
         emergency: EmergencyDesk,
         closures: Closures,
         standstills: Standstills,
+        webhooks: Webhooks,
+        walks: Walks,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -105,6 +116,8 @@ class Desk:
         self._emergency = emergency
         self._closures = closures
         self._standstills = standstills
+        self._webhooks = webhooks
+        self._walks = walks
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -131,12 +144,18 @@ class Desk:
             return self._answer_about_hall(request)
         if isinstance(request, RoomRequest):
             return self._answer_about_room(request)
+        if isinstance(request, WebhookRequest):
+            return self._webhooks.answer(request)
         return self._answer_about_plant(request)
 
     def _answer_about_room(self, request: RoomRequest) -> Reply:
         match request:
             case ClosePlace() | OpenPlace():
                 return self._closures.answer(request)
+            case AcknowledgeAlarm():
+                return self._books.alarms.acknowledge(request)
+            case StartWalk() | EnterSights() | AcceptWalk() | AbandonWalk():
+                return self._walks.answer(request)
             case StopAll() | PauseZone() | ResumeZone():
                 return self._standstills.answer(request)
 

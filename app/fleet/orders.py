@@ -6,7 +6,7 @@ from app.domain.commands import Command, Display, Plain, Simple
 from app.domain.errors import NoRoute, Refusal
 from app.domain.job import JobEvent
 from app.domain.layout import Station, StopAction
-from app.domain.records import Lockout
+from app.domain.records import HELD_BY, STOPPED_BY, Lockout
 from app.domain.requests import (
     Accepted,
     CommandVehicle,
@@ -78,7 +78,7 @@ class VehicleOrders:
             return self._accepted(vehicle)
         intent = self._books.open_intent(vehicle, request.what.value, Simple(request.what), request.actor)
         if request.what is Plain.STOP_BY_HOST:
-            self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
+            self._recovery.hold(vehicle, f"{STOPPED_BY}{request.actor}", "release it when it may go on")
         return self._accepted(vehicle, intent.cmd_id)
 
     def unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
@@ -246,7 +246,7 @@ class VehicleOrders:
 
     def hold(self, vehicle: VehicleNow, request: HoldVehicle) -> Reply:
         """Nothing more is sent to the vehicle until released; what it was told, it finishes."""
-        self._recovery.hold(vehicle, f"held by {request.actor}: {request.reason}", "release it when it may go on")
+        self._recovery.hold(vehicle, f"{HELD_BY}{request.actor}: {request.reason}", "release it when it may go on")
         return self._accepted(vehicle)
 
     def release(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Reply:

@@ -63,11 +63,12 @@ class PlantOrders:
             return refusal
         if present is False:
             carrier = None
+        provenance = Provenance.VERIFIED if request.walked else self._provenance(by_person=request.by_person)
         if record.carrier and carrier != record.carrier:
-            self._lose(record, by_person=request.by_person)
+            self._lose(record, provenance)
         if carrier and carrier != record.carrier:
             self._leave_vehicle(carrier)
-            books.put_carrier(carrier, request.station, self._provenance(by_person=request.by_person))
+            books.put_carrier(carrier, request.station, provenance)
         seen = request.present is not None or request.carrier is not None
         changed = replace(
             record,
@@ -75,7 +76,7 @@ class PlantOrders:
             carrier=carrier,
             reserved=record.reserved if request.reserved is None else request.reserved,
             out_of_service=record.out_of_service if request.out_of_service is None else request.out_of_service,
-            provenance=self._provenance(by_person=request.by_person) if seen else record.provenance,
+            provenance=provenance if seen else record.provenance,
             at=books.utc if seen else record.at,
         )
         books.save_station(changed)
@@ -85,10 +86,10 @@ class PlantOrders:
     def _provenance(self, *, by_person: bool) -> Provenance:
         return Provenance.PERSON if by_person else Provenance.HOST
 
-    def _lose(self, record: StationRecord, *, by_person: bool) -> None:
+    def _lose(self, record: StationRecord, provenance: Provenance) -> None:
         """The carrier we believed there is not there: where it is, we do not know."""
         if record.carrier and self._books.carriers.get(record.carrier):
-            self._books.put_carrier(record.carrier, None, self._provenance(by_person=by_person))
+            self._books.put_carrier(record.carrier, None, provenance)
 
     def _words(self, record: StationRecord) -> str:
         known = {True: "occupied", False: "empty", None: "not known"}[record.present]

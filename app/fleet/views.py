@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
@@ -22,6 +23,7 @@ from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
     AgvView,
+    AlarmView,
     BitView,
     CarrierView,
     ClosureView,
@@ -35,12 +37,14 @@ from app.domain.view import (
     PauseView,
     StationView,
     VehicleView,
+    WalkView,
 )
+from app.domain.walks import Walk
 from app.fleet.closed import Closed, named
 from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
-VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR, Provenance.VERIFIED})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
 
 BITS_KEPT = 4096
@@ -86,6 +90,40 @@ def view_of_event(event: HistoryEvent) -> EventView:
         destination=event.destination,
         result=event.result,
         detail=event.detail,
+    )
+
+
+def view_of_alarm(alarm: Alarm) -> AlarmView:
+    """Return an alarm as people see it."""
+    return AlarmView(
+        id=alarm.number,
+        kind=alarm.kind.value,
+        source=alarm.source,
+        code=alarm.code,
+        cause=alarm.cause,
+        remedy=alarm.remedy,
+        begun=alarm.begun,
+        ended=alarm.ended,
+        outcome=alarm.outcome,
+        job=alarm.job,
+        acknowledged=alarm.acknowledged,
+        acknowledged_by=alarm.acknowledged_by,
+        note=alarm.note,
+    )
+
+
+def view_of_walk(walk: Walk, places: int, entered: int) -> WalkView:
+    """Return an audit walk as people see it."""
+    return WalkView(
+        id=walk.number,
+        actor=walk.actor,
+        reason=walk.reason,
+        state=walk.state.value,
+        started=walk.started,
+        ended=walk.ended,
+        ended_by=walk.ended_by,
+        places=places,
+        entered=entered,
     )
 
 
@@ -181,6 +219,8 @@ def with_traffic(view: ControllerView, state: TrafficState, closed: Closed) -> C
         cut_off=tuple(f"{station}: {why}" for station, why in state.cut_off.items()),
         led_round=state.led_round,
         led_quicker=state.led_quicker,
+        slow_track=state.slow,
+        weighed=state.weighed,
     )
 
 

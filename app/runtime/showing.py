@@ -12,9 +12,8 @@ import msgspec
 
 from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PauseView, PinView, View
 
-TIMES = frozenset(
-    {"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed", "expires"}
-)
+_AT = ("at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed")
+TIMES = frozenset((*_AT, "expires", "begun", "acknowledged"))
 """Names of the fields that are moments, in every view."""
 
 RENAMED: dict[tuple[type, str], str] = {(EventView, "at"): "ts"}
@@ -57,9 +56,8 @@ def _shower(kind: type) -> Callable[[object], dict[str, object]]:
     def show(view: object) -> dict[str, object]:
         out: dict[str, object] = dict(zip(labels, values(view), strict=True))
         for label in moments:
-            moment = out[label]
-            if isinstance(moment, float | int):
-                out[label] = iso(moment)
+            if (moment := out[label]) is not None:
+                out[label] = iso(moment)  # type: ignore[arg-type]
         for name in nested:
             if type(out[name]) in _SHOWERS:
                 out[name] = shown(out[name])

@@ -4,10 +4,13 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import drive_rows, rows, teaching, why_rows
+from app.domain.webhooks import WebhookState
+from app.store import drive_rows, rows, teaching, webhook_rows, why_rows
+from app.store.alarm_rows import alarm
 from app.store.closure_rows import closure
 from app.store.device_rows import device
 from app.store.tables import (
+    alarms,
     carriers,
     closures,
     controller,
@@ -21,18 +24,25 @@ from app.store.tables import (
     intents,
     job_whys,
     jobs,
+    open_walks,
     operations,
     station_dests,
     stations,
     teaching_events,
     teaching_proposals,
     teaching_sessions,
+    there_now,
     undecided,
     under_way,
     unsettled,
     vehicle_offsets,
     vehicles,
+    walk_places,
+    walks,
+    webhook_progress,
+    webhooks,
 )
+from app.store.walk_rows import walk, walk_place
 
 
 def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
@@ -73,7 +83,19 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         next_proposal=_next(connection, teaching_proposals.c.number),
         next_session=_next(connection, teaching_sessions.c.number),
         closures=tuple(map(closure, _those(connection, closures, in_force))),
+        alarms=tuple(map(alarm, _those(connection, alarms, there_now))),
+        next_alarm=_next(connection, alarms.c.number),
+        walks=tuple(map(walk, _those(connection, walks, open_walks))),
+        walk_places=tuple(map(walk_place, _places(connection))),
+        next_walk=_next(connection, walks.c.number),
         next_closure=_next(connection, closures.c.number),
+        webhooks=tuple(
+            map(webhook_rows.webhook, _those(connection, webhooks, webhooks.c.state != WebhookState.REMOVED.value))
+        ),
+        webhook_progress=tuple(
+            sorted(map(webhook_rows.progress, _all(connection, webhook_progress)), key=lambda one: one.webhook)
+        ),
+        next_webhook=_next(connection, webhooks.c.number),
         fresh=fresh,
     )
 
@@ -85,6 +107,13 @@ def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
 def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
     """Return the rows wanted, in the order of their number."""
     return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
+
+
+def _places(connection: sa.Connection) -> sa.CursorResult[object]:
+    """Return the places of open walks."""
+    live = sa.select(walks.c.number).where(open_walks)
+    query = sa.select(walk_places).where(walk_places.c.walk.in_(live))
+    return connection.execute(query.order_by(walk_places.c.walk, walk_places.c.station))
 
 
 def _whys(connection: sa.Connection) -> sa.CursorResult[object]:

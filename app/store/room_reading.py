@@ -1,4 +1,4 @@
-"""The reading side of the control room: closures."""
+"""The reading side of the control room: closures, audit walks."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
@@ -7,9 +7,10 @@ from typing import Any, TypeVar
 import sqlalchemy as sa
 
 from app.domain.closures import Closure
-from app.store import closure_rows
+from app.domain.walks import Walk, WalkPlace
+from app.store import closure_rows, walk_rows
 from app.store.columns import Found
-from app.store.tables import closures
+from app.store.tables import closures, walk_places, walks
 
 T = TypeVar("T")
 
@@ -31,3 +32,17 @@ class RoomReader(ABC):
         if after is not None:
             query = query.where(closures.c.number < after)
         return self._list(query, closure_rows.closure)
+
+    def walk(self, number: int) -> Walk | None:
+        """Return one audit walk, ended or not."""
+        return next(iter(self._list(sa.select(walks).where(walks.c.number == number), walk_rows.walk)), None)
+
+    def walks(self, after: int | None = None, limit: int = 100) -> list[Walk]:
+        """Return audit walks, newest first; ``after`` is the number of the last one seen."""
+        query = sa.select(walks).order_by(walks.c.number.desc()).limit(limit)
+        return self._list(query if after is None else query.where(walks.c.number < after), walk_rows.walk)
+
+    def walk_places(self, number: int) -> list[WalkPlace]:
+        """Return the places of an audit walk, by station."""
+        query = sa.select(walk_places).where(walk_places.c.walk == number).order_by(walk_places.c.station)
+        return self._list(query, walk_rows.walk_place)

@@ -6,6 +6,7 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
@@ -26,6 +27,8 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.walks import Walk, WalkPlace
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
@@ -46,6 +49,12 @@ REPLACED: dict[type, sa.Table] = {
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
     Closure: tables.closures,
+    Webhook: tables.webhooks,
+    WebhookProgress: tables.webhook_progress,
+    WebhookTry: tables.webhook_tries,
+    Alarm: tables.alarms,
+    Walk: tables.walks,
+    WalkPlace: tables.walk_places,
 }
 """A record replaces the row of its key: the table's first columns."""
 

@@ -13,6 +13,7 @@ from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
 from app.domain.teaching import ProposalState, SessionState
+from app.domain.walks import WalkState
 
 metadata = sa.MetaData(
     naming_convention={
@@ -420,3 +421,99 @@ closures = sa.Table(
 in_force = closures.c.state.not_in([sa.literal_column(f"'{state}'") for state in sorted(ClosureState) if state.over])
 """Closures that a restart must take up again."""
 sa.Index("ix_closures_in_force", closures.c.number, sqlite_where=in_force, postgresql_where=in_force)
+
+webhooks = sa.Table(
+    "webhooks",
+    metadata,
+    _key("number", BIG),
+    _text("url"),
+    sa.Column("events", JSON, nullable=False),
+    _text("secret"),
+    _text("actor"),
+    _at("created"),
+    _text("note"),
+    _text("state"),
+    _text("reason"),
+    _big("replays"),
+    _text("old_secret"),
+    sa.Column("old_until", UTC),
+)
+
+webhook_progress = sa.Table(
+    "webhook_progress",
+    metadata,
+    _key("webhook", BIG),
+    _big("position"),
+    _big("replays"),
+    _big("tries"),
+    _big("delivered"),
+    sa.Column("last", UTC),
+    sa.Column("failing", UTC),
+    _big("attempts"),
+    _text("error"),
+)
+
+webhook_tries = sa.Table(
+    "webhook_tries",
+    metadata,
+    _key("webhook", BIG),
+    _key("slot", BIG),
+    _big("number"),
+    _at("at"),
+    sa.Column("seq", BIG),
+    _text("event"),
+    _big("attempt"),
+    sa.Column("status", BIG),
+    sa.Column("seconds", UTC, nullable=False),
+    _text("error"),
+)
+"""The newest deliveries of each webhook, in turn: ``slot`` is the number of the delivery modulo how many are kept."""
+alarms = sa.Table(
+    "alarms",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    _text("source"),
+    _text("code"),
+    _text("cause"),
+    _text("remedy"),
+    _at("begun"),
+    _maybe("job"),
+    sa.Column("ended", UTC),
+    _text("outcome"),
+    sa.Column("acknowledged", UTC),
+    _maybe("acknowledged_by"),
+    _text("note"),
+)
+there_now = alarms.c.ended.is_(None)
+"""Alarms that a restart must take up again."""
+sa.Index("ix_alarms_there_now", alarms.c.number, sqlite_where=there_now, postgresql_where=there_now)
+sa.Index("ix_alarms_begun", alarms.c.begun)
+sa.Index("ix_alarms_source_number", alarms.c.source, alarms.c.number)
+
+walks = sa.Table(
+    "walks",
+    metadata,
+    _key("number", BIG),
+    _text("actor"),
+    _text("reason"),
+    _at("started"),
+    _text("state"),
+    sa.Column("ended", UTC),
+    _maybe("ended_by"),
+)
+open_walks = walks.c.state == sa.literal_column(f"'{WalkState.OPEN.value}'")
+"""Walks that a restart must take up again."""
+
+walk_places = sa.Table(
+    "walk_places",
+    metadata,
+    _key("walk", BIG),
+    _key("station"),
+    sa.Column("believed", sa.Boolean()),
+    _maybe("believed_carrier"),
+    sa.Column("seen", sa.Boolean()),
+    _maybe("seen_carrier"),
+    _maybe("by"),
+    sa.Column("at", UTC),
+)

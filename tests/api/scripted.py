@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.alarms import AcknowledgeAlarm, Alarm, AlarmCount, AlarmKind
 from app.domain.closures import ClosePlace, Closure, ClosureState, OpenPlace
 from app.domain.device_requests import (
     CommandDevice,
@@ -32,6 +33,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
 )
+from app.domain.statistics import Queued, Transfer, Waited
 from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
@@ -47,16 +49,29 @@ from app.domain.view import (
     Update,
     VehicleView,
 )
+from app.domain.walks import AcceptWalk, EnterSights, StartWalk, Walk, WalkPlace, WalkRequest, WalkState
+from app.domain.webhooks import (
+    AddWebhook,
+    ChangeWebhook,
+    RemoveWebhook,
+    ReplayWebhook,
+    Webhook,
+    WebhookProgress,
+    WebhookRequest,
+    WebhookTry,
+)
 from app.domain.why import Why
 from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_closure, view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job, view_of_walk
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
 from app.runtime.reception import Reception
+from app.runtime.webhooks import Targets
 from app.store.chain import Checked
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
@@ -102,6 +117,51 @@ class MemoryReader:
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
         self.shut: dict[int, Closure] = {}
+        self.wrong: dict[int, Alarm] = {}
+        self.done: list[Transfer] = []
+        self.walked: dict[int, Walk] = {}
+        self.along: list[WalkPlace] = []
+
+    def first_event(self, moment: float) -> int:
+        return 1
+
+    def event_count(self, begin: float, end: float) -> int:
+        return self.events_between
+
+    events_between = 7
+
+    def transfers(self, begin: float, end: float) -> Sequence[Transfer]:
+        return [one for one in self.done if begin <= one.ended < end]
+
+    def queued(self, begin: float, end: float) -> Sequence[Queued]:
+        return [Queued(one.created, one.assigned) for one in self.done]
+
+    def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
+        return [Waited(begin, begin + 60, "P2 is occupied by F1")], 1
+
+    def walk(self, number: int) -> Walk | None:
+        return self.walked.get(number)
+
+    def walks(self, after: int | None = None, limit: int = 100) -> Sequence[Walk]:
+        return [one for one in reversed(self.walked.values()) if after is None or one.number < after][:limit]
+
+    def walk_places(self, number: int) -> Sequence[WalkPlace]:
+        return [place for place in self.along if place.walk == number]
+
+    def alarm(self, number: int) -> Alarm | None:
+        return self.wrong.get(number)
+
+    def alarms(self, *, after: int | None = None, limit: int = 100, **asked: object) -> Sequence[Alarm]:
+        self.asked_for = asked
+        return [one for one in reversed(self.wrong.values()) if after is None or one.number < after][:limit]
+
+    def alarm_counts(self, by: tuple[str, ...], begin: float, end: float, limit: int = 100) -> Sequence[AlarmCount]:
+        self.asked_for = {"begin": begin, "end": end}
+        about = {"kind": "vehicle", "source": "V001", "code": "101"}
+        return [AlarmCount({name: about[name] for name in by}, 3, 90.0, NOW)]
+
+    def failures(self, begin: float, end: float) -> Sequence[tuple[str, float, float | None]]:
+        return [("V001", NOW - 3600, NOW - 1800)]
 
     def closure(self, number: int) -> Closure | None:
         return self.shut.get(number)
@@ -172,6 +232,9 @@ class MemoryReader:
     ) -> Sequence[HistoryEvent]:
         found = [e for e in self.past if e.seq > after and job in (None, e.job) and vehicle in (None, e.vehicle)]
         return found[:limit]
+
+    def webhook_tries(self, webhook: int, after: int | None = None, limit: int = 100) -> Sequence[WebhookTry]:
+        return [WebhookTry(webhook, 1, NOW, 7, "TransferCompleted", 1, None, 5.0, "no answer within 10 s")]
 
     def intent(self, cmd_id: CmdId) -> Intent | None:
         return self.commands.get(cmd_id)
@@ -261,6 +324,8 @@ class Scripted:
         self.reader = MemoryReader()
         self.figures = Figures(plant)
         self.backlog = (0, 0)
+        self.targets = Targets(["mes.fab", "10.0.0.0/8"])
+        self.subscribed: dict[int, tuple[Webhook, WebhookProgress]] = {}
         self.trouble = ""
         self.refusal: Refusal | Exception | None = None
         self.seen: list[r.Request] = []
@@ -278,6 +343,8 @@ class Scripted:
     def utc(self) -> Timestamp:
         return NOW
 
+    playback: Playback | None = None
+
     def survey(self) -> Survey:
         track = Track(self.plant)
         router = Router(track)
@@ -287,6 +354,34 @@ class Scripted:
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         return Router(Track(self.plant)).alternatives(start, goal, most)
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        return list(self.subscribed.values())
+
+    async def ping_webhook(self, number: int) -> WebhookTry | None:
+        if number not in self.subscribed:
+            return None
+        return WebhookTry(number, 1, NOW, None, "Ping", 1, 200, 0.012, "")
+
+    def _webhook(self, request: WebhookRequest) -> r.Reply:
+        if isinstance(request, AddWebhook):
+            number = len(self.subscribed) + 1
+            made = Webhook(number, request.url, request.events, request.secret, request.actor, NOW, request.note)
+            self.subscribed[number] = made, WebhookProgress(number, request.after or 0)
+            return r.Accepted("webhooks", str(number), created=True)
+        if request.webhook not in self.subscribed:
+            return Refusal("not-found", f"there is no webhook {request.webhook}")
+        webhook, progress = self.subscribed[request.webhook]
+        match request:
+            case RemoveWebhook():
+                del self.subscribed[request.webhook]
+            case ChangeWebhook():
+                self.subscribed[request.webhook] = replace(webhook, url=request.url or webhook.url), progress
+            case ReplayWebhook():
+                self.subscribed[request.webhook] = webhook, replace(progress, position=request.after)
+            case _:
+                pass
+        return r.Accepted("webhooks", str(request.webhook))
 
     def waits(self) -> dict[str, int]:
         return {"held": 0}
@@ -312,7 +407,7 @@ class Scripted:
         refusal, self.refusal = self.refusal, None
         if isinstance(refusal, Exception):
             raise refusal
-        reply = refusal or self._reply(request)
+        reply = refusal or (self._webhook(request) if isinstance(request, WebhookRequest) else self._reply(request))
         accepted = isinstance(reply, r.Accepted)
         self.reader.asked.append(AuditRow(NOW, request.actor, type(request).__name__, "", "", accepted))
         return reply
@@ -373,6 +468,13 @@ class Scripted:
 
     def _of_room(self, request: r.Request) -> r.Reply:
         match request:
+            case _ if isinstance(request, WalkRequest):
+                return self._walk(request)
+            case AcknowledgeAlarm():
+                row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
+                self.reader.wrong[request.alarm] = row
+                self.hub.publish([Update(Topic.ALARMS, str(row.number), view_of_alarm(row))])
+                return r.Accepted(Topic.ALARMS, str(row.number))
             case ClosePlace() | OpenPlace():
                 return self._closure(request)
             case r.StopAll() | r.PauseZone() | r.ResumeZone():
@@ -405,6 +507,26 @@ class Scripted:
         view = None if row.state.over else view_of_closure(row, ())
         self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
         return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _walk(self, request: WalkRequest) -> r.Reply:
+        walked = self.reader.walked
+        if isinstance(request, StartWalk):
+            walked[1] = Walk(1, request.actor, request.reason, NOW)
+            self.reader.along = [WalkPlace(1, StationId("L3"), present, None) for present in (None,)]
+        elif request.walk not in walked:
+            return Refusal("not-found", f"There is no open walk {request.walk}.")
+        elif isinstance(request, EnterSights):
+            (sight,) = request.sights
+            self.reader.along = [
+                replace(self.reader.along[0], seen=sight.present, by=request.actor, at=Timestamp(NOW + 1))
+            ]
+        else:
+            state = WalkState.ACCEPTED if isinstance(request, AcceptWalk) else WalkState.ABANDONED
+            walked[1] = replace(walked[1], state=state, ended=NOW, ended_by=request.actor)
+        seen = sum(place.seen is not None for place in self.reader.along)
+        view = None if walked[1].ended else view_of_walk(walked[1], len(self.reader.along), seen)
+        self.hub.publish([Update(Topic.WALKS, "1", view)])
+        return r.Accepted(Topic.WALKS, "1", created=isinstance(request, StartWalk))
 
     def _still(self, request: r.Stilling) -> r.Reply:
         record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)
@@ -510,6 +632,13 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def alarm(self) -> Alarm:
+        """Let V001 have alarm 1."""
+        row = Alarm(1, AlarmKind.VEHICLE, "V001", "101", "alarm 101 wrong barcode", "look", NOW)
+        self.reader.wrong[1] = row
+        self.hub.publish([Update(Topic.ALARMS, "1", view_of_alarm(row))])
+        return row
 
     def teach(self) -> None:
         """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""

@@ -359,7 +359,7 @@ def test_a_preview_names_stations_jobs_and_vehicles(ready: Script) -> None:
     assert "P3" in found.cut_off
     touched = {one.job: one.why for one in found.jobs}
     assert touched[JobId("J2")] == "its destination P2 would be closed"
-    assert touched[JobId("J1")] == "its source P1 would be cut off"
+    assert touched[JobId("J1")].endswith("would be cut off")
     assert looked(ready, barcode(ready.toys[V2].barcode)).inside == (V2,)
 
 

@@ -106,7 +106,7 @@ def test_an_audit_from_before_is_chained_when_the_plant_is_opened(
     with engine.begin() as connection:
         config = schema._config()
         config.attributes["connection"] = connection
-        command.upgrade(config, "r0007")
+        command.upgrade(config, "r0010")
         for number in (1, 2, 5):
             values = {"seq": number, "at": 1.5 + number, "detail": 'was "\u1100"', "accepted": number != 2}
             names = "seq, at, actor, action, target, detail, accepted"

@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.alarms import Alarm, AlarmKind
 from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
@@ -49,6 +50,8 @@ from app.domain.records import (
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
+from app.domain.walks import Walk, WalkPlace, WalkState
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookState, WebhookTry
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
 from app.store.reading import Reader
@@ -305,6 +308,43 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
     ),
+    Alarm: st.builds(
+        Alarm,
+        number=NUMBER,
+        kind=st.sampled_from(AlarmKind),
+        source=TEXT,
+        code=TEXT,
+        cause=TEXT,
+        remedy=TEXT,
+        begun=TIME,
+        job=MAYBE,
+        ended=st.none() | TIME,
+        outcome=TEXT,
+        acknowledged=st.none() | TIME,
+        acknowledged_by=MAYBE,
+        note=TEXT,
+    ),
+    Walk: st.builds(
+        Walk,
+        number=NUMBER,
+        actor=TEXT,
+        reason=TEXT,
+        started=TIME,
+        state=st.sampled_from(WalkState),
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+    ),
+    WalkPlace: st.builds(
+        WalkPlace,
+        walk=NUMBER,
+        station=TEXT,
+        believed=st.none() | st.booleans(),
+        believed_carrier=MAYBE,
+        seen=st.none() | st.booleans(),
+        seen_carrier=MAYBE,
+        by=MAYBE,
+        at=st.none() | TIME,
+    ),
     Closure: st.builds(
         Closure,
         number=NUMBER,
@@ -320,6 +360,45 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         releases=NAMES,
         ended=st.none() | TIME,
         ended_by=MAYBE,
+    ),
+    Webhook: st.builds(
+        Webhook,
+        number=NUMBER,
+        url=TEXT,
+        events=NAMES,
+        secret=TEXT,
+        actor=TEXT,
+        created=TIME,
+        note=TEXT,
+        state=st.sampled_from(WebhookState),
+        reason=TEXT,
+        replays=NUMBER,
+        old_secret=TEXT,
+        old_until=st.none() | TIME,
+    ),
+    WebhookProgress: st.builds(
+        WebhookProgress,
+        webhook=NUMBER,
+        position=NUMBER,
+        replays=NUMBER,
+        tries=NUMBER,
+        delivered=NUMBER,
+        last=st.none() | TIME,
+        failing=st.none() | TIME,
+        attempts=NUMBER,
+        error=TEXT,
+    ),
+    WebhookTry: st.builds(
+        WebhookTry,
+        webhook=NUMBER,
+        number=NUMBER,
+        at=TIME,
+        seq=st.none() | NUMBER,
+        event=TEXT,
+        attempt=NUMBER,
+        status=st.none() | NUMBER,
+        seconds=TIME,
+        error=TEXT,
     ),
 }
 
@@ -352,11 +431,25 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Alarm: lambda one, kept, reader: [
+        reader.alarm(one.number),
+        *reader.alarms(source=one.source, code=one.code, kind=one.kind.value),
+        *([kept.alarms[0]] if one.ended is None else []),
+    ],
+    Walk: lambda one, kept, reader: [
+        reader.walk(one.number),
+        *reader.walks(),
+        *([kept.walks[0]] if one.state is WalkState.OPEN else []),
+    ],
+    WalkPlace: lambda one, kept, reader: list(reader.walk_places(one.walk)),
     Closure: lambda one, kept, reader: [
         reader.closure(one.number),
         *reader.closures(),
         *([] if one.state.over else [kept.closures[0]]),
     ],
+    Webhook: lambda one, kept, reader: [one, *kept.webhooks],
+    WebhookProgress: lambda one, kept, reader: list(kept.webhook_progress),
+    WebhookTry: lambda one, kept, reader: list(reader.webhook_tries(one.webhook)),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}

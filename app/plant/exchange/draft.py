@@ -44,6 +44,7 @@ class Place:
     look_down: int = 0
     speed: int = 100
     fallbacks: tuple[str, ...] = ()
+    carrier: str = ""
 
 
 @dataclass(slots=True)

@@ -222,6 +222,7 @@ def _read_station(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -
     for name in names:
         place = Place(name, [spot], where, kind, rows.text(row, "display"), look_down=int(look_down or 0))
         place.dest = dest
+        place.carrier = rows.text(row, "carrier") if len(names) == 1 else ""
         place.fallbacks = tuple(rows.texts(row, "fallbacks"))
         draft.places.append(place)
 

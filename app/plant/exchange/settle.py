@@ -7,7 +7,7 @@ from itertools import islice
 from math import hypot, isfinite
 
 from app.domain.devices import DeviceId
-from app.domain.ids import StationId, ZoneId
+from app.domain.ids import CarrierId, StationId, ZoneId
 from app.domain.layout import (
     ChargerSpec,
     ChargingRules,
@@ -25,6 +25,7 @@ from app.plant.exchange.machines import FLOOR, crew
 from app.plant.exchange.naming import barcodes_of, displays_of, ids_of
 from app.plant.exchange.report import Report, shown
 from app.plant.format import MAX_LENGTH
+from app.plant.names import DISPLAY_BYTES, is_id
 
 FARTHEST = 10**9
 """Largest coordinate of a plant file, mm."""
@@ -74,11 +75,13 @@ def settle(draft: Draft, options: Options, report: Report) -> Settled:
     edges = _in_runs(_edges(draft, barcodes, points, top, report))
     taken: set[str] = {FLOOR}
     chargers = _chargers(draft, barcodes, kind, taken, report)
+    stations = dict(_stations(draft, barcodes, kind, report))
     plant = Plant(
         name=options.title or draft.title or "plant",
         points=points,
         edges=tuple(edges),
-        stations=tuple(_stations(draft, barcodes, kind, report)),
+        stations=tuple(stations.values()),
+        carriers=tuple(_carriers(draft, stations, report)),
         vehicles=(),
         zones=tuple(_zones(draft, barcodes, report)),
         chargers=chargers,
@@ -253,7 +256,9 @@ def _in_runs(edges: list[Edge]) -> list[Edge]:
 # -- stations, chargers, zones ----------------------------------------------------------------------------------------
 
 
-def _stations(draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, report: Report) -> Iterable[Station]:
+def _stations(
+    draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, report: Report
+) -> Iterable[tuple[str, Station]]:
     names = ids_of(((place.name, place.where) for place in draft.places), set(), "ST", report)
     shows = displays_of(((names[place.name], place.display or names[place.name]) for place in draft.places), report)
     usual = StationKind.AGV_BUFFER if kind is VehicleKind.AGV else StationKind.PORT
@@ -274,16 +279,33 @@ def _stations(draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, rep
                 place.where, what, "give stations of their own to the others if they hold carriers of their own"
             )
         seen[place.name] = place.where
-        yield Station(
-            id=StationId(names[place.name]),
-            kind=place.kind or usual,
-            barcode=barcodes[spots[0]],
-            look_down=place.look_down & 15,
-            speed=Percent(max(1, min(100, place.speed))),
-            dest=place.dest if (place.kind or usual) is StationKind.PORT else None,
-            display=shows[names[place.name]],
-            fallbacks=tuple(StationId(names[f]) for f in place.fallbacks if f in names and f != place.name),
+        yield (
+            place.name,
+            Station(
+                id=StationId(names[place.name]),
+                kind=place.kind or usual,
+                barcode=barcodes[spots[0]],
+                look_down=place.look_down & 15,
+                speed=Percent(max(1, min(100, place.speed))),
+                dest=place.dest if (place.kind or usual) is StationKind.PORT else None,
+                display=shows[names[place.name]],
+                fallbacks=tuple(StationId(names[f]) for f in place.fallbacks if f in names and f != place.name),
+            ),
         )
+
+
+def _carriers(draft: Draft, stations: dict[str, Station], report: Report) -> Iterable[tuple[CarrierId, StationId]]:
+    """Give the carriers that stand at stations when the plant is first started."""
+    seen: set[str] = set()
+    for place in draft.places:
+        if not place.carrier or place.name not in stations:
+            continue
+        if place.carrier in seen or not is_id(place.carrier) or len(place.carrier) > DISPLAY_BYTES:
+            what = f"{shown(place.carrier)} cannot be a carrier: {DISPLAY_BYTES} letters and digits, each once"
+            report.wrong(place.where, what, "correct its name")
+        elif stations[place.name].id not in seen:
+            seen |= {place.carrier, stations[place.name].id}
+            yield CarrierId(place.carrier), stations[place.name].id
 
 
 def _chargers(

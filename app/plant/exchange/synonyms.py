@@ -55,6 +55,7 @@ COLUMNS = {
     "shft": "shft shift shftdest 시프트",
     "rota": "rota rotation rotate rotadest 회전",
     "lift": "lift hoistheight liftdest 승강 리프트",
+    "carrier": "carrier carrierid foup foupid cart cartid 캐리어 캐리어id 풉 포웁",
     "fallbacks": "fallback fallbacks alternative alternatives 대체 대체포트 대체스테이션",
     "park": "park parking parkingplace parkingplaces waiting waitingplace 주차 주차위치 대기 대기위치 대기장소",
     "zone": "zone zoneid zonename 구역 구역명 존 영역",

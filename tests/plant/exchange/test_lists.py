@@ -243,3 +243,10 @@ def test_simulated_vehicles_start_apart_from_one_another() -> None:
     assert made.is_sound
     assert len({vehicle.start for vehicle in made.plant.vehicles}) == 6
     assert any("an address at this machine" in note for note in said(made, Kind.NEEDED))
+
+
+def test_carriers_stand_where_the_list_says() -> None:
+    text = "barcode,x,y,next,station,FOUP\n1,0,0,2,P1,F1\n2,1000,0,3,P2,F1\n3,2000,0,1,P3,bad name\n"
+    made = imported(text)
+    assert made.plant.carriers == (("F1", "P1"),)
+    assert [note.partition(":")[0] for note in said(made, Kind.WRONG)] == ["row 3", "row 4"]
