@@ -5,7 +5,7 @@ from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.callers import SAFE, Callers
-from app.api.problems import Problem
+from app.api.problems import Problem, language_in
 from app.settings import Settings, is_loopback
 
 CLOSE = {"Connection": "close"}
@@ -37,7 +37,7 @@ class Guard:
         if problem is None:
             await self.app(scope, receive, send)
         elif scope["type"] == "http" or "websocket.http.response" in scope.get("extensions", {}):
-            await problem.response()(scope, receive, send)
+            await problem.response(language_in(scope))(scope, receive, send)
         else:
             await receive()
             await send({"type": "websocket.close", "code": 1008, "reason": problem.brief()})

@@ -470,6 +470,8 @@ class Scripted:
         match request:
             case _ if isinstance(request, WalkRequest):
                 return self._walk(request)
+            case r.StageVehicle():
+                return r.Accepted(Topic.VEHICLES, request.vehicle or "V001")
             case AcknowledgeAlarm():
                 row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
                 self.reader.wrong[request.alarm] = row

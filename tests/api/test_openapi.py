@@ -15,6 +15,7 @@ from referencing.jsonschema import DRAFT202012
 from typer import Typer
 from typer.testing import CliRunner
 
+from app.api.commands import COMMANDS
 from app.cli.openapi import document, openapi
 from app.domain import requests as r
 from app.domain.access import Role
@@ -79,6 +80,14 @@ def test_the_live_description_names_every_topic() -> None:
     objects = set(messages["snapshot"]["payload"]["properties"]["objects"]["properties"])
     changed = set(messages["change"]["payload"]["properties"]["changes"]["items"]["properties"]["topic"]["enum"])
     assert objects == changed == set(Topic) - {Topic.EVENTS}
+
+
+def test_the_live_description_names_every_command_and_every_frame() -> None:
+    command = ASYNC["components"]["messages"]["words"]["payload"]["properties"]["command"]["properties"]
+    assert command["name"]["enum"] == list(COMMANDS)
+    assert set(ASYNC["channels"]["live"]["messages"]) == set(ASYNC["components"]["messages"])
+    operations = [ref["$ref"] for one in ASYNC["operations"].values() for ref in one["messages"]]
+    assert {ref.rpartition("/")[2] for ref in operations} == set(ASYNC["components"]["messages"])
 
 
 @pytest.mark.anyio

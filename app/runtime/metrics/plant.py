@@ -36,6 +36,12 @@ def controller(model: ReadModel, trouble: str) -> Iterator[Metric]:
         yield gauge("circles", "Circles of vehicles that wait for each other now.", len(view.circles))
         yield counter("circles_found", "Circles that were found.", view.circles_found)
         yield counter("circles_resolved", "Circles that are over.", view.circles_resolved)
+        yield gauge("closed_places", "Barcodes and edges that ways keep off.", view.closed_places)
+        yield gauge("stations_cut_off", "Stations that nobody can reach for what is closed.", len(view.cut_off))
+        yield gauge("slow_track", "Pieces of track that take twice as long as usual.", view.slow_track)
+        led = {("closed",): float(view.led_round), ("quicker",): float(view.led_quicker)}
+        yield counters("led_another_way", "Vehicles under way that were led another way.", ["why"], led)
+        yield counter("ways_weighed", "How often ways were weighed anew by the traffic.", view.weighed)
     yield gauge("database_trouble", "1 while nothing can be made durable.", float(bool(trouble)))
     yield gauge("events_last", "The number of the last event.", model.last_event)
 
