@@ -104,6 +104,8 @@ class LineWatch:
         self._decoder = Decoder(codec, Toward.VEHICLE)
         self._ear = Decoder(codec, Toward.CONTROLLER)
         self._last_heard = 0.0
+        self._told: set[int] = set()
+        """CMD_IDs under which a STATUS came: what comes again is an echo."""
         self._status: tuple[Mode, float] | None = None
         """The mode of the newest STATUS that arrived on this connection, and when."""
         self._books = books
@@ -119,12 +121,19 @@ class LineWatch:
         """Take what arrives at the controller's end, None as the connection is lost: what it may know, no more."""
         if data is None:
             self._status, self._ear = None, Decoder(self._codec, Toward.CONTROLLER)
+            self._told.clear()
             return
         given_up = self._ear.flush() if self._ear.pending and now - self._last_heard >= IDLE else []
         self._last_heard = now
         for frame in (*given_up, *self._ear.feed(data)):
-            if isinstance(frame, Enq) and isinstance(frame.body, Resp2):
+            if isinstance(frame, Enq) and isinstance(frame.body, Resp2) and frame.cmd_id not in self._told:
+                self._told.add(frame.cmd_id)
                 self._status = (frame.body.status2.mode, now)
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode that the controller has heard of on this connection; None: it has heard nothing."""
+        return None if self._status is None else self._status[0]
 
     def _judge_status(self, frame: Enq | Etb, now: float) -> None:
         """QUALITY 2, items 7 and 10: in AUTO only, and by a STATUS that is not too old."""
@@ -166,6 +175,7 @@ class Books:
         """The commands whose outcome is not known, by vehicle."""
         self.jobs: dict[str, JobState] = {}
         self._oracle = oracle
+        self._orders: dict[str, int] = {}
         self._last_event = 0
 
     def committed(self, records: Iterable[Record], now: float) -> None:
@@ -199,6 +209,8 @@ class Books:
 
     def _job(self, job: Job, now: float) -> None:
         before = self.jobs.get(job.id)
+        if self._orders.setdefault(job.id, job.order) != job.order:
+            self._oracle.note(f"there are two jobs {job.id}", now)
         self.jobs[job.id] = job.state
         if before is None:
             before = JobState.QUEUED

@@ -7,10 +7,10 @@ from app.domain.commands import Plain
 from app.domain.devices import AgvMode, BufferState
 from app.domain.drive import Parameter
 from app.domain.drive_requests import AskDriveStatus, ReadDrive
-from app.domain.ids import Actor, JobId, StationId, VehicleId
-from app.domain.job import JobState
+from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
+from app.domain.job import JobState, Leg
 from app.domain.layout import StationKind, Wire
-from app.domain.requests import AbortJob, CancelJob, ChangeJob, CommandVehicle, CreateJob, HoldVehicle
+from app.domain.requests import AbortJob, CancelJob, ChangeJob, CommandVehicle, CreateJob, HoldVehicle, WriteStation
 from app.domain.units import Barcode
 from app.protocols.enig.simulator import SimulatedLink
 from app.protocols.itsc.messages import Mode
@@ -73,10 +73,23 @@ def _shove(scene: Scene, dice: Random, vehicle: VehicleId) -> None:
     if not scene.alive or device.working or device.state.driving:
         return
     track = scene.control.fleet.books.track
-    near = [b for b in sorted(track.reach(device.place(scene.now)[0], device.spec.reach)) if clear(scene, vehicle, b)]
-    if near:
+    near = [b for b in sorted(track.reach(device.place(scene.now)[0], device.spec.reach)) if nobody_near(scene, vehicle, b)]
+    if near and scene.knows_to_be_in(vehicle, Mode.MANT):
         scene.tell("shoved")
         device.push_to(dice.choice(near), scene.now)
+
+
+def nobody_near(scene: Scene, vehicle: VehicleId, barcode: Barcode) -> bool:
+    """Whether a vehicle that people push there comes upon nobody, nor on the way that another is driving: they see that."""
+    track = scene.control.fleet.books.track
+    covered = {barcode, *track.behind(barcode, scene.floor.devices[vehicle].spec.length)}
+    near = covered | {n for b in covered for n in track.conflicts(b)}
+    for other, device in scene.floor.devices.items():
+        at, _, following = device.place(scene.now)
+        there = {at, *track.behind(at, device.spec.length), *device.path, *([following] if following else [])}
+        if other != vehicle and near & there:
+            return False
+    return True
 
 
 def clear(scene: Scene, vehicle: VehicleId, barcode: Barcode) -> bool:
@@ -202,6 +215,39 @@ def _change(scene: Scene, dice: Random) -> None:
     scene.ask(ChangeJob(HOST, job, priority=dice.randint(0, 99), destination=dice.choice(free) if free else None))
 
 
+def _intrude(scene: Scene, _dice: Random) -> None:
+    """The host says that equipment fills the place that a carrier is on its way to; some time later it is empty again."""
+    if not scene.alive:
+        return
+    books, at = scene.control.fleet.books, scene.floor.truth.at
+    jobs = [j for j in books.jobs.values() if j.leg is Leg.TO_DESTINATION and j.vehicle and books.vehicles[j.vehicle].rest]
+    target = next((j.destination for j in jobs if j.destination not in at), None)
+    if target is None:
+        return
+    scene.ask(WriteStation(HOST, target, present=True))
+
+    def told() -> bool:
+        record = scene.control.fleet.books.stations.get(target) if scene.alive else None
+        return record is not None and record.present is True and not any(
+            v.handling and v.handling.station == target for v in scene.control.fleet.books.vehicles.values()
+        )
+
+    def fill() -> None:
+        if told() and target not in at:
+            scene.tell("filled", target)
+            scene.floor.truth.install(CarrierId("STRANGER"), target)
+            scene.agenda.after(30.0, empty)
+
+    def empty() -> None:
+        if not scene.alive:
+            scene.agenda.after(5.0, empty)
+        elif at.get(target) == "STRANGER":
+            scene.floor.truth.remove(target)
+            scene.ask(WriteStation(HOST, target, present=False))
+
+    scene.agenda.after(1.0, fill)
+
+
 # -- the hall ---------------------------------------------------------------------------------------------------------
 
 
@@ -280,6 +326,7 @@ ACTS: dict[Blow, Act] = {
     Blow.REPEAT: _repeat,
     Blow.CANCEL: _cancel,
     Blow.CHANGE: _change,
+    Blow.INTRUDE: _intrude,
     Blow.AGV_MANUAL: _agv_manual,
     Blow.AGV_ERROR: _agv_error,
     Blow.AGV_MISS: _agv_miss,

@@ -3,6 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass, field
 
+from app.domain.layout import Plant, Wire
 from app.sim.fuzz.plan import ANYWHERE, RAIL, Blow
 from app.sim.fuzz.play import Outcome
 
@@ -21,6 +22,12 @@ HALL_REACHED: frozenset[str] = frozenset(
     {Blow.AGV_MANUAL.value, Blow.AGV_ERROR.value, Blow.AGV_MISS.value, Blow.DOOR.value, Blow.BUFFER.value, Blow.DRIVE.value}
 )
 """What it must have seen besides where the plant has a hall and drives."""
+
+
+def reached(plant: Plant) -> frozenset[str]:
+    """Return what a campaign on a plant must have seen, or it tries nothing."""
+    hoists = REACHED if any(True for _ in plant.hoists) else frozenset[str]()
+    return hoists | (HALL_REACHED if any(link.wire is Wire.ENIG for link in plant.links) else frozenset[str]())
 
 
 @dataclass(slots=True)

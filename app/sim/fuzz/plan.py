@@ -38,6 +38,7 @@ class Blow(StrEnum):
     REPEAT = "order repeated"
     CANCEL = "cancelled or aborted by the host"
     CHANGE = "order changed by the host"
+    INTRUDE = "destination filled by equipment"
     AGV_MANUAL = "AGV switched to manual"
     AGV_ERROR = "AGV in error"
     AGV_MISS = "tag not read"
@@ -52,7 +53,7 @@ RAIL = (
     Blow.LOSE,
 )  # fmt: skip
 """What befalls hoists."""
-ANYWHERE = (Blow.KILL, Blow.CUT, Blow.STALL, Blow.REPEAT, Blow.CANCEL, Blow.CHANGE)
+ANYWHERE = (Blow.KILL, Blow.CUT, Blow.STALL, Blow.REPEAT, Blow.CANCEL, Blow.CHANGE, Blow.INTRUDE)
 HALL = (Blow.AGV_MANUAL, Blow.AGV_ERROR, Blow.AGV_MISS, Blow.DOOR, Blow.BUFFER, Blow.LOST_PACKET)
 """What befalls a hall of AGVs."""
 

@@ -10,6 +10,7 @@ from app.domain.records import AuditRow, Record
 from app.domain.requests import Accepted, CreateJob, Request
 from app.domain.units import Seconds
 from app.domain.view import EventView, Topic, Update, View
+from app.protocols.itsc.messages import Mode
 from app.sim.fuzz.plan import Crash, Plan, Where
 from app.sim.world import World
 
@@ -54,7 +55,7 @@ class Scene(World):
     def kill(self) -> None:
         """Kill the controller, if it lives."""
         if self.alive:
-            self.tell("kill")
+            self.tell("controller killed")
             self._asked.clear()
         super().kill()
 
@@ -154,6 +155,10 @@ class Scene(World):
                 self.oracle.note(f"a watcher sees an older {key[0].value} {key[1]} than a newcomer", self.now)
 
     # -- hands --------------------------------------------------------------------------------------------------------
+
+    def knows_to_be_in(self, vehicle: VehicleId, mode: Mode) -> bool:
+        """Whether the controller has heard that a hoist is in a mode."""
+        return self.alive and self._watches[vehicle].mode is mode
 
     def flush(self, vehicle: VehicleId) -> None:
         """Let a hoist say what somebody's hands made of it."""
