@@ -34,14 +34,22 @@ class Settings(BaseSettings):
     model_config = SettingsConfigDict(frozen=True, env_prefix=PREFIX, extra="forbid", env_ignore_empty=True)
 
     host: str = "127.0.0.1"
-    """Address that the server listens on. Another than loopback needs ``access_key``."""
+    """Address that the server listens on. Another than loopback needs ``access`` required, or ``access_key``."""
     port: Annotated[int, Field(ge=0, le=65535)] = 8080
     database: str = "sqlite:///hoistway.db"
     """SQLAlchemy URL."""
     plant: Path | None = None
     """The plant file."""
     access_key: Annotated[SecretStr | None, Field(min_length=16)] = None
-    """When set, every request must bring it: ``Authorization: Bearer KEY``."""
+    """A key that may do everything, shared by all who know it: ``Authorization: Bearer KEY``."""
+    metrics_key: Annotated[SecretStr | None, Field(min_length=16)] = None
+    """A key that opens ``/metrics`` and nothing else, for Prometheus, where callers have to say who they are."""
+    access: Literal["auto", "required"] = "auto"
+    """Whether callers have to say who they are: ``auto`` once there is a user or a key, ``required`` always."""
+    address_rate: Annotated[float, Field(gt=0)] = 1000.0
+    """Requests a second from one address, and twice as many at once; this machine's own is not counted."""
+    caller_rate: Annotated[float, Field(gt=0)] = 2000.0
+    """Requests a second by one person's session or one key, and twice as many at once."""
     allowed_hosts: tuple[str, ...] = ()
     """Host names, besides loopback's, under which a server without a key may be called (a proxy's name)."""
     allowed_origins: tuple[str, ...] = ()
@@ -64,9 +72,10 @@ class Settings(BaseSettings):
 
     @model_validator(mode="after")
     def _only_loopback_is_open(self) -> "Settings":
-        if self.access_key is None and not is_loopback(self.host):
+        if self.access_key is None and self.access != "required" and not is_loopback(self.host):
             raise ValueError(
-                f"host {self.host!r} can be reached from outside: set access_key (16 characters or more), or listen on 127.0.0.1"
+                f"host {self.host!r} can be reached from outside: say access: required, set access_key (16 characters or more), "
+                "or listen on 127.0.0.1"
             )
         return self
 

@@ -7,7 +7,16 @@ import type { Plugin } from "vite";
 const ROOT = import.meta.dirname;
 const BUNDLE = join(ROOT, "..", "app", "web");
 /** What the bundle is made from; tests/web computes the same digest. */
-const SOURCES = ["index.html", "package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "src"];
+const SOURCES = [
+  "index.html",
+  "package.json",
+  "package-lock.json",
+  "tsconfig.json",
+  "vite.config.ts",
+  "src",
+  "../app/texts/en.json",
+  "../app/texts/ko.json",
+];
 
 function filesOf(path: string): string[] {
   if (!statSync(join(ROOT, path)).isDirectory()) return [path];
@@ -39,7 +48,7 @@ function manifest(): Plugin {
 export default defineConfig({
   root: ROOT,
   plugins: [manifest()],
-  build: { outDir: BUNDLE, emptyOutDir: false, target: "es2022", modulePreload: false, chunkSizeWarningLimit: 300 },
-  server: { proxy: { "/api": { target: "http://127.0.0.1:8080", ws: true }, "/healthz": "http://127.0.0.1:8080" } },
+  build: { outDir: BUNDLE, emptyOutDir: false, target: "es2022", minify: false, modulePreload: false, chunkSizeWarningLimit: 900 },
+  server: { fs: { allow: [".."] }, proxy: { "/api": { target: "http://127.0.0.1:8080", ws: true }, "/healthz": "http://127.0.0.1:8080" } },
   test: { include: ["test/**/*.test.ts"] },
 });

@@ -12,6 +12,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    alarms,
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -22,19 +24,27 @@ from app.api import (
     jobs,
     links,
     live,
+    metrics,
     operations,
     plant,
     problems,
     stations,
+    statistics,
     taught,
     taught_files,
     teaching,
     vehicles,
+    walks,
+    zones,
 )
+from app.api.callers import Callers
 from app.api.calls import Ctl, answer_of
+from app.api.calls_counted import CountedCalls
+from app.api.commands import COMMANDS
 from app.api.declared import Raw, declare, gives
-from app.api.guard import Guard, Tickets
-from app.api.orders import Orders
+from app.api.guard import Guard
+from app.api.orders import PATH, Orders
+from app.api.policy import Policy
 from app.api.port import Controller
 from app.domain.view import Topic
 from app.settings import Settings
@@ -71,11 +81,14 @@ class Api(FastAPI):
     """FastAPI, with orders answered before its own layers."""
 
     orders: ASGIApp
+    counted: CountedCalls
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
         if Orders.take(scope):
-            await self.orders(scope, receive, send)
+            await self.counted(self.orders, PATH, scope, receive, send)
+        elif scope["type"] == "http":
+            await self.counted(super().__call__, "", scope, receive, send)
         else:
             await super().__call__(scope, receive, send)
 
@@ -89,7 +102,7 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
 
 def described(settings: Settings) -> FastAPI:
     """Return the application without a controller: enough for its description."""
-    tickets = Tickets()
+    callers = Callers(settings)
     app = Api(
         title="Hoistway",
         version=VERSION,
@@ -99,11 +112,12 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, tickets=tickets)],
+        middleware=[Middleware(Guard, settings=settings, callers=callers)],
     )
     app.state.settings = settings
-    app.state.tickets = tickets
-    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, tickets), app.state), problems.defect)
+    app.state.callers = callers
+    app.counted = app.state.counted = CountedCalls()
+    app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
     api = APIRouter(prefix="/api/v1")
     for router in (
         jobs.router,
@@ -125,6 +139,11 @@ def described(settings: Settings) -> FastAPI:
         taught_files.router,
         devices.router,
         emergency.router,
+        closures.router,
+        statistics.router,
+        walks.router,
+        alarms.router,
+        zones.router,
         plant.controller_routes,
         plant.layout,
         plant.audit,
@@ -134,11 +153,13 @@ def described(settings: Settings) -> FastAPI:
         api.include_router(router)
     app.include_router(api)
     app.include_router(probes)
+    app.include_router(metrics.router)
     problems.install(app)
     declare(app)
     _serve_docs(app)
     _serve_page(app)
     app.add_api_websocket_route("/{path:path}", problems.no_stream)
+    callers.policy = Policy(app.routes, COMMANDS)
     return app
 
 

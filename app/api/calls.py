@@ -13,9 +13,11 @@ from fastapi.concurrency import run_in_threadpool
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import Response
 
+from app.api.callers import caller_of
 from app.api.port import Controller
 from app.api.problems import Problem, refused
 from app.domain import requests
+from app.domain.access import Caller
 from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
 from app.domain.ids import Actor
@@ -51,7 +53,7 @@ async def _person(
     request: Request,
     _x_actor: Annotated[str | None, Header(alias="X-Actor", description="The person who decides; required.")] = None,
 ) -> Actor:
-    if not request.headers.get("x-actor", "").strip():
+    if not is_person(caller_of(request.scope), request.headers.get("x-actor")):
         raise Problem("invalid", "A named person has to decide this.", "Send the header X-Actor: NAME.", "X-Actor")
     return actor_of(request)
 
@@ -62,14 +64,25 @@ Person = Annotated[Actor, Depends(_person)]
 
 def actor_of(request: Request) -> Actor:
     """Return who asks."""
-    return actor_named(request.headers.get("x-actor"), request.client.host if request.client else "unknown")
+    address = request.client.host if request.client else "unknown"
+    return actor_named(request.headers.get("x-actor"), address, caller_of(request.scope))
+
+
+def is_person(caller: Caller | None, given: str | None) -> bool:
+    """Return whether a named person asks: somebody who logged in, or whoever the header X-Actor names."""
+    return (caller is not None and caller.person) or bool(given and given.strip())
 
 
 @lru_cache(maxsize=1000)
-def actor_named(given: str | None, address: str) -> Actor:
-    """Return who asks, from the header (UTF-8 read as Latin-1); without it, the caller's address stands for the name."""
+def actor_named(given: str | None, address: str, caller: Caller | None = None) -> Actor:
+    """Return who asks: a person who logged in; a machine, on behalf of whom the header X-Actor names (UTF-8 read as Latin-1).
+
+    Where nobody has to say who they are, the header alone; without it, the caller's address stands for the name.
+    """
+    if caller is not None and caller.person:
+        return caller.acting("")
     if given is None or not given.strip():
-        return Actor(f"anonymous@{address}")
+        return Actor(f"anonymous@{address}") if caller is None else caller.acting("")
     try:
         name = given.strip().encode("latin-1").decode("utf-8")
     except UnicodeDecodeError:
@@ -82,7 +95,7 @@ def actor_named(given: str | None, address: str) -> Actor:
             "Send a shorter or plainer one.",
             "X-Actor",
         )
-    return Actor(name)
+    return Actor(name) if caller is None else caller.acting(name)
 
 
 async def ask(controller: Controller, request: requests.Request) -> requests.Accepted:

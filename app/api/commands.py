@@ -6,6 +6,8 @@ from typing import Any
 from starlette.responses import Response
 
 from app.api import (
+    alarms,
+    closures,
     devices,
     drive_backups,
     drive_jog,
@@ -17,9 +19,12 @@ from app.api import (
     operations,
     plant,
     vehicles,
+    walks,
+    zones,
 )
 from app.api import drive_inputs as di
 from app.api.calls import answer_of, told
+from app.api.closure_inputs import ClosureIn, OpenIn
 from app.api.device_inputs import DeviceCommandIn, EmergencyIn, PinIn
 from app.api.inputs import JobChange, ReasonIn, RecoverIn, ReleaseIn, ServiceIn
 from app.api.spoken import Command, Said, Table, route
@@ -79,11 +84,32 @@ def _of_controller(call: Callable[..., Awaitable[Response]], body: Any = None, *
     return Command(body, carry_out, person)
 
 
+def numbered(call: Callable[..., Awaitable[Response]], body: Any) -> Command:
+    """A named person's command about a walk, whose target is its number."""
+
+    async def carry_out(said: Said) -> Response:
+        number = walks.number_of(said.target)
+        return await call(number, said.body, controller=said.controller, actor=said.actor)
+
+    return Command(body, carry_out, person=True)
+
+
 COMMANDS: Table = {
     "controller.pause": _of_controller(plant.pause, ReasonIn),
+    "controller.stop": _of_controller(plant.stop_all, ReasonIn),
     "controller.resume": _of_controller(plant.resume),
     "controller.emergency": _of_controller(emergency.raise_emergency, EmergencyIn, person=True),
     "controller.emergency.release": _of_controller(emergency.release_emergency, EmergencyIn, person=True),
+    "alarm.acknowledge": route(alarms.acknowledge_named, alarms.NoteIn, person=True),
+    "walk.start": _of_controller(walks.start_walk, walks.WalkIn, person=True),
+    "walk.enter": numbered(walks.enter_sights, walks.SightsIn),
+    "walk.accept": numbered(walks.accept_walk, walks.AcceptIn),
+    "walk.abandon": numbered(walks.abandon_walk, walks.AbandonIn),
+    "closure.close": _of_controller(closures.close_place, ClosureIn, person=True),
+    "closure.open": route(closures.open_named, OpenIn, person=True),
+    "zone.pause": route(zones.pause_zone, ReasonIn),
+    "zone.stop": route(zones.stop_zone, ReasonIn),
+    "zone.resume": route(zones.resume_zone),
     "job.cancel": route(jobs.cancel_job),
     "job.abort": route(jobs.abort_job),
     "job.change": route(jobs.change_job, JobChange),

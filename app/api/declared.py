@@ -7,8 +7,11 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import TypeAdapter
 from starlette.responses import Response
 
+from app.api.policy import API, OUTSIDE, ROUTES
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
+from app.api.room_declared import ROOM
 from app.api.teaching_declared import TEACHING
+from app.domain.access import Scope, who_may
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
 
@@ -18,11 +21,24 @@ REF = "#/components/schemas/"
 DESCRIPTION = """Transfers, vehicles, stations and carriers of one plant, and all that happens to them.
 
 * Times are ISO 8601 in UTC. Ids have 1 to 64 characters without blanks, slashes and `?#%`.
-* Whoever changes something names themselves in the header `X-Actor`; it is kept in the audit.
+* Whoever changes something is kept in the audit: by the name they logged in with or that their key has. Where nobody has to
+  log in, they name themselves in the header `X-Actor`; a machine says there on whose behalf it asks.
+* `x-roles` of each operation says which roles may, where callers have to say who they are.
 * An answer to a change means: durable. A problem (RFC 9457) says why not, and what would help.
 * `POST /jobs` is safe to repeat under the same `job_id` or `Idempotency-Key`.
 * The live stream is described in `asyncapi.yaml`.
 """
+
+
+SECURITY: Json = {
+    "key": {
+        "type": "http",
+        "scheme": "bearer",
+        "description": "A machine's key, as `hoistway keys add` showed it once.",
+    },
+    "session": {"type": "http", "scheme": "bearer", "description": "The token that `POST /session` gave a person."},
+}
+"""One of these is wanted where callers have to say who they are (docs/access.md)."""
 
 
 class Raw(Response):
@@ -241,7 +257,17 @@ OTHERS: Json = {
                 _object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT, "buffer": _nullable(_TEXT)})
             ),
             "zones": _list(
-                _object({"id": _TEXT, "name": _TEXT, "barcodes": _list(_TEXT), "capacity": _WHOLE, "no_stop": _FLAG})
+                _object(
+                    {
+                        "id": _TEXT,
+                        "name": _TEXT,
+                        "barcodes": _list(_TEXT),
+                        "capacity": _WHOLE,
+                        "no_stop": _FLAG,
+                        "soft": _nullable(_object({"share": {"type": "number"}, "patience": {"type": "number"}}))
+                        | {"description": "No hard cap: a share of its slots is filled from outside, for so many s."},
+                    }
+                )
             ),
             "vehicles": _list(
                 _object(
@@ -327,18 +353,28 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS | TEACHING)
+    schemas.update(view_schemas() | OTHERS | TEACHING | ROOM)
     components["schemas"] = dict(sorted(schemas.items()))
-    components["securitySchemes"] = {
-        "key": {"type": "http", "scheme": "bearer", "description": "Wanted where the server has an access key."}
-    }
+    components["securitySchemes"] = SECURITY
     components["responses"] = {
         "Problem": {"description": "Why not.", "content": {MEDIA_TYPE: {"schema": ref("Problem")}}}
     }
-    document["security"] = [{}, {"key": []}]
-    for path in document["paths"].values():
-        for operation in path.values():
+    document["security"] = [{}, *({name: []} for name in SECURITY)]
+    for where, path in document["paths"].items():
+        for method, operation in path.items():
             responses = operation["responses"]
             responses.pop("422", None)
             responses["default"] = {"$ref": "#/components/responses/Problem"}
+            _say_who_may(operation, f"{method.upper()} {where}")
     return document
+
+
+def _say_who_may(operation: Json, name: str) -> None:
+    """Write into an operation which roles it is for."""
+    method, _, path = name.partition(" ")
+    inside = path.startswith(API + "/")
+    scope = ROUTES[f"{method} {path.removeprefix(API)}"] if inside else OUTSIDE[name]
+    if scope is Scope.PUBLIC:
+        operation["security"] = []
+    else:
+        operation["x-roles"] = [role.value for role in who_may(scope)]

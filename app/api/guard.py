@@ -1,56 +1,29 @@
-"""What stands before every route: host name, origin, access key, size of the body. Plain ASGI, one pass."""
-
-import hmac
-import secrets
-import time
-from collections.abc import Callable
+"""What stands before every route, in this order: host name, origin, rate of the address, who calls and what they may, size of the
+body, rate of the caller. Plain ASGI, one pass; nothing of a body is read before."""
 
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from app.api.callers import Callers
 from app.api.problems import Problem
 from app.settings import Settings, is_loopback
 
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})
-TICKET_LIFE = 30.0
-"""Seconds in which a ticket for the live stream can be used, once. Our choice."""
-TICKETS = 1000
-"""Most unused tickets at a time; the oldest goes."""
+CLOSE = {"Connection": "close"}
+"""What comes after a refusal would be the rest of a body that nobody reads."""
 HOSTS_KEPT = 100
 """So many spellings of our own name are known again at once. Our choice."""
 
 
-class Tickets:
-    """One-time tickets: a browser cannot send a header with a WebSocket, and a key must not stand in a URL."""
-
-    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
-        self._now = now
-        self._until: dict[str, float] = {}
-
-    def give(self) -> str:
-        """Return a new ticket."""
-        while len(self._until) >= TICKETS:
-            self._until.pop(next(iter(self._until)))
-        ticket = secrets.token_urlsafe(24)
-        self._until[ticket] = self._now() + TICKET_LIFE
-        return ticket
-
-    def take(self, ticket: str) -> bool:
-        """Whether the ticket is good; it is used up then."""
-        until = self._until.pop(ticket, None)
-        return until is not None and self._now() <= until
-
-
 class Guard:
-    """ASGI middleware; what it lets through has passed all four checks."""
+    """ASGI middleware; what it lets through has passed all checks."""
 
-    def __init__(self, app: ASGIApp, settings: Settings, tickets: Tickets) -> None:
+    def __init__(self, app: ASGIApp, settings: Settings, callers: Callers) -> None:
         self.app = app
         self.limit = settings.body_limit
         """Largest body, bytes."""
-        self._tickets = tickets
+        self._callers = callers
         self._known_hosts: set[bytes] = set()
-        self._key = settings.access_key.get_secret_value().encode() if settings.access_key else None
         self._hosts = frozenset(host.lower() for host in settings.allowed_hosts)
         self._origins = frozenset(origin.rstrip("/").lower() for origin in settings.allowed_origins)
 
@@ -82,23 +55,29 @@ class Guard:
                 origin = value if origin is None else origin
             elif name == b"authorization":
                 access = value if access is None else access
-        return (
-            self._host(host or b"")
+        callers, closed = self._callers, self._callers.closed
+        problem = (
+            (None if closed else self._host(host or b""))
             or (None if origin is None else self._origin(scope, origin, host or b""))
-            or (None if self._key is None else self._access(scope, access or b""))
+            or callers.too_fast_from(scope)
+            or (callers.refusal(scope, access) if closed else None)
             or (None if length is None or scope["type"] != "http" else self._size(length))
+            or (callers.too_fast(scope) if closed else None)
         )
+        if problem is not None and scope["type"] == "http" and scope["method"] not in SAFE:
+            problem.headers = {**problem.headers, **CLOSE}
+        return problem
 
     def _host(self, host: bytes) -> Problem | None:
-        """Without a key, only a name of this machine: a foreign name that resolves to it is DNS rebinding."""
-        if self._key is not None or host in self._known_hosts:
+        """Where nobody says who they are, only a name of this machine: a foreign name that resolves to it is DNS rebinding."""
+        if host in self._known_hosts:
             return None
         name = _host_name(host.decode("latin-1"))
         if name in self._hosts or is_loopback(name):
             if len(self._known_hosts) < HOSTS_KEPT:
                 self._known_hosts.add(host)
             return None
-        remedy = "Use localhost or 127.0.0.1, add the name to allowed_hosts, or set access_key."
+        remedy = "Use localhost or 127.0.0.1, add the name to allowed_hosts, or let people log in (docs/access.md)."
         return Problem("misdirected", f"This server does not answer to the name {name[:80]!r}.", remedy)
 
     def _origin(self, scope: Scope, given: bytes, host: bytes) -> Problem | None:
@@ -111,30 +90,6 @@ class Guard:
             return None
         detail = f"A page of {origin[:80]!r} may not call this server."
         return Problem("foreign-origin", detail, "Use the server's own page, or add the origin to allowed_origins.")
-
-    def _access(self, scope: Scope, header: bytes) -> Problem | None:
-        """The page, its parts, the descriptions and the probes are open; everything under ``/api/v1`` wants the key."""
-        if self._key is None or not scope["path"].startswith("/api/v1"):
-            return None
-        scheme, _, given = header.partition(b" ")
-        if scheme.lower() == b"bearer" and hmac.compare_digest(given.strip(), self._key):
-            return None
-        if scope["type"] == "websocket" and self._ticket(scope):
-            return None
-        remedy = "Send the header Authorization: Bearer KEY."
-        return Problem(
-            "unauthorised",
-            "This server wants an access key, and this is not it." if given else "This server wants an access key.",
-            remedy,
-            headers={"WWW-Authenticate": 'Bearer realm="hoistway"'},
-        )
-
-    def _ticket(self, scope: Scope) -> bool:
-        for part in scope["query_string"].decode("latin-1").split("&"):
-            name, _, value = part.partition("=")
-            if name == "ticket" and self._tickets.take(value):
-                return True
-        return False
 
     def _size(self, length: bytes) -> Problem | None:
         if length.isdigit() and len(length) < 20 and int(length) <= self.limit:
@@ -150,7 +105,7 @@ class Guard:
             if message["type"] == "http.request":
                 seen += len(message.get("body", b""))
                 if seen > limit:
-                    raise HTTPException(413, f"The body is larger than {limit} bytes.")
+                    raise HTTPException(413, f"The body is larger than {limit} bytes.", CLOSE)
             return message
 
         return bounded

@@ -29,6 +29,9 @@ Pulse = Annotated[int, Field(ge=-(1 << 31), le=(1 << 31) - 1)]
 PathId = Annotated[str, Path(min_length=1, max_length=64, pattern=ID_PATTERN)]
 QueryId = Annotated[str | None, Query(min_length=1, max_length=64, pattern=ID_PATTERN)]
 After = Annotated[int, Query(ge=0, le=(1 << 53) - 1, description="Only what is numbered above this.")]
+Older = Annotated[
+    int | None, Query(ge=1, le=(1 << 53) - 1, description="Only what is numbered below this; go on with `next`.")
+]
 Limit = Annotated[int, Query(ge=1, le=1000, description="At most this many.")]
 
 

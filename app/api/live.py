@@ -10,14 +10,14 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.callers import TICKET_LIFE, Callers, caller_of
 from app.api.calls import Ctl, answer_of
 from app.api.commands import COMMANDS
 from app.api.declared import gives
 from app.api.events import admit, replay_of
-from app.api.guard import TICKET_LIFE, Tickets
 from app.api.port import Controller
 from app.api.problems import Problem
-from app.api.spoken import Order, Speaker, Spoken, error
+from app.api.spoken import Order, Speaker, Spoken, Voice, error
 from app.api.streams import WIRE, WRITABLE
 from app.domain.view import Topic
 from app.runtime.hub import Subscription
@@ -40,9 +40,9 @@ class Words(msgspec.Struct, forbid_unknown_fields=True):
 
 @router.post("/ticket", **gives("Ticket", 201, "Good once."))
 async def give_ticket(request: Request) -> Response:
-    """Give a ticket for ``/api/v1/live?ticket=...``: browsers cannot send the access key with a WebSocket."""
-    tickets: Tickets = request.app.state.tickets
-    return answer_of({"ticket": tickets.give(), "expires_in": TICKET_LIFE}, 201)
+    """Give a ticket for ``/api/v1/live?ticket=...``: browsers cannot send a key with a WebSocket."""
+    callers: Callers = request.app.state.callers
+    return answer_of({"ticket": callers.tickets.give(caller_of(request.scope)), "expires_in": TICKET_LIFE}, 201)
 
 
 def topics_of(names: Iterable[str]) -> frozenset[Topic]:
@@ -113,7 +113,7 @@ def _spoken(socket: WebSocket, controller: Controller, subscription: Subscriptio
 
     address = socket.client.host if socket.client else "unknown"
     speaker = Speaker(controller, f"live/{secrets.token_hex(8)}")
-    return Spoken(COMMANDS, speaker, socket.headers.get("x-actor"), address, reply)
+    return Spoken(COMMANDS, speaker, Voice(caller_of(socket.scope), socket.headers.get("x-actor"), address), reply)
 
 
 async def _listen(socket: WebSocket, subscription: Subscription, spoken: Spoken) -> None:

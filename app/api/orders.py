@@ -9,8 +9,9 @@ from pydantic import ValidationError
 from starlette.datastructures import State
 from starlette.types import Receive, Scope, Send
 
+from app.api.callers import CALLER
 from app.api.calls import actor_named
-from app.api.guard import Guard
+from app.api.guard import CLOSE, Guard
 from app.api.inputs import JobIn
 from app.api.jobs import Ordered, create
 from app.api.known_jobs import KnownJobs
@@ -66,7 +67,7 @@ class Orders:
                 key = value.decode("latin-1") if key is None else key
         order = _read(body, kind)
         client = scope.get("client")
-        actor = actor_named(named, client[0] if client else "unknown")
+        actor = actor_named(named, client[0] if client else "unknown", scope.get(CALLER))
         if key is not None and not (0 < len(key) <= 128 and key.isascii() and key.isprintable() and " " not in key):
             detail = "Idempotency-Key has 1 to 128 printable ASCII characters without blanks."
             raise Problem("invalid", detail, field="Idempotency-Key")
@@ -85,7 +86,7 @@ class Orders:
             part = cast(bytes, message.get("body", b""))
             size += len(part)
             if size > self._guard.limit:
-                raise Problem("too-large", f"The body is larger than {self._guard.limit} bytes.")
+                raise Problem("too-large", f"The body is larger than {self._guard.limit} bytes.", headers=CLOSE)
             more = message.get("more_body", False)
             if not more and not parts:
                 return part

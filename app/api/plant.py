@@ -46,6 +46,13 @@ async def pause(body: ReasonIn, controller: Ctl, actor: Who) -> Response:
     return _now(controller)
 
 
+@controller_routes.post("/stop", **gives("Controller"))
+async def stop_all(body: ReasonIn, controller: Ctl, actor: Who) -> Response:
+    """Stop every vehicle that moves where it is, and begin no new movement. Vehicles keep AUTO; resume to go on."""
+    await ask(controller, requests.StopAll(actor, body.reason))
+    return _now(controller)
+
+
 @controller_routes.post("/resume", **gives("Controller"))
 async def resume(controller: Ctl, actor: Who) -> Response:
     """Go on."""
@@ -116,6 +123,7 @@ def _drawn(plant: Plant) -> dict[str, object]:
                 "barcodes": sorted(z.barcodes),
                 "capacity": z.capacity,
                 "no_stop": z.no_stop,
+                "soft": None if z.meter is None else {"share": z.meter.share, "patience": z.meter.patience},
             }
             for z in plant.zones
         ],

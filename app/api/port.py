@@ -3,6 +3,7 @@
 from collections.abc import Awaitable, Sequence
 from typing import Protocol
 
+from app.api.room_port import RoomReader
 from app.api.teaching_port import TeachingReader
 from app.domain.drive import DriveId
 from app.domain.drive_records import DriveBackup, DriveOperation
@@ -15,11 +16,14 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
 from app.domain.why import Why
+from app.fleet.closure_preview import Survey
 from app.planning.routing import Route
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.metrics import Figures
 
 
-class Reader(TeachingReader, Protocol):
+class Reader(TeachingReader, RoomReader, Protocol):
     """Committed history; blocking, called from the thread pool. Raises StoreError."""
 
     def job(self, job: JobId) -> Job | None:
@@ -109,6 +113,24 @@ class Controller(Protocol):
         ...
 
     @property
+    def figures(self) -> Figures:
+        """What is counted as it happens."""
+        ...
+
+    @property
+    def backlog(self) -> tuple[int, int]:
+        """Batches that wait for the writer, and decisions that are not durable yet."""
+        ...
+
+    def waits(self) -> dict[str, int]:
+        """Return how many vehicles wait for what, by cause."""
+        ...
+
+    def named_quality(self) -> Sequence[tuple[VehicleId, LinkQuality]]:
+        """Return the figures of every hoist's line, by the hoist's name."""
+        ...
+
+    @property
     def reader(self) -> Reader:
         """Committed history."""
         ...
@@ -145,6 +167,10 @@ class Controller(Protocol):
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
+        ...
+
+    def survey(self) -> Survey:
+        """Return the fleet at this moment, fixed."""
         ...
 
     def utc(self) -> Timestamp:

@@ -21,7 +21,8 @@ METHODS = ("DELETE", "GET", "HEAD", "PATCH", "POST", "PUT")
 
 CODES: dict[str, tuple[int, str]] = {
     "malformed": (400, "The request cannot be read"),
-    "unauthorised": (401, "The access key is missing or wrong"),
+    "unauthorised": (401, "Nobody who is known here asks"),
+    "forbidden": (403, "The caller's roles do not allow this"),
     "foreign-origin": (403, "A page from elsewhere may not do this"),
     "not-found": (404, "There is no such object"),
     "no-such-path": (404, "There is no such path"),

@@ -14,9 +14,11 @@ import msgspec
 from pydantic import TypeAdapter, ValidationError
 from starlette.responses import Response
 
-from app.api.calls import actor_named
+from app.api.calls import actor_named, is_person
+from app.api.policy import COMMANDS, forbidden
 from app.api.port import Controller
 from app.api.problems import Problem, ours, problem_of
+from app.domain.access import Caller
 from app.domain.drive_requests import Word
 from app.domain.errors import HoistwayError
 from app.domain.ids import Actor
@@ -101,6 +103,15 @@ def route(call: Callable[..., Awaitable[Response]], body: Any = None, *, person:
     return Command(body, carry_out, person)
 
 
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """Who speaks: who has shown who they are (None: nobody has to), the header X-Actor, the address."""
+
+    caller: Caller | None
+    header: str | None
+    address: str
+
+
 class Spoken:
     """Carries out what one watcher says. ``reply`` sends a text to it."""
 
@@ -108,12 +119,10 @@ class Spoken:
         self,
         table: Table,
         speaker: Speaker,
-        header: str | None,
-        address: str,
+        voice: Voice,
         reply: Callable[[str], Awaitable[None]],
     ) -> None:
-        self._table, self._speaker, self._reply = table, speaker, reply
-        self._header, self._address = header, address
+        self._table, self._speaker, self._voice, self._reply = table, speaker, voice, reply
         self._tasks: set[asyncio.Task[None]] = set()
 
     def take(self, number: int | str | None, order: Order, actor: str | None) -> Problem | None:
@@ -142,12 +151,14 @@ class Spoken:
             close = nearest(order.name, self._table)
             remedy = f"Did you mean {close}?" if close else f"There are {', '.join(self._table)}."
             raise Problem("invalid", f"There is no command {order.name[:40]!r}.", remedy, "command.name")
-        if command.person and not (actor or self._header or "").strip():
+        voice = self._voice
+        if voice.caller is not None and (problem := forbidden(voice.caller, COMMANDS[order.name], order.name)):
+            raise problem
+        given = voice.header if actor is None else actor.encode().decode("latin-1")
+        if command.person and not is_person(voice.caller, given):
             raise Problem("invalid", "A named person has to decide this.", 'Send "actor": "NAME".', "actor")
-        given = self._header if actor is None else actor.encode().decode("latin-1")
-        return command, Said(
-            self._speaker, actor_named(given, self._address), order.target, _body(command, bytes(order.body))
-        )
+        who = actor_named(given, voice.address, voice.caller)
+        return command, Said(self._speaker, who, order.target, _body(command, bytes(order.body)))
 
     async def _carry_out(self, number: int | str | None, command: Command, said: Said) -> None:
         try:

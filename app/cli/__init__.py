@@ -13,6 +13,7 @@ from app.cli import (
     detect,
     fab,
     fuzz,
+    layout,
     openapi,
     schema,
     serve,
@@ -45,5 +46,6 @@ for command in (
     openapi.openapi,
 ):
     app.command()(command)
+app.add_typer(layout.commands, name="layout")
 app.add_typer(db.commands, name="db")
 app.add_typer(bench.commands, name="bench")

@@ -15,7 +15,9 @@ commands = typer.Typer(help="The schema of a plant's database.", no_args_is_help
 Url = Annotated[
     str,
     typer.Option(
-        "--url", envvar="HOISTWAY_DATABASE_URL", help="sqlite:///var/plant.db or postgresql://user@host/database."
+        "--url",
+        envvar=["HOISTWAY_DATABASE_URL", "HOISTWAY_DATABASE"],
+        help="sqlite:///var/plant.db or postgresql://user@host/database.",
     ),
 ]
 

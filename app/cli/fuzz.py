@@ -30,7 +30,9 @@ def fuzz(
     jobs: Annotated[int | None, typer.Option(min=1, help="processes; default: one for each processor")] = None,
     replay: Annotated[int | None, typer.Option(metavar="SEED", help="run this seed alone, and say how it ends")] = None,
     trace: Annotated[bool, typer.Option("--trace", help="with --replay: tell step by step what happens")] = False,
-    shrink: Annotated[bool, typer.Option("--shrink", help="with --replay: leave out what is not needed to fail")] = False,
+    shrink: Annotated[
+        bool, typer.Option("--shrink", help="with --replay: leave out what is not needed to fail")
+    ] = False,
     need_all: Annotated[
         bool, typer.Option("--need-all", help="exit 1 if something that a campaign is for never happened")
     ] = False,
@@ -52,7 +54,7 @@ def fuzz(
 def _seeds(text: str) -> range:
     """Return the seeds that ``A-B`` or ``A`` names. Raises CannotStart."""
     first, _, last = text.partition("-")
-    if not (first.isascii() and first.isdecimal() and (not last or last.isascii() and last.isdecimal())):
+    if not (first.isascii() and first.isdecimal() and (not last or (last.isascii() and last.isdecimal()))):
         raise CannotStart(f"--seeds {text!r} names no seeds", remedy="Say the first and the last: --seeds 0-299")
     begin, end = int(first), int(last or first)
     if end < begin:
@@ -111,7 +113,9 @@ def _sum_up(plant: Plant, tally: Tally) -> list[str]:
 
     wanted = reached(plant)
     print(f"runs      {tally.runs}, of which {len(tally.failed)} failed")
-    print(f"virtual   {tally.virtual / 3600:.1f} h, {tally.jobs} jobs ended, the controller was killed {tally.crashes} times")
+    print(
+        f"virtual   {tally.virtual / 3600:.1f} h, {tally.jobs} jobs ended, the controller was killed {tally.crashes} times"
+    )
     print("reached   " + ", ".join(f"{what} {tally.counts[what]}" for what in sorted(wanted)))
     missing = tally.missing(wanted)
     if missing:
@@ -150,5 +154,9 @@ def _describe(plan: Plan) -> None:
     for (line, way), rates in plan.noise.items():
         if rates:
             print(f"           noise {way} {line}: " + ", ".join(f"{f.value} {r:.3f}" for f, r in rates.items()))
-    for what, (least, most) in (("link", plan.delays.link), ("commit", plan.delays.commit), ("restart", plan.delays.restart)):
+    for what, (least, most) in (
+        ("link", plan.delays.link),
+        ("commit", plan.delays.commit),
+        ("restart", plan.delays.restart),
+    ):
         print(f"           {what} takes {least:g}-{most:g} s")

@@ -16,6 +16,8 @@ from app.api.streams import Stream
 from app.cli.plainly import CannotStart, said
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
+from app.runtime.notify import Notifier
+from app.runtime.telemetry import logger
 from app.settings import Settings
 
 COLLECTED = (10_000, 20, 50)
@@ -56,13 +58,16 @@ async def serve(
     ready: Callable[[str], None],
     *,
     restored: bool = False,
+    notify: Notifier | None = None,
     seen: Callable[[Controller], None] = lambda controller: None,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
-    ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered.
+    ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
+    there is one to ``notify``, and it is fed as long as the controller lives.
     Raises CannotStart, PlantHeld, StoreError.
     """
+    log = logger(plant=plant.name)
     controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
     try:
         await controller.start()
@@ -78,9 +83,14 @@ async def serve(
         gc.collect()
         gc.freeze()
         gc.set_threshold(*COLLECTED)
-        ready(url_of(settings.host, listening.getsockname()[1]))
+        url = url_of(settings.host, listening.getsockname()[1])
+        ready(url)
+        notify = notify or Notifier({})
+        notify.ready(f"controls {plant.name} at {url}")
+        notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
         ends: set[asyncio.Future[Any]] = {serving, stopping, controller.lost}
         await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+        notify.stopping()
         server.should_exit = True
         await serving
         stopping.cancel()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -40,11 +41,13 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant = plant_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
+    from app.runtime.notify import Notifier
 
     listening = hosting.bound(settings.host, settings.port)
 
     async def run() -> int:
-        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored)
+        manager = Notifier(os.environ)
+        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored, notify=manager)
 
     def ready(url: str) -> None:
         print(f"hoistway controls {plant.name}: {url}", flush=True)

@@ -7,14 +7,16 @@ import errno
 import json
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.panel import set_panels
-from app.cli.plainly import plainly, positive, refuse, said
+from app.cli.plainly import CannotStart, plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
+from app.wire.names import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,6 +60,12 @@ def sim(
     panel: Annotated[
         list[str] | None, typer.Option(help="set a drive's panel: DRIVE=jog, =monitoring, =parameter_select, =error7")
     ] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="simulate this vehicle or link alone (may be repeated)")
+    ] = None,
+    without: Annotated[
+        list[str] | None, typer.Option(help="do not simulate this vehicle or link: it is real (may be repeated)")
+    ] = None,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
     ] = False,
@@ -67,7 +75,7 @@ def sim(
 
     set_up(as_json=False, level="warning")
     with plainly():
-        found = plant_of(plant)
+        found = simulated(plant_of(plant), only or (), without or ())
         try:
             floor = _Floor(found, journal, host, controller, haste, operator, panel or ())
             code = on_loop(floor.run(with_parent))
@@ -76,6 +84,42 @@ def sim(
             remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
             refuse(f"cannot simulate {found.name}: {said(wrong)}{at}", remedy)
     raise typer.Exit(code)
+
+
+def simulated(plant: Plant, only: Sequence[str], without: Sequence[str]) -> Plant:
+    """Return the plant without the machines that are real: vehicles, and links with all that is on them.
+
+    Raises CannotStart: a name that no vehicle or link has, or nothing is left.
+    """
+    known = {*(vehicle.id for vehicle in plant.vehicles), *(link.id for link in plant.links)}
+    for name in (*only, *without):
+        if name not in known:
+            close = nearest(name, known)
+            remedy = f"Did you mean {close}?" if close else f"There are: {', '.join(sorted(known))}."
+            raise CannotStart(f"no vehicle or link is called {name}", remedy=remedy)
+    # An AGV is simulated with its link: they share one line.
+    asked = {*only, *(vehicle.link for vehicle in plant.vehicles if vehicle.id in only and vehicle.link)}
+    links = {link.id for link in plant.links if (not only or link.id in asked) and link.id not in without}
+    vehicles = tuple(
+        vehicle
+        for vehicle in plant.vehicles
+        if vehicle.id not in without
+        and (not only or vehicle.id in only or vehicle.link in only)
+        and (vehicle.link is None or vehicle.link in links)
+    )
+    if not vehicles and not links:
+        raise CannotStart("nothing is left to simulate", remedy="Name less with --without.")
+    buffers = tuple(buffer for buffer in plant.buffers if buffer.link in links)
+    there = {buffer.id for buffer in buffers}
+    return replace(
+        plant,
+        vehicles=vehicles,
+        links=tuple(link for link in plant.links if link.id in links),
+        doors=tuple(door for door in plant.doors if door.link in links),
+        buffers=buffers,
+        drives=tuple(drive for drive in plant.drives if drive.link in links),
+        stations=tuple(s if s.buffer in there else replace(s, buffer=None) for s in plant.stations),
+    )
 
 
 class _Floor:

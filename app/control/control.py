@@ -25,6 +25,7 @@ from app.domain.units import Seconds, Timestamp
 from app.domain.view import LineView, LinkView, Topic, Update, View
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
+from app.fleet.waits import waits
 from app.planning.tables import Tables, Task
 from app.planning.ways import Ways
 from app.plant import dialect_of
@@ -141,6 +142,14 @@ class Control:
     def line_quality(self) -> list[LinkQuality]:
         """Return the figures of every hoist's line."""
         return [line.link for line in self._lines.values()]
+
+    def named_quality(self) -> list[tuple[VehicleId, LinkQuality]]:
+        """Return the figures of every hoist's line, by the hoist's name."""
+        return [(name, line.link) for name, line in self._lines.items()]
+
+    def waits(self) -> dict[str, int]:
+        """Return how many vehicles wait for what, by cause."""
+        return waits(self.fleet.books)
 
     def hint(self, vehicle: VehicleId) -> str:
         """Return what looks wrong with the vehicle's dialect, empty if nothing does."""

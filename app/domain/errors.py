@@ -6,6 +6,8 @@ Faults of a peer's bytes are events (``app.domain.events``), never exceptions.
 from dataclasses import dataclass
 from typing import ClassVar
 
+from app.domain.units import Barcode
+
 
 class HoistwayError(Exception):
     """Anything this product raises on purpose."""
@@ -31,9 +33,15 @@ class PlantError(HoistwayError):
 
 
 class NoRoute(HoistwayError):
-    """The layout does not connect the two places."""
+    """No way leads from one place to the other; ``closed`` is the closed barcode or edge that is to blame, if one is."""
 
     code = "no-route"
+
+    def __init__(
+        self, message: str, *, remedy: str = "", closed: Barcode | tuple[Barcode, Barcode] | None = None
+    ) -> None:
+        super().__init__(message, remedy=remedy)
+        self.closed = closed
 
 
 class StoreError(HoistwayError):

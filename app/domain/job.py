@@ -110,6 +110,8 @@ class JobEvent(StrEnum):
     TRANSFER_PAUSED = "TransferPaused"
     TRANSFER_RESUMED = "TransferResumed"
     TRANSFER_UPDATED = "TransferUpdated"
+    VEHICLE_BROKEN_DOWN = "VehicleBrokenDown"
+    VEHICLE_MENDED = "VehicleMended"
     VEHICLE_HELD = "VehicleHeld"
     VEHICLE_RELEASED = "VehicleReleased"
     VEHICLE_INSTALLED = "VehicleInstalled"
@@ -137,6 +139,13 @@ class JobEvent(StrEnum):
     DEVICE_CHANGED = "DeviceChanged"
     EMERGENCY_SET = "EmergencySet"
     EMERGENCY_RELEASED = "EmergencyReleased"
+    PLACE_CLOSING = "PlaceClosing"
+    PLACE_CLOSED = "PlaceClosed"
+    PLACE_OPENED = "PlaceOpened"
+    ZONE_PAUSED = "ZonePaused"
+    ZONE_RESUMED = "ZoneResumed"
+    WALK_STARTED = "WalkStarted"
+    WALK_ENDED = "WalkEnded"
 
 
 HOT_FROM = 90

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 
+from app.domain.access import shown_name
 from app.domain.ids import Actor
 from app.domain.units import Timestamp
 
@@ -24,5 +25,5 @@ class Lockout:
         return replace(self, releases=tuple(dict.fromkeys((*self.releases, actor))))
 
     def lifted_by(self, actor: Actor) -> bool:
-        """Whether it goes now: its owner alone lifts it, or two others together."""
-        return actor == self.owner or len(self.releases) >= 2
+        """Whether it goes now: its owner alone lifts it, or two others together, who have each shown who they are."""
+        return actor == self.owner or len({shown_name(other) for other in self.releases}) >= 2

@@ -4,15 +4,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from app.domain.alarms import Alarm
+from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveRecords, DriveValue
-from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId
+from app.domain.ids import Actor, CarrierId, CmdId, Epoch, JobId, StationId, VehicleId, ZoneId
 from app.domain.job import Job
 from app.domain.layout import Axis
 from app.domain.lockout import Lockout as Lockout
 from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 
 
@@ -86,6 +89,10 @@ class AuditRow:
     accepted: bool
 
 
+HELD_BY, STOPPED_BY = "held by ", "stopped by "
+"""How the reasons begin of holds that people wanted."""
+
+
 @dataclass(frozen=True, slots=True)
 class Hold:
     """A vehicle that nothing is sent to until a named person decides (COMMANDS section 3.4).
@@ -97,6 +104,16 @@ class Hold:
     remedy: str
     since: Timestamp
     doubt: str = ""
+
+    @property
+    def by_person(self) -> bool:
+        """Whether a person wanted it: nothing is wrong with the vehicle."""
+        return self.reason.startswith((HELD_BY, STOPPED_BY))
+
+    @property
+    def for_alarm(self) -> bool:
+        """Whether it is for an alarm that the vehicle reports."""
+        return self.reason.startswith("alarm ") and not self.reason.startswith("alarm recovery")
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +146,8 @@ class Provenance(StrEnum):
     SENSOR = "sensor"
     INFERRED = "inferred"
     PLANT = "plant"
+    VERIFIED = "verified"
+    """Seen on an audit walk, and accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,12 +306,31 @@ class Emergency:
 
 
 @dataclass(frozen=True, slots=True)
+class ZonePause:
+    """Nothing begins to move in a zone and nobody comes in; ``stopped``: what drove there was stopped where it was."""
+
+    zone: ZoneId
+    owner: Actor
+    reason: str
+    since: Timestamp
+    stopped: bool = False
+
+    def __str__(self) -> str:
+        """Return it as a clause."""
+        return f"zone {self.zone} is {'stopped' if self.stopped else 'paused'} by {self.owner}: {self.reason}"
+
+
+@dataclass(frozen=True, slots=True)
 class ControllerRecord:
-    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves."""
+    """State of the controller as a whole. ``emergencies``: at most one of a kind; while there is one, nothing moves.
+
+    ``pauses``: at most one a zone.
+    """
 
     state: ControllerState
     reason: str = ""
     emergencies: tuple[Emergency, ...] = ()
+    pauses: tuple[ZonePause, ...] = ()
 
     @property
     def told(self) -> str:
@@ -318,9 +356,13 @@ Record = (
     | DriveRecords
     | DeviceRecord
     | Why
+    | Closure
+    | Alarm
+    | Walk
+    | WalkPlace
 )
-"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord and Why
-replace the row of their key; the rest append."""
+"""Job, Intent, VehicleRecord, StationRecord, CarrierRecord, Proposal, TeachingSession, ControllerRecord, DeviceRecord, Why,
+Closure, Alarm, Walk and WalkPlace replace the row of their key; the rest append."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -328,8 +370,8 @@ class Kept:
     """All that a controller needs to go on after a restart.
 
     ``jobs`` are those not ended, ``whys`` their why-records; ``intents`` those not closed; ``dests`` and ``offsets`` the
-    newest version of each; ``proposals`` and ``sessions`` those not over; ``next_...`` the first numbers not yet used;
-    ``epoch`` has been raised for this process life.
+    newest version of each; ``proposals``, ``sessions`` and ``closures`` those not over; ``next_...`` the first numbers not yet
+    used; ``epoch`` has been raised for this process life.
     """
 
     epoch: Epoch
@@ -355,6 +397,15 @@ class Kept:
     next_taught: int = 1
     next_proposal: int = 1
     next_session: int = 1
+    closures: tuple[Closure, ...] = ()
+    next_closure: int = 1
+    alarms: tuple[Alarm, ...] = ()
+    """Those that had not ended."""
+    next_alarm: int = 1
+    walks: tuple[Walk, ...] = ()
+    """Those that are open, with their places in the next."""
+    walk_places: tuple[WalkPlace, ...] = ()
+    next_walk: int = 1
     restored: bool = False
     """True when a person says that the database is a backup put back: what it says of the plant may be long past."""
     fresh: bool = True

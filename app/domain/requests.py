@@ -3,16 +3,19 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.alarms import AcknowledgeAlarm
+from app.domain.closures import ClosureRequest
 from app.domain.commands import Plain
 from app.domain.device_requests import DeviceOrder, RaiseEmergency, ReleaseEmergency
 from app.domain.devices import DeviceCommand
 from app.domain.drive_requests import DriveOrder
 from app.domain.errors import Refusal
-from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
+from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId, ZoneId
 from app.domain.layout import PulseSet, StopAction
 from app.domain.teaching import RowFate
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
+from app.domain.walks import WalkRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,6 +195,32 @@ class ResumeController:
 
 
 @dataclass(frozen=True, slots=True)
+class StopAll:
+    """Withhold grants and stop every vehicle that moves where it is; vehicles keep AUTO. Ends with ResumeController."""
+
+    actor: Actor
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class PauseZone:
+    """No new movement in a zone, and nobody comes in; ``stop``: what drives there is stopped where it is."""
+
+    actor: Actor
+    zone: ZoneId
+    reason: str
+    stop: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ResumeZone:
+    """Vehicles go on in a zone."""
+
+    actor: Actor
+    zone: ZoneId
+
+
+@dataclass(frozen=True, slots=True)
 class WriteStation:
     """The host or a person writes what is at a station; None leaves as is. ``carrier`` \"\" means: no carrier."""
 
@@ -202,6 +231,8 @@ class WriteStation:
     reserved: str | None = None
     out_of_service: str | None = None
     by_person: bool = False
+    walked: bool = False
+    """On an audit walk, accepted by a named person."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,10 +286,16 @@ JobRequest = CreateJob | CancelJob | AbortJob | ChangeJob
 PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier | WriteDest | WriteOffset
 """About the plant as a whole, and what is believed and taught of it."""
 
+Stilling = StopAll | PauseZone | ResumeZone
+"""About motion in the whole plant, or in a zone."""
+
+RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
+"""What a control room asks besides."""
+
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
 """About doors, buffers and chargers, and the signals that stop all."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest
+Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest | RoomRequest
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,6 +26,9 @@ class Topic(StrEnum):
     OPERATIONS = "operations"
     PARAMETERS = "parameters"
     TEACHING = "teaching"
+    CLOSURES = "closures"
+    ALARMS = "alarms"
+    WALKS = "walks"
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +168,7 @@ class StationView:
     """A station and what is believed of it. ``provenance`` and ``at`` say how and when we came to believe it (None: we
     never learnt anything); ``verified`` is true only where the host or a person wrote it. ``target`` is the DEST in
     pulses (shft, rota, lift), ports only, null while it is not complete; ``missing`` are the axes that it lacks.
-    ``teaching`` is the session that closes the port to jobs.
+    ``teaching`` is the session that closes the port to jobs, ``closures`` are the numbers of the closures that do.
     """
 
     id: str
@@ -182,6 +185,7 @@ class StationView:
     target_version: int | None
     missing: tuple[str, ...] = ()
     teaching: int | None = None
+    closures: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,11 +200,26 @@ class CarrierView:
 
 
 @dataclass(frozen=True, slots=True)
+class PauseView:
+    """A zone in which nothing begins to move; ``stopped``: what drove there was stopped where it was."""
+
+    zone: str
+    owner: str
+    reason: str
+    since: float
+    stopped: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ControllerView:
     """The controller itself. ``waiting_for`` are the vehicles that the roll-call after a start still misses.
 
     ``emergencies``: what somebody told (fire, earthquake) and nobody has released yet, in words.
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
+    ``kept_off``: what routes keep off, and why, a line for each reason; ``closed_places`` counts the places. ``cut_off``: the
+    stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
+    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker.
+    ``pauses``: zones that are paused or stopped.
     """
 
     plant: str
@@ -214,6 +233,12 @@ class ControllerView:
     circles: tuple[str, ...] = ()
     circles_found: int = 0
     circles_resolved: int = 0
+    kept_off: tuple[str, ...] = ()
+    closed_places: int = 0
+    cut_off: tuple[str, ...] = ()
+    led_round: int = 0
+    led_quicker: int = 0
+    pauses: tuple[PauseView, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -458,6 +483,74 @@ class TeachingSessionView:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class ClosureView:
+    """A reason for which a place is closed. ``kind``: barcode, edge, stretch, zone or station; ``names`` as it was named.
+
+    ``state``: draining (nobody comes in, those ``inside`` drive out), closed (nobody is inside), opened, expired. ``barcodes``
+    are kept empty, ``stations`` cannot be used. ``purpose``: traffic or work; work never expires, and its ``owner`` opens it,
+    or two others together (``releases``: who wished so). ``closed`` is when it was empty; ``waiting`` says who is not out yet,
+    and why.
+    """
+
+    id: int
+    kind: str
+    names: tuple[str, ...]
+    place: str
+    barcodes: tuple[str, ...]
+    stations: tuple[str, ...]
+    reason: str
+    owner: str
+    purpose: str
+    state: str
+    since: float
+    expires: float | None
+    closed: float | None
+    releases: tuple[str, ...]
+    ended: float | None
+    ended_by: str | None
+    inside: tuple[str, ...] = ()
+    waiting: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmView:
+    """Something that is, or was, wrong with ``source``. ``kind``: vehicle (it reports an alarm), hold (we hold it for a doubt),
+    link (nothing is heard of it), device, drive, traffic (vehicles wait for each other in a circle), plant (fire, earthquake).
+
+    ``code`` is what it is counted by. ``ended`` null: it is there now; ``outcome`` says how it ended.
+    """
+
+    id: int
+    kind: str
+    source: str
+    code: str
+    cause: str
+    remedy: str
+    begun: float
+    ended: float | None
+    outcome: str
+    job: str | None
+    acknowledged: float | None
+    acknowledged_by: str | None
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class WalkView:
+    """An audit walk: of so many ``places`` so many have been ``entered``. ``state``: open, accepted or abandoned."""
+
+    id: int
+    actor: str
+    reason: str
+    state: str
+    started: float
+    ended: float | None
+    ended_by: str | None
+    places: int
+    entered: int
+
+
 View = (
     VehicleView
     | JobView
@@ -473,6 +566,9 @@ View = (
     | LineView
     | ProposalView
     | TeachingSessionView
+    | ClosureView
+    | AlarmView
+    | WalkView
 )
 
 

@@ -208,7 +208,7 @@ class AgvOrders:
         if goal is None:
             known = ", ".join(sorted(books.plant.aliases)) or "none"
             return Refusal("invalid", f"there is no alias {command.alias}", f"known are: {known}", "alias")
-        if refusal := self._orders.unfit(vehicle) or standstill(books):
+        if refusal := self._orders.unfit(vehicle) or standstill(books, vehicle):
             return refusal
         self._motion.drop(vehicle)
         here = vehicle.barcode

@@ -7,6 +7,7 @@ from app.domain.job import Job, JobState, Leg
 from app.fleet.backlog import rank_of
 from app.fleet.books import Books
 from app.fleet.obstacles import (
+    against_driving,
     against_fetching,
     against_picking_up,
     against_putting_down,
@@ -88,7 +89,7 @@ class Look:
             why = against_picking_up(books, job)
         elif not why:
             why = against_fetching(books, job)
-        return why or self._blocked(job) or self._reasons.hopeless(job), expected
+        return why or self._blocked(job) or self._reasons.hopeless(job) or against_driving(books, job), expected
 
     def _taken(self, job: Job) -> str:
         """Return which other job comes first at one of its ends."""

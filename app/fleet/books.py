@@ -1,46 +1,57 @@
 """The fleet's state, and what has been decided since it was last taken: every change goes through here."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
+from app.domain.alarms import OF_VEHICLES, Alarm, AlarmKind
+from app.domain.closures import Closure
 from app.domain.commands import Command, Send
 from app.domain.ids import Actor, CarrierId, CmdId, CmdIds, JobId, StationId, VehicleId
 from app.domain.job import Job, JobEvent
 from app.domain.layout import Plant, Station, StationKind
-from app.domain.links import LinkSend
 from app.domain.records import (
     AuditRow,
     CarrierGone,
     CarrierRecord,
     ControllerRecord,
+    ControllerState,
     HistoryEvent,
     Intent,
     IntentState,
     Kept,
     Provenance,
-    Record,
     StationDest,
     StationRecord,
     VehicleOffset,
     VehicleRecord,
 )
-from app.domain.requests import Reply
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import Topic, Update, View
+from app.domain.view import ClosureView, Topic, Update, View
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
+from app.fleet.alarm_book import AlarmBook
 from app.fleet.backlog import Backlog
+from app.fleet.closed import Closed
+from app.fleet.closure_book import ClosureBook
+from app.fleet.effects import Effects
+from app.fleet.noway import NoWay
 from app.fleet.rollcall import RollCall
 from app.fleet.teaching_books import TeachingBooks
 from app.fleet.teaching_views import view_of_proposal, view_of_session
+from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import (
+    view_of_alarm,
     view_of_carrier,
+    view_of_closure,
     view_of_controller,
     view_of_event,
     view_of_intent,
     view_of_job,
     view_of_station,
+    view_of_walk,
+    with_traffic,
 )
 from app.planning.routing import Router
 from app.planning.track import Track
@@ -52,25 +63,6 @@ REMEMBERED = 20_000
 """How many ended jobs are remembered for the idempotency of a host that repeats itself at once (our choice; older: database)."""
 
 
-@dataclass(slots=True)
-class Effects:
-    """What was decided: to be kept first, then told (ARCHITECTURE section 1)."""
-
-    records: list[Record] = field(default_factory=list)
-    sends: list[Send] = field(default_factory=list)
-    link_sends: list[LinkSend] = field(default_factory=list)
-    polls: list[VehicleId] = field(default_factory=list)
-    stored: list[tuple[VehicleId, int]] = field(default_factory=list)
-    updates: list[Update] = field(default_factory=list)
-    replies: list[tuple[int, Reply]] = field(default_factory=list)
-
-    @property
-    def empty(self) -> bool:
-        """Whether nothing was decided."""
-        told = self.updates or self.replies
-        return not (self.records or self.sends or self.link_sends or self.polls or self.stored or told)
-
-
 class Books:
     """State of one plant in memory, written to only through methods that also say what must be kept and shown."""
 
@@ -78,11 +70,16 @@ class Books:
         self.plant = plant
         self.track = Track(plant)
         self.router = Router(self.track)
+        self.closed = Closed(self.router.close, self.router.open)
+        """What routes are kept off, and why: nobody else closes or opens anything for the router."""
+        self.no_way = NoWay(self.track, self.router, self.closed)
         self.parking = frozenset(point.barcode for point in plant.points if point.park)
         self.traffic = Traffic(self.track, admission=True)
-        self.circles: tuple[str, ...] = ()
-        """Circles of vehicles that wait for each other, in words; counted since the start in the two that follow."""
-        self.circles_found = self.circles_resolved = 0
+        self.traffic_state = TrafficState()
+        self.closures = ClosureBook(self.track, self.closed, self.traffic, kept.closures)
+        self.closures.still(kept.controller.pauses)
+        self._next_closure = kept.next_closure
+        self._closures_shown: dict[int, ClosureView] = {}
         self.cmd_ids = cmd_ids
         self.now = now
         self.started = utc
@@ -123,6 +120,14 @@ class Books:
         """Why the buffer of a station cannot be used now."""
         self.sensed: dict[StationId, bool] = {}
         """Whether the buffer of a station reports a cart, where it says so now."""
+        self.alarms = AlarmBook(kept.alarms, kept.next_alarm, self._keep_alarm, lambda: self.utc)
+        self.walks: dict[int, Walk] = {walk.number: walk for walk in kept.walks}
+        """Those that are open; their places by walk and station in the next."""
+        self.walk_places: dict[int, dict[StationId, WalkPlace]] = {number: {} for number in self.walks}
+        for place in kept.walk_places:
+            if place.station in self.specs:
+                self.walk_places[place.walk][place.station] = place
+        self._next_walk = kept.next_walk
         self._next_event = kept.next_event
         self._next_order = kept.next_order
         self.epoch = kept.epoch
@@ -269,11 +274,29 @@ class Books:
         """Change and keep the durable part of a vehicle."""
         record = replace(vehicle.record, **changes)  # type: ignore[arg-type]
         if record != vehicle.record:
+            if record.hold != vehicle.record.hold or record.off_rail != vehicle.record.off_rail:
+                self._mind_hold(record)
             vehicle.record = record
             self.effects.records.append(record)
             if vehicle.id in self.roll_call:
                 self.roll_call.miss(vehicle)
         self.touch(vehicle)
+
+    def _mind_hold(self, record: VehicleRecord) -> None:
+        """A hold for a doubt of ours is an alarm; one by a person is none, and an alarm of its own has one already."""
+        name, hold = record.vehicle, record.hold
+        if hold is not None and not hold.by_person and not hold.for_alarm:
+            self.alarms.begin_only(AlarmKind.HOLD, name, "held", hold.reason, hold.remedy)
+        else:
+            self.alarms.end(AlarmKind.HOLD, name, "released" if hold is None else f"now: {hold.reason}")
+        if record.off_rail:
+            for kind in OF_VEHICLES:
+                self.alarms.end(kind, name, f"off the rail: {record.off_rail}")
+
+    def _keep_alarm(self, alarm: Alarm) -> None:
+        """Keep and show an alarm; one that has ended leaves the live ones."""
+        self.effects.records.append(alarm)
+        self.show(Topic.ALARMS, str(alarm.number), None if alarm.ended is not None else view_of_alarm(alarm))
 
     def open_intent(
         self,
@@ -385,8 +408,55 @@ class Books:
             self.show_station(session.station)
         return session
 
+    def new_walk(self) -> int:
+        """Return the next number of an audit walk."""
+        self._next_walk += 1
+        return self._next_walk - 1
+
+    def walk_at(self, station: StationId) -> Walk | None:
+        """Return the open walk that a station is on."""
+        return next((walk for walk in self.walks.values() if station in self.walk_places[walk.number]), None)
+
+    def save_walk_place(self, place: WalkPlace) -> None:
+        """Keep a place of a walk."""
+        self.walk_places.setdefault(place.walk, {})[place.station] = place
+        self.effects.records.append(place)
+
+    def save_walk(self, walk: Walk) -> None:
+        """Keep and show a walk; one that has ended leaves the live ones."""
+        self.effects.records.append(walk)
+        if walk.ended is None:
+            self.walks[walk.number] = walk
+            self.show_walk(walk)
+            return
+        self.walks.pop(walk.number, None)
+        self.walk_places.pop(walk.number, None)
+        self.show(Topic.WALKS, str(walk.number), None)
+
+    def show_walk(self, walk: Walk) -> None:
+        """Show an open walk."""
+        places = self.walk_places[walk.number].values()
+        seen = sum(place.seen is not None for place in places)
+        self.show(Topic.WALKS, str(walk.number), view_of_walk(walk, len(places), seen))
+
+    def new_closure(self) -> int:
+        """Return the next number of a closure."""
+        self._next_closure += 1
+        return self._next_closure - 1
+
+    def save_closure(self, closure: Closure) -> None:
+        """Keep and show a closure, and the stations that it concerns."""
+        self.closures.put(closure)
+        self.effects.records.append(closure)
+        self.show_closure(closure)
+        for station in self.closures.stations(closure):
+            if station in self.specs:
+                self.show_station(station)
+
     def save_controller(self, record: ControllerRecord) -> None:
         """Keep and show the controller's state."""
+        if record.pauses != self.controller.pauses:
+            self.closures.still(record.pauses)
         self.controller = record
         self.effects.records.append(record)
         self.show_controller()
@@ -403,9 +473,26 @@ class Books:
             Topic.STATIONS,
             station,
             view_of_station(
-                self.specs[station], self.stations[station], self.dests.get(station), self.teaching.closing(station)
+                self.specs[station],
+                self.stations[station],
+                self.dests.get(station),
+                self.teaching.closing(station),
+                tuple(closure.number for closure in self.closures.of(self.specs[station])),
             ),
         )
+
+    def show_closure(self, closure: Closure, inside: Sequence[VehicleNow] = (), waiting: tuple[str, ...] = ()) -> None:
+        """Show a closure, with who is inside and what those do; one that is over leaves the live ones."""
+        stations = self.closures.stations(closure)
+        names = tuple(vehicle.id for vehicle in inside)
+        if closure.state.over:
+            self._closures_shown.pop(closure.number, None)
+            self.show(Topic.CLOSURES, str(closure.number), None)
+            return
+        view = view_of_closure(closure, stations, names, waiting)
+        if self._closures_shown.get(closure.number) != view:
+            self._closures_shown[closure.number] = view
+            self.show(Topic.CLOSURES, str(closure.number), view)
 
     def show_carrier(self, carrier: CarrierId) -> None:
         """Show a carrier as it is now."""
@@ -416,13 +503,18 @@ class Books:
         self.show(
             Topic.CONTROLLER,
             self.plant.name,
-            replace(
+            with_traffic(
                 view_of_controller(self.plant.name, self.controller, self.epoch, self.started, self.roll_call),
-                circles=self.circles,
-                circles_found=self.circles_found,
-                circles_resolved=self.circles_resolved,
+                self.traffic_state,
+                self.closed,
             ),
         )
+
+    def stilled(self, vehicle: VehicleNow) -> str:
+        """Return why a vehicle begins nothing where it is, or anywhere; empty if it may."""
+        if self.controller.state is not ControllerState.AUTO:
+            return f"the controller is {self.controller.state.value}"
+        return self.closures.barring(vehicle) or self.closures.paused_at(vehicle.barcode)
 
     def touch(self, vehicle: VehicleNow) -> None:
         """Note that a vehicle looks different now; it is shown with the next flush."""

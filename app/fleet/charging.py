@@ -12,7 +12,6 @@ from app.domain.devices import AgvCharge
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.layout import ChargerSpec, StopAction
-from app.domain.records import ControllerState
 from app.domain.units import Barcode, Seconds
 from app.fleet.books import SYSTEM, Books
 from app.fleet.devices import Devices
@@ -56,7 +55,7 @@ class Charging:
         for name, battery in self._batteries.items():
             vehicle = self._books.vehicles[name]
             self._note(vehicle, battery)
-            if self._idle(vehicle) and self._books.controller.state is ControllerState.AUTO:
+            if self._idle(vehicle) and not self._books.stilled(vehicle):
                 self._mind(vehicle, battery)
         for barcode, charger in self._at.items():
             self._devices.charging(charger.id, self._user_of(barcode))

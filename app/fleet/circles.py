@@ -6,6 +6,7 @@ their own rule (``Courtesy``).
 
 from dataclasses import dataclass
 
+from app.domain.alarms import AlarmKind
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.job import JobEvent
@@ -18,6 +19,8 @@ AGE = Seconds(5.0)
 """Circles are sought, at most once a second, while a vehicle has waited so long for another (our choice)."""
 WAYS = 8
 """So many of the quickest ways of a vehicle are tried (our choice)."""
+IN_A_CIRCLE = "wait for each other in a circle"
+"""What the alarm says, by which it is told from a vehicle's own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,18 +65,24 @@ class Circles:
     def _words(self, cycle: tuple[VehicleId, ...]) -> str:
         waits = "; ".join(self._books.vehicles[name].waiting or f"{name} waits" for name in cycle)
         return (
-            f"{', '.join(cycle)} wait for each other in a circle ({waits}); if none finds another way, move {cycle[0]} by hand, "
+            f"{', '.join(cycle)} {IN_A_CIRCLE} ({waits}); if none finds another way, move {cycle[0]} by hand, "
             "or take it off the rail"
         )
 
     def _count(self, name: JobEvent, circle: Circle) -> None:
         books = self._books
         if name is JobEvent.ALARM_SET:
-            books.circles_found += 1
+            books.traffic_state.circles_found += 1
         else:
-            books.circles_resolved += 1
-        books.circles = tuple(known.detail for known in self._known)
-        books.event(name, vehicle=circle.vehicles[0], detail=circle.detail)
+            books.traffic_state.circles_resolved += 1
+        books.traffic_state.circles = tuple(known.detail for known in self._known)
+        source, code = circle.vehicles[0], ", ".join(circle.vehicles)
+        if name is JobEvent.ALARM_SET:
+            remedy = f"move {source} by hand, or take it off the rail, if none finds another way"
+            books.alarms.begin(AlarmKind.TRAFFIC, source, code, circle.detail, remedy)
+        else:
+            books.alarms.end_one(AlarmKind.TRAFFIC, source, code, "they go on")
+        books.event(name, vehicle=source, detail=circle.detail)
         books.show_controller()
 
     def _resolve(self, tied: list[VehicleNow]) -> None:

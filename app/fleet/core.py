@@ -19,18 +19,23 @@ from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import LinkView, Topic, Update, VehicleView
 from app.fleet.agv_orders import AgvOrders
+from app.fleet.alarm_watch import AlarmWatch
 from app.fleet.alarms import Alarms
-from app.fleet.books import Books, Effects
+from app.fleet.books import Books
+from app.fleet.breakdowns import Breakdowns
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
 from app.fleet.circles import Circles
+from app.fleet.closures import Closures
 from app.fleet.courtesy import Courtesy
+from app.fleet.cutoff import CutOff
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.devices import Devices
 from app.fleet.dispatch import Dispatch
 from app.fleet.doors import Doors
 from app.fleet.drives import Drives
+from app.fleet.effects import Effects
 from app.fleet.emergency import EmergencyDesk
 from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
@@ -43,12 +48,15 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.reroutes import Reroutes
+from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.teaching_sessions import TeachingSessions
 from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
-from app.fleet.views import view_of_job, view_of_vehicle
+from app.fleet.views import view_of_alarm, view_of_job, view_of_vehicle
+from app.fleet.walks import Walks
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -92,6 +100,10 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
+        self._breakdowns = Breakdowns(self.books)
+        self._cut_off = CutOff(self.books, self._breakdowns)
+        self._reroutes = Reroutes(self.books, self.motion)
+        self._closures = Closures(self.books, self.motion, self._courtesy)
         self._circles = Circles(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
@@ -117,6 +129,9 @@ class Fleet:
             teaching,
             device_orders,
             emergency,
+            self._closures,
+            Standstills(self.books, self._plant_orders, self.alarms),
+            Walks(self.books, self._plant_orders),
         )
         self._link = link
         self._looks = Looks()
@@ -124,6 +139,8 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
+        self._watch = AlarmWatch(self.books)
+        self._told: tuple[object, ...] = (0, (), 0, 0)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -140,6 +157,12 @@ class Fleet:
             if restored:
                 self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
+        self._watch.start()
+        self._show_all()
+
+    def _show_all(self) -> None:
+        """Show all there is."""
+        books = self.books
         for job in books.jobs.values():
             books.show(Topic.JOBS, job.id, view_of_job(job))
         for station in books.specs:
@@ -150,6 +173,12 @@ class Fleet:
             books.show(Topic.TEACHING, f"session-{session.number}", view_of_session(session))
         for proposal in books.teaching.proposals.values():
             books.show(Topic.TEACHING, f"proposal-{proposal.number}", view_of_proposal(proposal))
+        for closure in books.closures.live.values():
+            books.show_closure(closure)
+        for walk in books.walks.values():
+            books.show_walk(walk)
+        for alarm in books.alarms.live.values():
+            books.show(Topic.ALARMS, str(alarm.number), view_of_alarm(alarm))
         books.show_controller()
         for vehicle in books.vehicles.values():
             books.touch(vehicle)
@@ -160,7 +189,8 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        at_once = self.books.now if self._dispatch.pending else Seconds(inf)
+        pending = self._dispatch.pending or self._reroutes.pending
+        at_once = self.books.now if pending else Seconds(inf)
         return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at, at_once)
 
     def tick(self, now: Seconds) -> None:
@@ -170,6 +200,8 @@ class Fleet:
         all_seen = self._look()
         if all_seen and self._dispatch.pending:
             self._dispatch.go_on()  # to the end: a new thought before would begin anew for ever under load
+        elif self._reroutes.pending:
+            self._reroutes.go_on()
         elif all_seen and now >= self._next_thought:
             self._think()
             return
@@ -184,9 +216,24 @@ class Fleet:
         self.devices.tick()
         self._charging.run()
         self._parking.run(self._free)
+        self._breakdowns.run()
+        self._cut_off.look()
+        self._closures.tick()
+        self._watch.tick()
         self._dispatch.run()
         self._circles.look()
+        self._reroutes.run()
+        self._show_traffic()
         self._go_on(all_devices=True)
+
+    def _show_traffic(self) -> None:
+        """Show what is told of the traffic as a whole, if it is other than it was."""
+        books = self.books
+        state = books.traffic_state
+        told = (books.closed.edition, tuple(state.cut_off), state.led_round, state.led_quicker)
+        if told != self._told:
+            self._told = told
+            books.show_controller()
 
     def _look(self) -> bool:
         """Look at the vehicles whose time has come, though nothing was heard of them; return whether that was all of them."""
@@ -287,6 +334,7 @@ class Fleet:
                 name = next(iter(books.woken))
                 del books.woken[name]
                 vehicle = books.vehicles[name]
+                self._breakdowns.goes_on(vehicle)
                 self.missions.proceed(vehicle)
                 if vehicle.errand:
                     self._courtesy.explain(vehicle, self.motion.advance(vehicle))
@@ -310,6 +358,7 @@ class Fleet:
         for name in changed:
             vehicle = books.vehicles[name]
             self._note_fitness(vehicle)
+            self._breakdowns.mind(vehicle)
             self._looks.mind(vehicle, books.now)
             if not vehicle.available:
                 self._free.discard(name)

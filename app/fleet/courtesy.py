@@ -5,7 +5,6 @@ from heapq import heappop, heappush
 from app.domain.errors import NoRoute
 from app.domain.ids import VehicleId
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState
 from app.domain.units import Barcode
 from app.domain.vehicle import Oper
 from app.fleet.books import Books
@@ -50,9 +49,8 @@ class Courtesy:
         if emergencies:
             told = ", ".join(f"{e.kind.value}, told by {e.actor}" for e in emergencies)
             return f"{vehicle.id} waits at {vehicle.barcode}: {told}"
-        state = self._books.controller.state
-        if state is not ControllerState.AUTO:
-            return f"{vehicle.id} waits at {vehicle.barcode}: the controller is {state.value}"
+        if stilled := self._books.stilled(vehicle):
+            return f"{vehicle.id} waits at {vehicle.barcode}: {stilled}"
         missing = named(self._motion.missing(vehicle))
         return f"{vehicle.id} waits at {vehicle.barcode}: the roll-call still misses {missing}" if missing else ""
 
@@ -68,11 +66,11 @@ class Courtesy:
             return f"{vehicle.id} waits at {vehicle.barcode}{self._of_queue(blocked)}"
         if what is None or blocked.by is None:
             return f"{vehicle.id} waits at {vehicle.barcode}: {blocked.at} is closed ({blocked.note})"
-        return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self._doing(blocked.by)}"
+        return f"{vehicle.id} waits at {vehicle.barcode} for {what} held by {self.doing(blocked.by)}"
 
     def _of_queue(self, blocked: Blocked) -> str:
         """Return what keeps a vehicle from the queue that begins at a barcode, as the end of a sentence."""
-        first = f"; first goes {self._doing(blocked.by)}" if blocked.by else ""
+        first = f"; first goes {self.doing(blocked.by)}" if blocked.by else ""
         if blocked.why is BlockReason.FULL:
             return f": no slot is free in the queue from {blocked.at} on{first}"
         if blocked.why is BlockReason.METER:
@@ -81,7 +79,7 @@ class Courtesy:
             return f": others have waited longer for the queue from {blocked.at} on{first}"
         return f": the last slot in the queue from {blocked.at} on could close a circle of full queues{first}"
 
-    def _doing(self, name: VehicleId) -> str:
+    def doing(self, name: VehicleId) -> str:
         """Return a vehicle with what it is doing, as the end of a sentence."""
         other = self._books.vehicles[name]
         if other.handling:
@@ -106,7 +104,7 @@ class Courtesy:
         bound = other.order or other.errand or other.kept or other.teaching is not None
         if not other.fit or not other.at_rest or bound:
             return
-        if other.job and not self._stands_by(other):
+        if not self.stands_by(other):
             return
         if other.is_agv:
             self._part(asker, other)
@@ -180,10 +178,10 @@ class Courtesy:
                 return True
         return False
 
-    def _stands_by(self, other: VehicleNow) -> bool:
-        """Whether a vehicle with a job only waits for its destination, and may do so elsewhere."""
+    def stands_by(self, other: VehicleNow) -> bool:
+        """Whether a vehicle has no job, or only waits for its destination, and may do so elsewhere."""
         job = self._books.job_of(other)
-        return job is not None and bool(job.reason)
+        return other.job is None or (job is not None and bool(job.reason))
 
     def refuge(self, asker: VehicleNow, other: VehicleNow) -> Barcode | None:
         """Return the nearest place off the asker's way, by driving time, preferring parking places; None: there is none.
@@ -193,12 +191,12 @@ class Courtesy:
         """
         way = [b for b in (asker.barcode, *asker.ahead, *asker.rest) if b is not None]
         while len(way) > 1:
-            if found := self._nearest(other, set(way)):
+            if found := self.nearest(other, set(way)):
                 return found
             way = way[: len(way) // 2]
         return None
 
-    def _nearest(self, other: VehicleNow, way: set[Barcode]) -> Barcode | None:
+    def nearest(self, other: VehicleNow, way: set[Barcode]) -> Barcode | None:
         """Return the nearest place off this way, by driving time, preferring parking places; None: there is none."""
         books, length = self._books, other.spec.length
         start = other.barcode
@@ -221,6 +219,8 @@ class Courtesy:
                 if best is None:
                     best, bound = here, time + PARK_BONUS
             for ahead in books.track.successors(here):
+                if ahead in books.closed or (here, ahead) in books.closed:
+                    continue
                 edge = books.track.edge(here, ahead)
                 heappush(queue, (time + 100 * edge.length / (edge.speed * other.spec.max_speed), ahead))
         return best
@@ -233,6 +233,6 @@ class Courtesy:
         """Whether a vehicle standing there is off the way, at no charger, and on nobody's track."""
         books = self._books
         covered = {place, *books.track.behind(place, other.spec.length)} if length else {place}
-        if covered & way or place in self._chargers:
+        if covered & way or place in self._chargers or books.closures.at(place):
             return False
         return not any(books.traffic.holders(b) - {other.id} for b in covered)

@@ -2,6 +2,8 @@
 
 from dataclasses import fields
 
+from app.domain.alarms import AcknowledgeAlarm
+from app.domain.closures import ClosePlace, OpenPlace
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.drive_requests import DriveOrder
 from app.domain.requests import (
@@ -19,13 +21,17 @@ from app.domain.requests import (
     LockVehicle,
     MoveVehicle,
     PauseController,
+    PauseZone,
     PlantRequest,
     RecoverAlarm,
     ReleaseVehicle,
     Reply,
     Request,
     ResumeController,
+    ResumeZone,
+    RoomRequest,
     SetService,
+    StopAll,
     UnlockVehicle,
     VehicleRequest,
     WriteCarrier,
@@ -34,8 +40,10 @@ from app.domain.requests import (
     WriteStation,
 )
 from app.domain.teaching_requests import TeachingRequest
+from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, StartWalk
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
+from app.fleet.closures import Closures
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.drives import Drives
 from app.fleet.emergency import EmergencyDesk
@@ -43,13 +51,31 @@ from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.refusals import no_vehicle
+from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
+from app.fleet.walks import Walks
 
-TARGETS = ("job", "vehicle", "station", "carrier", "drive", "line", "device", "proposal", "session", "side")
+TARGETS = (
+    "job",
+    "vehicle",
+    "station",
+    "carrier",
+    "drive",
+    "line",
+    "device",
+    "proposal",
+    "session",
+    "side",
+    "closure",
+    "place",
+    "zone",
+    "alarm",
+    "walk",
+)
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "known", "sights"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -70,6 +96,9 @@ class Desk:
         teaching: TeachingDesk,
         devices: DeviceOrders,
         emergency: EmergencyDesk,
+        closures: Closures,
+        standstills: Standstills,
+        walks: Walks,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -80,6 +109,9 @@ class Desk:
         self._teaching = teaching
         self._devices = devices
         self._emergency = emergency
+        self._closures = closures
+        self._standstills = standstills
+        self._walks = walks
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -104,7 +136,20 @@ class Desk:
             return self._teaching.answer(request)
         if isinstance(request, HallRequest):
             return self._answer_about_hall(request)
+        if isinstance(request, RoomRequest):
+            return self._answer_about_room(request)
         return self._answer_about_plant(request)
+
+    def _answer_about_room(self, request: RoomRequest) -> Reply:
+        match request:
+            case ClosePlace() | OpenPlace():
+                return self._closures.answer(request)
+            case AcknowledgeAlarm():
+                return self._books.alarms.acknowledge(request)
+            case StartWalk() | EnterSights() | AcceptWalk() | AbandonWalk():
+                return self._walks.answer(request)
+            case StopAll() | PauseZone() | ResumeZone():
+                return self._standstills.answer(request)
 
     def _answer_about_plant(self, request: CancelJob | AbortJob | ChangeJob | PlantRequest) -> Reply:
         match request:

@@ -8,6 +8,7 @@ while (COMMANDS sections 1 and 3). Who decides what to ask is elsewhere: ``doors
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from app.domain.alarms import AlarmKind
 from app.domain.devices import (
     BufferState,
     DeviceAct,
@@ -326,6 +327,11 @@ class Devices:
         alarm, remedy = self._wrong(device) or ("", "")
         before = device.alarm
         device.alarm, device.remedy = alarm, remedy
+        if alarm:
+            code = alarm.partition(":")[0]
+            self._books.alarms.begin_only(AlarmKind.DEVICE, device.id, code, f"{device.id} {alarm}", remedy)
+        elif device.fresh and self._books.alarms.about(AlarmKind.DEVICE, device.id):
+            self._books.alarms.end(AlarmKind.DEVICE, device.id, "nothing is wrong with it any more")
         if alarm == before:
             return
         self.touch(device)

@@ -142,7 +142,8 @@ class Dispatch:
 
     def _idle(self, vehicle: VehicleNow) -> bool:
         """Whether a job at a station may be given to a vehicle now."""
-        return vehicle.job is None and vehicle.available and not self._reasons.loaded(vehicle)
+        free = vehicle.job is None and vehicle.available and not self._books.closures.paused_at(vehicle.barcode)
+        return free and not self._reasons.loaded(vehicle)
 
     def _say(self, job: Job, why: str) -> None:
         if job.reason == why:
@@ -198,12 +199,20 @@ class Dispatch:
                 yield
             table = np.concatenate(driven) if driven else None
             plan = unassigned(asked.fleet, asked.waiting, (rows, columns), table)
-            assigned(plan, asked.fleet, asked.waiting, RULES)
+            room = self._kept_back.room()
+            assigned(plan, asked.fleet, asked.waiting, RULES, room)
+            self._hold_back(asked, plan, room)
             self._carry_out(asked, plan)
             there = [(job, int(row)) for job, row in zip(jobs, plan.vehicle, strict=True) if row != NOBODY]
             awaited = {job.id: prospects[row].vehicle.id for job, row in there if prospects[row].soon}
             yield
         self._explain(look, awaited)
+
+    def _hold_back(self, asked: Asked, plan: Plan, room: int) -> None:
+        """Note the jobs that get nobody because no more vehicles may set out, though some are idle."""
+        idle = sum(prospect.vehicle.job is None and not prospect.soon for prospect in asked.prospects)
+        if idle > room:
+            self._held.update(asked.jobs[column].id for column in np.flatnonzero(plan.vehicle == NOBODY).tolist())
 
     def _carry_out(self, asked: Asked, plan: Plan) -> None:
         """Give the plan's jobs to vehicles that did not have them; those that had them give them back first."""

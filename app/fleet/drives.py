@@ -1,5 +1,6 @@
 """Axis drives: what is known of them, and what people do with them (PROTOCOLS section 2, DOMAIN section 7)."""
 
+from app.domain.alarms import AlarmKind
 from app.domain.drive import (
     DriveDone,
     DriveEvent,
@@ -36,6 +37,9 @@ from app.fleet.drive import DriveNow, view_of_drive, view_of_parameter
 from app.fleet.drive_operations import Operations
 from app.fleet.drive_orders import DriveOrders, no_drive
 from app.fleet.drive_watch import Watches
+
+OFFLINE = "offline"
+"""The code of the alarm of a drive that does not answer."""
 
 
 class Drives:
@@ -136,6 +140,7 @@ class Drives:
                 self._show(drive)
 
     def _online(self, drive: DriveNow) -> None:
+        self._books.alarms.end_one(AlarmKind.DRIVE, drive.id, OFFLINE, "it answers again")
         if drive.missed:
             self._books.event(JobEvent.DRIVE_ONLINE, source=drive.id, detail=f"{drive.id} answers again")
         drive.online, drive.missed, drive.reason, drive.seen = True, False, "", self._books.now
@@ -146,6 +151,7 @@ class Drives:
 
     def _offline(self, drive: DriveNow, reason: str) -> None:
         """An alarm (PROTOCOLS H10). One that outlasts a reconnection is told once."""
+        self._books.alarms.begin(AlarmKind.DRIVE, drive.id, OFFLINE, reason, "see its line, its address and its power")
         if not drive.missed:
             self._books.event(JobEvent.DRIVE_OFFLINE, source=drive.id, result="alarm", detail=reason)
         drive.online, drive.missed, drive.reason = False, True, reason
@@ -161,9 +167,20 @@ class Drives:
             self._books.event(JobEvent.DRIVE_ERROR_SET, source=drive.id, result=status.meaning, detail=detail)
         elif was is not None and is_ is None:
             self._books.event(JobEvent.DRIVE_ERROR_CLEARED, source=drive.id, detail=f"{was:02d}")
+        self._mind_error(drive, status)
         drive.learn(status, self._books.now)
         drive.online, drive.reason, drive.seen = True, "", self._books.now
         self._show(drive)
+
+    def _mind_error(self, drive: DriveNow, status: DriveStatus) -> None:
+        """Keep which error it has; one from before a restart may be over."""
+        alarms = self._books.alarms
+        if status.mode is DriveMode.ERROR:
+            meaning, remedy = explained(status.code)
+            cause = f"{status.code:02d} {status.meaning}: {meaning}"
+            alarms.begin_only(AlarmKind.DRIVE, drive.id, f"error {status.code:02d}", cause, remedy)
+        elif alarms.about(AlarmKind.DRIVE, drive.id):
+            alarms.end(AlarmKind.DRIVE, drive.id, "it reports no error any more")
 
     def _read(self, drive: DriveNow, event: ParameterRead) -> None:
         drive.values[event.parameter] = DriveValue(drive.id, event.parameter, event.value, self._books.utc)

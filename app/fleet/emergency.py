@@ -7,6 +7,7 @@ outlives restarts. After the last one is released the controller is paused: to r
 
 from dataclasses import replace
 
+from app.domain.alarms import AlarmKind
 from app.domain.device_requests import RaiseEmergency, ReleaseEmergency
 from app.domain.errors import Refusal
 from app.domain.job import JobEvent
@@ -44,6 +45,8 @@ class EmergencyDesk:
             changed = replace(controller, state=state, reason=reason, emergencies=(*controller.emergencies, emergency))
             books.save_controller(changed)
             books.event(JobEvent.EMERGENCY_SET, detail=reason)
+            remedy = "when it is over: POST /api/v1/controller/emergency/release"
+            books.alarms.begin(AlarmKind.PLANT, books.plant.name, request.kind.value, reason, remedy)
         for vehicle in books.vehicles.values():
             self._alarms.break_off(vehicle, request.kind.value)
             if vehicle.moves:
@@ -63,6 +66,7 @@ class EmergencyDesk:
         reason = controller.reason if left else f"{over}; resume when everything is in order"
         books.save_controller(replace(controller, emergencies=left, reason=reason))
         books.event(JobEvent.EMERGENCY_RELEASED, detail=over)
+        books.alarms.end_one(AlarmKind.PLANT, books.plant.name, request.kind.value, over)
         for vehicle in books.vehicles:
             books.wake(vehicle)
         return Accepted(Topic.CONTROLLER, books.plant.name)

@@ -1,5 +1,6 @@
 """What sessions tell of vehicles, and what it means for the command under way, the place, the job."""
 
+from app.domain.alarms import AlarmKind
 from app.domain.commands import Move, Send
 from app.domain.events import (
     Acknowledged,
@@ -80,6 +81,7 @@ class Hearing:
     def _reported(self, vehicle: VehicleNow, event: Reported) -> None:
         before, vehicle.status, vehicle.seen = vehicle.status, event.status, self._books.now
         self._books.touch(vehicle)
+        self._mind_alarm(vehicle, event.status)
         self._note_changes(vehicle, before, event.status)
         self._follow(vehicle, event.status)
         if not event.polled:
@@ -106,6 +108,16 @@ class Hearing:
             and (event.status.condition.doubt or vehicle.loaded is not self._recovery.believed_loaded(vehicle))
         ):
             self._recovery.begin(vehicle)
+
+    def _mind_alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
+        """Keep what alarm it has; one from before a restart may be over."""
+        alarms, condition = self._books.alarms, status.condition
+        if condition.oper is Oper.ALARM:
+            remedy = f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover"
+            cause = f"alarm {self._books.named_alarm(condition.code)}"
+            alarms.begin_only(AlarmKind.VEHICLE, vehicle.id, str(condition.code), cause, remedy, vehicle.job)
+        elif alarms.about(AlarmKind.VEHICLE, vehicle.id):
+            alarms.end(AlarmKind.VEHICLE, vehicle.id, "it reports no alarm any more")
 
     def _note_changes(self, vehicle: VehicleNow, before: VehicleStatus | None, now: VehicleStatus) -> None:
         """Alarms become events; leaving AUTO means that the vehicle may be moved without us."""

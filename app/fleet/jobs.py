@@ -1,6 +1,7 @@
 """Requests about jobs: create, cancel, abort, change (DOMAIN section 2, COMMANDS sections 4 and 5)."""
 
 from dataclasses import replace
+from math import inf
 
 from app.domain.errors import NoRoute, Refusal
 from app.domain.ids import CarrierId, JobId, StationId, VehicleId
@@ -154,11 +155,14 @@ class Jobs:
             if source in books.vehicles
             else books.specs[StationId(source)].barcode
         )
+        goal = books.specs[StationId(destination)].barcode
+        if start is None or books.router.time(start, goal) < inf:  # a few look-ups; the way itself is of no use here
+            return None
         try:
-            if start is not None:
-                books.router.route(start, books.specs[StationId(destination)].barcode)
+            books.router.route(start, goal)
         except NoRoute as why:
-            return Refusal("no-route", why.message, "see GET /api/v1/layout", "destination")
+            if why.closed is None:  # hosts order ahead: what is closed opens again
+                return Refusal("no-route", why.message, "see GET /api/v1/layout", "destination")
         return None
 
     def _carrier_aboard(self, source: str) -> CarrierId | None:

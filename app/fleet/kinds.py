@@ -26,6 +26,8 @@ def kinds_at(books: Books, place: str) -> frozenset[VehicleKind]:
 def between_kinds(books: Books, source: str, others: tuple[StationId, ...], wish: VehicleId | None) -> Refusal | None:
     """Return why no vehicle can do a job with these ends, ``others`` being its destination and fall-backs."""
     here = kinds_at(books, source)
+    if wish is None and len(others) == 1 and here & kinds_at(books, others[0]):  # nearly all
+        return None
     for place, field in zip(others, ("destination", *("fallbacks" for _ in others)), strict=False):
         if not here & kinds_at(books, place):
             reason = f"no vehicle serves both {_said(books, source)} and {_said(books, place)}"

@@ -11,7 +11,7 @@ from app.domain.errors import NoRoute, Refusal
 from app.domain.ids import StationId
 from app.domain.job import Job, JobEvent, JobState, JobStep, Leg
 from app.domain.layout import PulseSet, Station
-from app.domain.records import ControllerState, IntentState, Provenance
+from app.domain.records import IntentState, Provenance
 from app.domain.units import Seconds
 from app.domain.vehicle import Oper, VehicleStatus
 from app.fleet.books import SYSTEM, Books
@@ -19,7 +19,14 @@ from app.fleet.buffers import Buffers
 from app.fleet.custody import carrier_moved
 from app.fleet.kinds import serves
 from app.fleet.motion import Motion
-from app.fleet.obstacles import against_fetching, against_picking_up, against_putting_down, bringer, brought_first
+from app.fleet.obstacles import (
+    against_driving,
+    against_fetching,
+    against_picking_up,
+    against_putting_down,
+    bringer,
+    brought_first,
+)
 from app.fleet.recovery import Recovery
 from app.fleet.targets import target_for
 from app.fleet.vehicle import Errand, Handling, Purpose, VehicleNow
@@ -113,7 +120,7 @@ class Missions:
         if usable is None:
             return
         station = self._head_for(vehicle, usable, pickup=pickup)
-        if station and self._motion.arrived(vehicle) and self._books.controller.state is ControllerState.AUTO:
+        if station and self._motion.arrived(vehicle) and not self._books.stilled(vehicle):
             if pickup and self._usable_source(vehicle, usable) is None:  # It was sent to where it stands, ahead of it.
                 return
             if why := self._buffers.lend(vehicle, station):
@@ -127,6 +134,14 @@ class Missions:
         A vehicle that is there before the carrier stands by: whoever brings it must get past (``Courtesy``).
         """
         obstacle = against_picking_up(self._books, job) or brought_first(self._books, job.source, job.order)
+        if not obstacle and (
+            cut_off := self._cut_off(vehicle, StationId(job.source)) or against_driving(self._books, job)
+        ):
+            if job.allows(JobStep.UNASSIGNED):
+                self.give_back(vehicle, cut_off)
+            else:
+                self._wait(job, cut_off)
+            return None
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith(STANDS_BY) else job
         first = None if against_fetching(self._books, job) else bringer(self._books, job)
@@ -150,7 +165,7 @@ class Missions:
         try:
             self._motion.send(vehicle, errand)
         except NoRoute as why:
-            self._wait(job, f"{vehicle.id} finds no way: {why.message}")
+            self._wait(job, f"{vehicle.id} finds no way: {self._books.closed.explain(why)}")
             return
         if vehicle.barcode == errand.goal and vehicle.status:
             tags = {kind.stop_action for kind in vehicle.status.condition.tags}
@@ -169,6 +184,7 @@ class Missions:
     def _usable_destination(self, vehicle: VehicleNow, job: Job) -> Job | None:
         """Return the job with a destination that can be used now; None: it has to wait, and says so."""
         obstacle = against_putting_down(self._books, job.destination, job.id)
+        obstacle = obstacle or self._cut_off(vehicle, job.destination)
         if not obstacle:
             return self._wait(job, "") if job.reason.startswith(NO_PLACE) else job
         fallback = self._fallback(vehicle, job)
@@ -184,6 +200,12 @@ class Missions:
             self._motion.drop(vehicle)
         return None
 
+    def _cut_off(self, vehicle: VehicleNow, station: StationId) -> str:
+        """Return why this vehicle cannot come to a station from where it can turn, for what is closed now."""
+        start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
+        why = self._books.no_way.why(start, self._books.specs[station].barcode) if start is not None else ""
+        return f"{vehicle.id} finds no way: {why}" if why else ""
+
     def _fallback(self, vehicle: VehicleNow, job: Job) -> StationId | None:
         """Return the first fall-back of the job or the plant that this vehicle can use and no other job is going to."""
         books = self._books
@@ -191,6 +213,8 @@ class Missions:
         for fallback in (*job.fallbacks, *books.specs[job.destination].fallbacks):
             spec = books.specs.get(fallback)
             if spec is None or fallback in engaged or against_putting_down(books, fallback, job.id):
+                continue
+            if self._cut_off(vehicle, fallback):
                 continue
             if serves(vehicle, spec) and not isinstance(target_for(self._books, vehicle, spec), Refusal):
                 return fallback
@@ -409,11 +433,12 @@ class Missions:
 
     def _handle_for_person(self, vehicle: VehicleNow) -> None:
         order = vehicle.order
-        if order is None or self._books.controller.state is not ControllerState.AUTO:
+        if order is None or self._books.stilled(vehicle):
             return
         station = self._books.specs[order.station]
         target = target_for(self._books, vehicle, station, order.target)
-        if isinstance(target, Refusal) or station.id in self._books.buffer_trouble:
+        closed = self._books.closures.against(station)
+        if isinstance(target, Refusal) or closed or station.id in self._books.buffer_trouble:
             vehicle.order = None
             return
         if self._buffers.lend(vehicle, station):

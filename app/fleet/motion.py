@@ -4,8 +4,9 @@ A vehicle moves only on what it holds. MOVE goes to the end of what is held; bef
 XMOVE goes on from it; where that comes too late, the vehicle stops by itself and a fresh MOVE follows (PROTOCOLS 6.2).
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
@@ -13,10 +14,11 @@ from app.domain.events import Answered
 from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
-from app.domain.records import ControllerState, IntentState
+from app.domain.records import IntentState
 from app.domain.units import Barcode, Millimetres
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
+from app.fleet.closed import Reason
 from app.fleet.cover import covered, maybe_covered, next_tag
 from app.fleet.detours import Detours
 from app.fleet.halting import halt
@@ -50,6 +52,7 @@ class Motion:
         Returns the barcodes that another vehicle holds too.
         """
         books = self._books
+        books.closed.shut_only(Reason(vehicle.id, ""))  # what it stands on is closed to others, not to its own way on
         before = books.traffic.held(vehicle.id)
         vehicle.toward = next_tag(self._books.track, vehicle, barcode)
         vehicle.trail = covered(self._books, vehicle, barcode)
@@ -166,6 +169,13 @@ class Motion:
             return rest
         return list(self._books.router.route(via, goal))
 
+    def lead(self, vehicle: VehicleNow, rest: Sequence[Barcode]) -> None:
+        """Let a vehicle go on to its errand's goal by this way from the end of what it holds."""
+        vehicle.rest = list(rest)
+        self._books.touch(vehicle)
+        self._wake_waiters(())
+        self._books.wake(vehicle.id)
+
     def drop(self, vehicle: VehicleNow) -> None:
         """Forget the errand: the vehicle runs to the end of what it was told, and stays there."""
         vehicle.errand, vehicle.rest, vehicle.waiting = None, [], ""
@@ -184,7 +194,7 @@ class Motion:
     def may_drive(self, vehicle: VehicleNow) -> bool:
         """Whether grants may be given to this vehicle at all."""
         books = self._books
-        if not vehicle.fit or vehicle.barcode is None or books.controller.state is not ControllerState.AUTO:
+        if not vehicle.fit or vehicle.barcode is None or books.stilled(vehicle):
             return False
         return not books.roll_call.misses(vehicle.barcode)
 
@@ -231,9 +241,12 @@ class Motion:
         last = vehicle.ahead[-1] if vehicle.ahead else start
         wanted: list[Barcode] = []
         shut: Blocked | None = None
-        for start_of_edge, barcode in pairwise([last, *vehicle.rest]):
+        for start_of_edge, barcode in pairwise(chain((last,), vehicle.rest)):
             enough = held >= horizon and self._books.traffic.may_end(last if not wanted else wanted[-1])
             if enough or len(wanted) >= room:
+                break
+            if closed := self._books.closures.edge(start_of_edge, barcode):
+                shut = Blocked(barcode, None, BlockReason.CLOSED, note=closed)
                 break
             if (door := self.passages.barred(start_of_edge, barcode)) is not None:
                 shut = Blocked(barcode, None, BlockReason.DOOR, note=self.passages.wait_for(door))
@@ -244,9 +257,16 @@ class Motion:
             if shut:
                 self._books.traffic.forget(vehicle.id)
             return shut
-        beyond = vehicle.rest[len(wanted) :]
-        cut_short, now = len(wanted) >= room, self._books.now
-        grant = self._books.traffic.claim(vehicle.id, wanted, not beyond, beyond=beyond, now=now, cut_short=cut_short)
+        count, rest = len(wanted), vehicle.rest
+        grant = self._books.traffic.claim(
+            vehicle.id,
+            wanted,
+            count == len(rest),
+            beyond=rest,
+            begun=count,
+            now=self._books.now,
+            cut_short=count >= room,
+        )
         self._wake_waiters(())
         vehicle.ahead += grant.granted
         del vehicle.rest[: len(grant.granted)]

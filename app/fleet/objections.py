@@ -18,6 +18,8 @@ def objection(books: Books, passages: Passages, send: Send) -> str:
         return ""
     if vehicle.record.lockout:
         return vehicle.barred
+    if people := books.closures.barring(vehicle):
+        return people
     if between := barrier(books, passages, send):
         return between
     if isinstance(send.command, Simple | Display | Direct):

@@ -4,6 +4,7 @@ from app.domain.ids import JobId, StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StationKind
 from app.domain.records import Provenance, StationRecord
+from app.domain.units import Barcode
 from app.fleet.books import Books
 
 PLACED_COUNTS_FOR = 3600.0
@@ -36,10 +37,42 @@ def against_fetching(books: Books, job: Job) -> str:
     """Return why nothing can be fetched from the job's source, whatever stands there."""
     if taught := _taught(books, StationId(job.source)):
         return taught
+    if closed := books.closures.against(books.specs[StationId(job.source)]):
+        return closed
     record = books.stations[StationId(job.source)]
     if record.out_of_service:
         return f"{job.source} is out of service: {record.out_of_service}"
     return books.buffer_trouble.get(record.station, "")
+
+
+def against_driving(books: Books, job: Job) -> str:
+    """Return why nobody comes to the job's source, or from there to the destination or a fall-back, for what is closed now.
+
+    Nor is anything begun whose destination nobody gets away from again, as long as its source lies where one can drive round:
+    one vehicle after the other would be lost in there (our choice).
+    """
+    if not len(books.closed):
+        return ""
+    holder = books.vehicles.get(VehicleId(job.source))
+    if holder is None and (why := books.traffic_state.cut_off.get(StationId(job.source), "")):
+        return f"{job.source} cannot be reached: {why}"
+    start = holder.barcode if holder else books.specs[StationId(job.source)].barcode
+    ends = (job.destination, *(name for name in job.fallbacks if name in books.specs))
+    ways = [_against_coming_to(books, start, end) for end in ends]
+    return ways[0] if all(ways) else ""
+
+
+def _against_coming_to(books: Books, start: Barcode | None, station: StationId) -> str:
+    if why := books.traffic_state.cut_off.get(station, ""):
+        return f"{station} cannot be reached: {why}"
+    if start is None:
+        return ""
+    goal = books.specs[station].barcode
+    if why := books.no_way.why(start, goal):
+        return why
+    trap = books.no_way.why(goal, start)
+    rounds = any(not books.no_way.why(after, start) for after in books.track.successors(start))
+    return f"nobody gets away from {station} again: {trap}" if trap and rounds else ""
 
 
 def bringer(books: Books, job: Job) -> Job | None:
@@ -77,6 +110,8 @@ def against_putting_down(books: Books, station: StationId, job: JobId | None) ->
     """Return why nothing can be put down at a station, as far as is known."""
     if job is not None and (taught := _taught(books, station)):
         return taught
+    if closed := books.closures.against(books.specs[station]):
+        return closed
     record = books.stations[station]
     if record.out_of_service:
         return f"{station} is out of service: {record.out_of_service}"

@@ -6,7 +6,7 @@ from app.domain.commands import Command, Display, Plain, Simple
 from app.domain.errors import NoRoute, Refusal
 from app.domain.job import JobEvent
 from app.domain.layout import Station, StopAction
-from app.domain.records import Lockout
+from app.domain.records import HELD_BY, STOPPED_BY, Lockout
 from app.domain.requests import (
     Accepted,
     CommandVehicle,
@@ -78,7 +78,7 @@ class VehicleOrders:
             return self._accepted(vehicle)
         intent = self._books.open_intent(vehicle, request.what.value, Simple(request.what), request.actor)
         if request.what is Plain.STOP_BY_HOST:
-            self._recovery.hold(vehicle, f"stopped by {request.actor}", "release it when it may go on")
+            self._recovery.hold(vehicle, f"{STOPPED_BY}{request.actor}", "release it when it may go on")
         return self._accepted(vehicle, intent.cmd_id)
 
     def unready(self, vehicle: VehicleNow, what: Plain) -> Refusal | None:
@@ -99,13 +99,20 @@ class VehicleOrders:
     def out_of_reach(self, vehicle: VehicleNow, command: Command) -> Refusal | None:
         """Return why a person's command cannot go to a vehicle now, whatever its mode is."""
         passes = harmless(command)
-        if refusal := None if passes else self._locked_out(vehicle) or in_emergency(self._books):
+        if refusal := None if passes else self._at_work(vehicle) or in_emergency(self._books):
             return refusal
         if not vehicle.linked or vehicle.status is None:
             return no_link(vehicle)
         if vehicle.recovery and not passes:
             return Refusal("not-now", f"an alarm recovery of {vehicle.id} is under way", "wait for its end")
         return None
+
+    def _at_work(self, vehicle: VehicleNow) -> Refusal | None:
+        """Refusal of what may set a vehicle moving while people are at it, or where it is."""
+        if refusal := self._locked_out(vehicle):
+            return refusal
+        closed = self._books.closures.barring(vehicle)
+        return Refusal("not-now", f"{vehicle.id} stands where {closed}", "open that first") if closed else None
 
     def _locked_out(self, vehicle: VehicleNow) -> Refusal | None:
         lock = vehicle.record.lockout
@@ -129,6 +136,8 @@ class VehicleOrders:
         """Return why a vehicle cannot be moved or made to handle for a person now."""
         if vehicle.barred:
             return Refusal("not-now", f"{vehicle.id} is {vehicle.barred}", "lift that first")
+        if refusal := self._at_work(vehicle):
+            return refusal
         if not vehicle.linked:
             return no_link(vehicle)
         if vehicle.job:
@@ -168,7 +177,9 @@ class VehicleOrders:
         try:
             self._motion.send(vehicle, Errand(request.barcode, request.action, Purpose.PERSON))
         except NoRoute as why:
-            return Refusal("no-route", why.message, "see GET /api/v1/layout", "barcode")
+            shut = "end what closes it: kept_off in GET /api/v1/controller lists it"
+            remedy = "see GET /api/v1/layout" if why.closed is None else shut
+            return Refusal("no-route", self._books.closed.explain(why), remedy, "barcode")
         return self._accepted(vehicle)
 
     def handle(self, vehicle: VehicleNow, request: HandleOnce) -> Reply:
@@ -186,7 +197,7 @@ class VehicleOrders:
         if vehicle.loaded is request.pickup:
             what, instead = ("loaded", "place") if vehicle.loaded else ("empty", "pickup")
             return Refusal("not-now", f"{vehicle.id} is {what}", f"it can only {instead} now")
-        obstacle = self._books.buffer_trouble.get(station.id, "")
+        obstacle = self._books.closures.against(station) or self._books.buffer_trouble.get(station.id, "")
         if not request.pickup:
             obstacle = against_putting_down(self._books, station.id, None)
         if obstacle:
@@ -198,7 +209,7 @@ class VehicleOrders:
 
     def _misplaced(self, vehicle: VehicleNow, station: Station) -> Refusal | None:
         """Return why the vehicle cannot handle at this station from where it is."""
-        if refusal := standstill(self._books):
+        if refusal := standstill(self._books, vehicle):
             return refusal
         tagged = vehicle.status is not None and vehicle.status.condition.at_tag
         if vehicle.barcode != station.barcode or not vehicle.at_rest or not tagged:
@@ -213,7 +224,7 @@ class VehicleOrders:
 
     def recover(self, vehicle: VehicleNow, request: RecoverAlarm) -> Reply:
         """Start the alarm recovery of PROTOCOLS 6.2."""
-        if refusal := self._locked_out(vehicle) or in_emergency(self._books):
+        if refusal := self._at_work(vehicle) or in_emergency(self._books):
             return refusal
         if not vehicle.linked or vehicle.status is None:
             return no_link(vehicle)
@@ -235,7 +246,7 @@ class VehicleOrders:
 
     def hold(self, vehicle: VehicleNow, request: HoldVehicle) -> Reply:
         """Nothing more is sent to the vehicle until released; what it was told, it finishes."""
-        self._recovery.hold(vehicle, f"held by {request.actor}: {request.reason}", "release it when it may go on")
+        self._recovery.hold(vehicle, f"{HELD_BY}{request.actor}: {request.reason}", "release it when it may go on")
         return self._accepted(vehicle)
 
     def release(self, vehicle: VehicleNow, request: ReleaseVehicle) -> Reply:

@@ -7,7 +7,6 @@ from app.domain.ids import Actor, CarrierId, StationId, VehicleId
 from app.domain.job import JobEvent
 from app.domain.layout import StopAction
 from app.domain.records import (
-    ControllerRecord,
     ControllerState,
     Provenance,
     StationDest,
@@ -64,11 +63,12 @@ class PlantOrders:
             return refusal
         if present is False:
             carrier = None
+        provenance = Provenance.VERIFIED if request.walked else self._provenance(by_person=request.by_person)
         if record.carrier and carrier != record.carrier:
-            self._lose(record, by_person=request.by_person)
+            self._lose(record, provenance)
         if carrier and carrier != record.carrier:
             self._leave_vehicle(carrier)
-            books.put_carrier(carrier, request.station, self._provenance(by_person=request.by_person))
+            books.put_carrier(carrier, request.station, provenance)
         seen = request.present is not None or request.carrier is not None
         changed = replace(
             record,
@@ -76,7 +76,7 @@ class PlantOrders:
             carrier=carrier,
             reserved=record.reserved if request.reserved is None else request.reserved,
             out_of_service=record.out_of_service if request.out_of_service is None else request.out_of_service,
-            provenance=self._provenance(by_person=request.by_person) if seen else record.provenance,
+            provenance=provenance if seen else record.provenance,
             at=books.utc if seen else record.at,
         )
         books.save_station(changed)
@@ -86,10 +86,10 @@ class PlantOrders:
     def _provenance(self, *, by_person: bool) -> Provenance:
         return Provenance.PERSON if by_person else Provenance.HOST
 
-    def _lose(self, record: StationRecord, *, by_person: bool) -> None:
+    def _lose(self, record: StationRecord, provenance: Provenance) -> None:
         """The carrier we believed there is not there: where it is, we do not know."""
         if record.carrier and self._books.carriers.get(record.carrier):
-            self._books.put_carrier(record.carrier, None, self._provenance(by_person=by_person))
+            self._books.put_carrier(record.carrier, None, provenance)
 
     def _words(self, record: StationRecord) -> str:
         known = {True: "occupied", False: "empty", None: "not known"}[record.present]
@@ -203,8 +203,9 @@ class PlantOrders:
     def pause(self, request: PauseController) -> Reply:
         """No new movement; paused once everything stands."""
         if self._books.controller.state is ControllerState.AUTO:
-            self._books.save_controller(ControllerRecord(ControllerState.PAUSING, f"{request.actor}: {request.reason}"))
-            self._books.event(JobEvent.CONTROLLER_PAUSING, detail=f"{request.actor}: {request.reason}")
+            why, now = f"{request.actor}: {request.reason}", self._books.controller
+            self._books.save_controller(replace(now, state=ControllerState.PAUSING, reason=why))
+            self._books.event(JobEvent.CONTROLLER_PAUSING, detail=why)
             self.note_rest()
         return Accepted(Topic.CONTROLLER, self._books.plant.name)
 
@@ -221,7 +222,7 @@ class PlantOrders:
             told = ", ".join(f"{e.kind.value} told by {e.actor}: {e.reason}" for e in emergencies)
             return Refusal("not-now", told, "release it first: POST /api/v1/controller/emergency/release")
         if self._books.controller.state is not ControllerState.AUTO:
-            self._books.save_controller(ControllerRecord(ControllerState.AUTO))
+            self._books.save_controller(replace(self._books.controller, state=ControllerState.AUTO, reason=""))
             self._books.event(JobEvent.CONTROLLER_AUTO, detail=str(Actor(request.actor)))
             for vehicle in self._books.vehicles:
                 self._books.wake(vehicle)

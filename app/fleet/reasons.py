@@ -49,6 +49,7 @@ class Reasons:
             (not vehicle.fit, "is not ready"),
             (self.loaded(vehicle), "is loaded"),
             (vehicle.kept, vehicle.kept),
+            (paused := self._books.closures.paused_at(vehicle.barcode), f"waits: {paused}"),
         )
         return next((words for applies, words in states if applies), "")
 

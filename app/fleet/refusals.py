@@ -2,7 +2,6 @@
 
 from app.domain.errors import Refusal
 from app.domain.lockout import Lockout
-from app.domain.records import ControllerState
 from app.fleet.books import Books
 from app.fleet.vehicle import VehicleNow
 
@@ -37,9 +36,7 @@ def in_emergency(books: Books) -> Refusal | None:
     return Refusal("not-now", f"nothing moves: {told}", "release the emergency first") if told else None
 
 
-def standstill(books: Books) -> Refusal | None:
-    """Refusal of what moves something at once while the controller is paused, or pauses; None: it may move."""
-    state = books.controller.state
-    if state is ControllerState.AUTO:
-        return None
-    return Refusal("not-now", f"the controller is {state.value}", "resume it first")
+def standstill(books: Books, vehicle: VehicleNow) -> Refusal | None:
+    """Refusal of what moves a vehicle at once while the controller or its zone is paused, or pauses; None: it may move."""
+    stilled = books.stilled(vehicle)
+    return Refusal("not-now", stilled, "resume it first") if stilled else None

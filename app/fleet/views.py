@@ -1,7 +1,10 @@
 """How the fleet's state looks to people and hosts (``app.domain.view``)."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
+from app.domain.alarms import Alarm
+from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
 from app.domain.layout import Plant, PulseSet, Station
@@ -20,8 +23,10 @@ from app.domain.units import Barcode, Seconds, Timestamp
 from app.domain.vehicle import Condition, Oper, VehicleState
 from app.domain.view import (
     AgvView,
+    AlarmView,
     BitView,
     CarrierView,
+    ClosureView,
     CommandView,
     ControllerView,
     EventView,
@@ -29,12 +34,17 @@ from app.domain.view import (
     JobView,
     LinkView,
     LockoutView,
+    PauseView,
     StationView,
     VehicleView,
+    WalkView,
 )
+from app.domain.walks import Walk
+from app.fleet.closed import Closed, named
+from app.fleet.traffic_state import TrafficState
 from app.fleet.vehicle import Errand, Purpose, Stage, VehicleNow
 
-VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR})
+VERIFIED = frozenset({Provenance.HOST, Provenance.PERSON, Provenance.SENSOR, Provenance.VERIFIED})
 """Provenances that count as seen by somebody, not inferred by us (DOMAIN section 2)."""
 
 BITS_KEPT = 4096
@@ -83,8 +93,72 @@ def view_of_event(event: HistoryEvent) -> EventView:
     )
 
 
+def view_of_alarm(alarm: Alarm) -> AlarmView:
+    """Return an alarm as people see it."""
+    return AlarmView(
+        id=alarm.number,
+        kind=alarm.kind.value,
+        source=alarm.source,
+        code=alarm.code,
+        cause=alarm.cause,
+        remedy=alarm.remedy,
+        begun=alarm.begun,
+        ended=alarm.ended,
+        outcome=alarm.outcome,
+        job=alarm.job,
+        acknowledged=alarm.acknowledged,
+        acknowledged_by=alarm.acknowledged_by,
+        note=alarm.note,
+    )
+
+
+def view_of_walk(walk: Walk, places: int, entered: int) -> WalkView:
+    """Return an audit walk as people see it."""
+    return WalkView(
+        id=walk.number,
+        actor=walk.actor,
+        reason=walk.reason,
+        state=walk.state.value,
+        started=walk.started,
+        ended=walk.ended,
+        ended_by=walk.ended_by,
+        places=places,
+        entered=entered,
+    )
+
+
+def view_of_closure(
+    closure: Closure, stations: tuple[str, ...], inside: tuple[str, ...] = (), waiting: tuple[str, ...] = ()
+) -> ClosureView:
+    """Return a closure as people see it."""
+    return ClosureView(
+        id=closure.number,
+        kind=closure.place.kind.value,
+        names=closure.place.names,
+        place=str(closure.place),
+        barcodes=closure.barcodes,
+        stations=stations,
+        reason=closure.reason,
+        owner=closure.owner,
+        purpose=closure.purpose.value,
+        state=closure.state.value,
+        since=closure.since,
+        expires=closure.expires,
+        closed=closure.closed,
+        releases=closure.releases,
+        ended=closure.ended,
+        ended_by=closure.ended_by,
+        inside=inside,
+        waiting=waiting,
+    )
+
+
 def view_of_station(
-    spec: Station, record: StationRecord, dest: StationDest | None, teaching: TeachingSession | None = None
+    spec: Station,
+    record: StationRecord,
+    dest: StationDest | None,
+    teaching: TeachingSession | None = None,
+    closures: tuple[int, ...] = (),
 ) -> StationView:
     """Return a station and what is believed of it."""
     return StationView(
@@ -102,6 +176,7 @@ def view_of_station(
         target_version=dest.version if dest else None,
         missing=tuple(axis.value for axis in missing(dest.pulses)) if dest else (),
         teaching=teaching.number if teaching else None,
+        closures=closures,
     )
 
 
@@ -128,6 +203,22 @@ def view_of_controller(
         started=started,
         waiting_for=tuple(waiting_for),
         emergencies=tuple(f"{e.kind.value}: {e.reason} ({e.actor})" for e in record.emergencies),
+        pauses=tuple(PauseView(p.zone, p.owner, p.reason, p.since, p.stopped) for p in record.pauses),
+    )
+
+
+def with_traffic(view: ControllerView, state: TrafficState, closed: Closed) -> ControllerView:
+    """Return the controller's view with what is told of the traffic as a whole."""
+    return replace(
+        view,
+        circles=state.circles,
+        circles_found=state.circles_found,
+        circles_resolved=state.circles_resolved,
+        kept_off=tuple(f"{', '.join(map(named, places))}: {words}" for words, places in closed.by_words().items()),
+        closed_places=len(closed),
+        cut_off=tuple(f"{station}: {why}" for station, why in state.cut_off.items()),
+        led_round=state.led_round,
+        led_quicker=state.led_quicker,
     )
 
 

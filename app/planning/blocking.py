@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 from app.domain.ids import VehicleId, ZoneId
 from app.domain.units import Barcode
@@ -32,12 +33,11 @@ class BlockReason(StrEnum):
     """A door leads there that is not known to be open. Traffic knows no doors: who claims says this."""
 
 
-OF_BUFFERS = frozenset((BlockReason.FULL, BlockReason.CIRCLE, BlockReason.METER, BlockReason.TURN))
+OF_BUFFERS = (BlockReason.FULL, BlockReason.CIRCLE, BlockReason.METER, BlockReason.TURN)
 """Refusals that hang on the lines in buffers, not on a barcode."""
 
 
-@dataclass(frozen=True, slots=True)
-class Blocked:
+class Blocked(NamedTuple):
     """A refusal: the barcode that could not be granted and what stands against it.
 
     ``by`` is the vehicle waited for: the longest in the zone for ZONE, the head of the full buffer for FULL, whose turn it is for
@@ -52,8 +52,7 @@ class Blocked:
     note: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Grant:
+class Grant(NamedTuple):
     """The prefix of what was wanted that the vehicle now holds, and what ended it: None if all was granted.
 
     A prefix trimmed for a no-stop zone is blocked by what stands beyond it.

@@ -6,7 +6,7 @@ simulator and the fleet call the same function. All times are seconds.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ Flags: TypeAlias = NDArray[np.bool_]
 Times: TypeAlias = Callable[[Indices, Indices], Floats]
 """``times(rows, columns)`` gives, as a table of that shape, the time of each of these vehicles from where it can turn to the
 source of each of these jobs; infinite where it cannot do the job."""
-Rule: TypeAlias = "Callable[[Vehicles, Jobs, Times], Plan]"
 NOBODY = -1
 
 
@@ -103,17 +102,27 @@ class Plan:
     arrival: Floats
 
 
-def dispatch(vehicles: Vehicles, jobs: Jobs, times: Times, rules: Rules = RULES, turn: int = 0) -> Plan:
+class Rule(Protocol):
+    """A way to choose: at most ``most`` vehicles that have nothing to do get something; None: all may."""
+
+    def __call__(self, vehicles: Vehicles, jobs: Jobs, times: Times, *, most: int | None = None) -> Plan:
+        """Return who does what."""
+
+
+def dispatch(
+    vehicles: Vehicles, jobs: Jobs, times: Times, rules: Rules = RULES, turn: int = 0, most: int | None = None
+) -> Plan:
     """Return the assignment of least total cost, hot lots first.
 
     Hot lots get the vehicles that are nearest to them, off other jobs if need be; then all others are assigned at once.
     Among jobs that are not hot, as many get a vehicle as can; if not all can, those of the highest priorities do, and among
     equals it counts how long the drive is and how long they have waited. An assignment once made is changed where that saves
     more than ``rules.switch``. ``turn``: rises from call to call, so that where not all assignments can be thought over at
-    once, each has its turn.
+    once, each has its turn. ``most``: only so many of the vehicles that have nothing to do get something, those for which it
+    costs least (None: all of them; ``planning.restraint``).
     """
     plan = weighed(vehicles, jobs, times, turn)
-    assigned(plan, vehicles, jobs, rules)
+    assigned(plan, vehicles, jobs, rules, most)
     return plan
 
 
@@ -131,19 +140,44 @@ def unassigned(vehicles: Vehicles, jobs: Jobs, block: tuple[Indices, Indices], d
     return Plan(vehicle, rows, columns, np.empty((0, 0)) if driven is None else driven + vehicles.offset[rows][:, None])
 
 
-def assigned(plan: Plan, vehicles: Vehicles, jobs: Jobs, rules: Rules = RULES) -> None:
+def assigned(plan: Plan, vehicles: Vehicles, jobs: Jobs, rules: Rules = RULES, most: int | None = None) -> None:
     """Carry out ``dispatch`` on a plan just weighed."""
     rows, columns = plan.rows, plan.columns
     holder = _holders(vehicles, len(jobs.age))
     free = np.ones(len(rows), np.bool_)
+    idle = (vehicles.job[rows] == NOBODY) & ~vehicles.soon[rows]
+    room = len(rows) if most is None else most
     for hot in (True, False):
         some, left = np.flatnonzero(jobs.hot[columns] == hot), np.flatnonzero(free)
         if not len(some) or not len(left):
             continue
         costs = _costs(vehicles, jobs, plan, holder, (left, some), rules)
+        if np.count_nonzero(idle[left]) > room:
+            may = _set_out(costs, idle[left], jobs.priority[columns[some]], room)
+            costs, left = costs[may], left[may]
         for row, column in best_pairs(costs, jobs.priority[columns[some]]):
             plan.vehicle[columns[some[column]]] = rows[left[row]]
             free[left[row]] = False
+            room -= int(idle[left[row]])
+
+
+def _set_out(costs: Floats, idle: Flags, priority: Indices, room: int) -> Flags:
+    """Return which rows may be given something: all but the idle ones, and of these so many whose best pairs cost least.
+
+    Pair after pair of the highest priority that is left and of least cost, each row and column once.
+    """
+    may, own = ~idle, np.flatnonzero(idle)
+    left = costs[own]
+    for level in np.unique(priority)[::-1] if room > 0 else ():
+        block = np.where(priority == level, left, np.inf)
+        while room > 0:
+            row, column = divmod(int(block.argmin()), block.shape[1])
+            if not np.isfinite(block[row, column]):
+                break
+            may[own[row]] = True
+            left[row], block[row], block[:, column] = np.inf, np.inf, np.inf
+            room -= 1
+    return may
 
 
 def considered(vehicles: Vehicles, jobs: Jobs, turn: int = 0) -> tuple[Indices, Indices]:
@@ -215,7 +249,7 @@ def _costs(
     """
     row, column = plan.rows[block[0]], plan.columns[block[1]]
     ready, arrival = jobs.ready[column], _part(plan.arrival, *block)
-    bound, job_bound = np.isin(vehicles.job[row], column), np.isin(holder[column], row)
+    bound, job_bound = _among(vehicles.job[row], column, len(jobs.age)), _among(holder[column], row, len(vehicles.job))
     preempted = (vehicles.job[row] != NOBODY) & ~bound
     by_row = rules.unsure * vehicles.soon[row] + rules.preempt * preempted + rules.switch * bound
     by_column = rules.switch * job_bound - worth_of_waiting(jobs.age[column], rules)
@@ -231,6 +265,14 @@ def _costs(
     costs[:, late] = np.where(arrival[:, late] < ready[late] - rules.early, np.inf, costs[:, late])
     costs[keepers, held] = kept
     return costs
+
+
+def _among(some: Indices, all_: Indices, size: int) -> Flags:
+    """Return which of some indices below ``size``, or NOBODY, are among all of these."""
+    there = np.zeros(size + 1, np.bool_)
+    there[all_] = True
+    found: Flags = there[some]
+    return found
 
 
 def _part(table: Floats, rows: Indices, columns: Indices) -> Floats:
@@ -266,30 +308,36 @@ def best_pairs(costs: Floats, priority: Indices) -> list[tuple[int, int]]:
 # -- rules to compare with ------------------------------------------------------------------------------------------------
 
 
-def nearest_first_come(vehicles: Vehicles, jobs: Jobs, times: Times) -> Plan:
+def nearest_first_come(vehicles: Vehicles, jobs: Jobs, times: Times, *, most: int | None = None) -> Plan:
     """Give the most urgent and oldest job its nearest vehicle, then the next; nothing is thought over. For comparison."""
-    return _one_by_one(vehicles, jobs, times, lambda reach: int(np.argmin(reach)))
+    return _one_by_one(vehicles, jobs, times, most, lambda reach: int(np.argmin(reach)))
 
 
 def at_random(draw: np.random.Generator) -> Rule:
     """Return the rule that gives the most urgent and oldest job any vehicle, then the next. For comparison."""
 
-    def rule(vehicles: Vehicles, jobs: Jobs, times: Times) -> Plan:
-        return _one_by_one(vehicles, jobs, times, lambda reach: int(draw.choice(np.flatnonzero(np.isfinite(reach)))))
+    def rule(vehicles: Vehicles, jobs: Jobs, times: Times, *, most: int | None = None) -> Plan:
+        return _one_by_one(
+            vehicles, jobs, times, most, lambda reach: int(draw.choice(np.flatnonzero(np.isfinite(reach))))
+        )
 
     return rule
 
 
-def _one_by_one(vehicles: Vehicles, jobs: Jobs, times: Times, choose: Callable[[Floats], int]) -> Plan:
+def _one_by_one(
+    vehicles: Vehicles, jobs: Jobs, times: Times, most: int | None, choose: Callable[[Floats], int]
+) -> Plan:
     engaged = vehicles.job != NOBODY
     vehicle = _holders(vehicles, len(jobs.age))
     rows, queued = np.flatnonzero(~engaged & ~vehicles.soon), np.flatnonzero(vehicle == NOBODY)
+    room = len(rows) if most is None else min(most, len(rows))
     columns = queued[_by_urgency(jobs, queued)][: max(len(rows), 1)]
     arrival = times(rows, columns) + vehicles.offset[rows][:, None] if len(rows) and len(columns) else np.empty((0, 0))
     plan, left = Plan(vehicle, rows, columns, arrival), arrival.copy()
     for index in range(left.shape[1]):
-        if np.isfinite(left[:, index]).any():
+        if room > 0 and np.isfinite(left[:, index]).any():
             chosen = choose(left[:, index])
             vehicle[columns[index]] = rows[chosen]
             left[chosen] = np.inf
+            room -= 1
     return plan

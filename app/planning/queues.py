@@ -4,7 +4,7 @@
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 from app.domain.ids import VehicleId
 from app.domain.layout import VehicleKind
@@ -37,9 +37,11 @@ class Queues:
         self._numbers: dict[VehicleId, int] = {}
         self._names: list[VehicleId] = []
         b = self.buffers
-        self._no_end = frozenset(at for (at, i), end in zip(b.index.items(), self._find_ends(), strict=True) if not end)
+        self.no_end = frozenset(at for (at, i), end in zip(b.index.items(), self._find_ends(), strict=True) if not end)
+        """Where a grant that is not for a goal does not end."""
         self._waits = {at: b.of[i] for at, i in b.index.items() if b.of[i] >= 0 and not b.transit[b.of[i]]}
         self._opening = frozenset(chain[0] for chain in b.chains)
+        self._left = {at: len(chain) - place for chain in b.chains for place, at in enumerate(chain)}
         self.stirred: dict[int, None] = {}
         self._meters = metered(track, self.buffers)
         self._asked: dict[VehicleId, tuple[int, int]] = {}
@@ -77,7 +79,7 @@ class Queues:
 
     def may_end(self, barcode: Barcode) -> bool:
         """Return whether a grant that is not for a goal may end here."""
-        return barcode not in self._no_end
+        return barcode not in self.no_end
 
     def waits_in(self, barcode: Barcode) -> int:
         """Return the buffer whose slot is needed to stand here; -1: none is."""
@@ -110,17 +112,44 @@ class Queues:
         number = self._lines.head[buffer]
         return self._names[number] if number >= 0 else None
 
-    def want_after(self, buffer: int, way: Iterable[Barcode]) -> int:
+    def want_after(
+        self, buffer: int, way: Sequence[Barcode], beyond: Sequence[Barcode] = (), begun: int = 0, gone: int = 0
+    ) -> int:
         """Return the buffer in which a vehicle waits next on its way on in this one; ANY: its way ends before one.
 
-        On a ring it may be the same again.
+        On a ring it may be the same again. The way begins at the index ``gone`` of ``way``, and goes on at ``begun`` of
+        ``beyond``. A buffer that it comes to, it follows to the end: there is no other way.
         """
-        waits, opening = self._waits, self._opening
-        for at in way:
-            after = waits.get(at, -1)
-            if after >= 0 and (after != buffer or at in opening):
+        waits, left, at, count = self._waits, self._left, gone, len(way)
+        while at < count:
+            here = way[at]
+            after = waits.get(here, -1)
+            if after >= 0 and (after != buffer or here in self._opening):
                 return after
+            at += left.get(here, 1)
+        at, count = at - count + begun, len(beyond)
+        while at < count:
+            here = beyond[at]
+            after = waits.get(here, -1)
+            if after >= 0 and (after != buffer or here in self._opening):
+                return after
+            at += left.get(here, 1)
         return ANY
+
+    def asks_slot(self, vehicle: VehicleId, way: Sequence[Barcode], first: int, last: int) -> bool:
+        """Return whether a vehicle that goes from ``way[first]`` to ``way[last]`` needs a slot to stand there, and lacks it."""
+        buffer = self._waits.get(way[last], -1)
+        if buffer < 0:
+            return False
+        number = self._numbers.get(vehicle)
+        if number is None or buffer != self._lines.slot[number]:
+            return True
+        return way[last] in self._opening if first == last else self.begins(buffer, way[first : last + 1])
+
+    def stays(self, vehicle: VehicleId, last: Barcode) -> bool:
+        """Return whether a vehicle that holds this farthest ahead has the slot that is due to it."""
+        number = self._numbers.get(vehicle)
+        return number is not None and self._waits.get(last, -2) == self._lines.slot[number]
 
     def begins(self, buffer: int, part: Sequence[Barcode]) -> bool:
         """Return whether this part of a way comes by the beginning of a buffer."""
@@ -141,6 +170,8 @@ class Queues:
         Besides, soft zones and those who have waited very long are minded.
         """
         why = self.ask(vehicle, buffer, want)
+        if why is None and buffer not in self._meters and not self._watchers.get(buffer):
+            return None
         looked = tuple(self._lines.looked[: self._lines.seen[0]])
         before = self._asked.get(vehicle)
         since = self._since.get(vehicle, now) if before is not None and before[0] == buffer else now
@@ -184,8 +215,9 @@ class Queues:
 
     def wait_no_more(self, vehicle: VehicleId) -> None:
         """The vehicle has come in, or wants to no more: its wait counts no longer."""
-        for kept in (self._asked, self._since, self._looked, self._gave):
-            kept.pop(vehicle, None)
+        if self._asked.pop(vehicle, None) is not None:
+            for kept in (self._since, self._looked, self._gave):
+                kept.pop(vehicle, None)
 
     def _who_closes(self, buffer: int) -> VehicleId | None:
         """Return the head that the last slot of a buffer is kept for: the circle that was found last ends with it."""
@@ -203,6 +235,14 @@ class Queues:
         enter(self._lines, number, buffer, want)
         if before >= 0:
             self.stirred[before] = None
+
+    def commit_on(self, vehicle: VehicleId, way: Sequence[Barcode], beyond: Sequence[Barcode], begun: int) -> None:
+        """Let a vehicle in line want the buffer that it will wait in next on this way (as in ``want_after``)."""
+        number = self._numbers.get(vehicle)
+        if number is not None and (slot := self._lines.slot[number]) >= 0:
+            want = self.want_after(slot, way, beyond, begun)
+            if want != self._lines.want[number]:
+                self.commit(vehicle, want)
 
     def commit(self, vehicle: VehicleId, want: int) -> bool:
         """Let the vehicle want this next, unless a circle closed by it: then it stays with what it wanted. Return whether so."""

@@ -12,6 +12,7 @@ from app.domain.units import Barcode, Seconds
 from app.planning.alternatives import by_present, by_table, drawn, search, ways
 from app.planning.arcs import EdgeKey, contract
 from app.planning.compiled import NO_CUTS, Cuts, View, is_open
+from app.planning.reach import reached
 from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
@@ -77,6 +78,11 @@ class Router:
         return self.view.version
 
     @property
+    def newly_open(self) -> bool:
+        """Whether track is open again that the tables do not lead over yet: ``time`` may be infinite where there is a way."""
+        return self._newly_open
+
+    @property
     def view(self) -> View:
         """What routes are planned by: fixed, to be held as long as one likes."""
         if self._stale:
@@ -109,6 +115,16 @@ class Router:
             self._seconds = self._seconds.copy()
             self._seconds[places] = values
             self._change()
+
+    @property
+    def edges(self) -> Mapping[EdgeKey, int]:
+        """The number of each edge, for ``seconds``."""
+        return self._arcs.edges
+
+    @property
+    def seconds(self) -> Floats:
+        """The seconds that each edge takes by the newest weights, by its number. Not to be changed; a new array each time."""
+        return self._seconds
 
     def weight(self, start: Barcode, end: Barcode) -> float:
         """Return the seconds that an edge takes by the newest weights. Raises KeyError: it is no edge of the track."""
@@ -218,6 +234,11 @@ class Router:
             return 0.0 if start in self._track else inf
         return self.view.time(start, goal, self._cuts)
 
+    def along(self, way: Sequence[Barcode]) -> float:
+        """Return the seconds of this way by the weights that ``time`` goes by, whatever is closed on it."""
+        edges = self._arcs.edges
+        return float(self.view.seconds[[edges[edge] for edge in pairwise(way)]].sum())
+
     def times(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> list[list[float]]:
         """Return a row for each start with the time to each goal, in seconds, infinite if there is no route."""
         times: list[list[float]] = self.table(starts, goals).tolist()
@@ -226,6 +247,10 @@ class Router:
     def table(self, starts: Sequence[Barcode], goals: Sequence[Barcode]) -> Floats:
         """Return what ``times`` does, as an array."""
         return self.view.times(starts, goals, self._cuts)
+
+    def reached(self, starts: Iterable[Barcode], goals: Sequence[Barcode], *, anyway: bool = False) -> list[bool]:
+        """Return for each goal whether an open way leads there from any of the starts; ``anyway``: whatever is closed."""
+        return reached(self._arcs, NO_CUTS if anyway else self._cuts, starts, goals)
 
     def _timed(self, path: tuple[Barcode, ...]) -> Route:
         view = self.view
@@ -261,8 +286,9 @@ class Router:
         path = self._search(start, goal, NO_CUTS)
         if path is None:
             return NoRoute(f"no route from {start} to {goal}: the track does not connect them")
-        shut = next((b if b in self._closed else f"{a} to {b}" for a, b in pairwise(path) if self._is_closed(a, b)))
-        return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}")
+        at = next((b if b in self._closed else (a, b)) for a, b in pairwise(path) if self._is_closed(a, b))
+        shut = f"{at[0]} to {at[1]}" if isinstance(at, tuple) else at
+        return NoRoute(f"no route from {start} to {goal}: {shut} is closed", remedy=f"open {shut}", closed=at)
 
     def _is_closed(self, start: Barcode, end: Barcode) -> bool:
         return end in self._closed or (start, end) in self._closed

@@ -1,5 +1,8 @@
 """Whether the track connects what it should: dead ends, lone pieces, stations that cannot be reached or left."""
 
+from collections import Counter
+from collections.abc import Iterable
+
 import networkx as nx
 
 from app.domain.layout import Plant, Station, VehicleKind
@@ -68,7 +71,7 @@ def _check_piece(document: Document, plant: Plant, places: Places, piece: "nx.Di
     if len(stations) == 1:
         message = f"{stations[0].id} is the only station on its piece of track: no transfer can begin or end there"
         document.warn(("stations", stations[0].id, "at"), message, "connect it to other stations")
-    main = _main_loop(piece, stations)
+    main = _main_loop(piece, [station.barcode for station in stations])
     onward, back = nx.descendants(piece, main) | {main}, nx.ancestors(piece, main) | {main}
     reference = next(station for station in stations if station.barcode in onward and station.barcode in back)
     for station in stations:
@@ -80,11 +83,21 @@ def _check_piece(document: Document, plant: Plant, places: Places, piece: "nx.Di
     _check_traps(document, places, piece, onward & back)
 
 
-def _main_loop(piece: "nx.DiGraph[str]", stations: list[Station]) -> str:
+def reachable(graph: "nx.DiGraph[str]", stations: Iterable[str]) -> set[str]:
+    """Return the barcodes that can be reached from the part of the track with the most stations, and lead back there."""
+    main = _main_loop(graph, stations)
+    onward: set[str] = nx.descendants(graph, main)
+    back: set[str] = nx.ancestors(graph, main)
+    return onward & back | {main}
+
+
+def _main_loop(piece: "nx.DiGraph[str]", stations: Iterable[str]) -> str:
     """Return a barcode of the strongly connected part that has the most stations."""
-    parts = nx.strongly_connected_components(piece)
-    best = max(parts, key=lambda part: (sum(station.barcode in part for station in stations), len(part)))
-    return min(best)
+    parts = list(nx.strongly_connected_components(piece))
+    part_of = {barcode: i for i, part in enumerate(parts) for barcode in part}
+    served = Counter(part_of[barcode] for barcode in stations)
+    best = max(range(len(parts)), key=lambda i: (served[i], len(parts[i])))
+    return min(parts[best])
 
 
 def _check_station(document: Document, station: Station, reference: Station, onward: set[str], back: set[str]) -> None:

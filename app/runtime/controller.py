@@ -21,7 +21,8 @@ from app.domain.layout import Plant
 from app.domain.records import Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import EventView, LineView, Update
+from app.domain.view import EventView, LineView, Topic, Update
+from app.fleet.closure_preview import Survey, survey
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.planning.routing import Route
 from app.planning.tables import Tables
@@ -32,6 +33,7 @@ from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
+from app.runtime.metrics import Figures
 from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
@@ -53,6 +55,8 @@ NOTEWORTHY = frozenset(
         JobEvent.DRIVE_ERROR_CLEARED,
         JobEvent.EMERGENCY_SET,
         JobEvent.EMERGENCY_RELEASED,
+        JobEvent.PLACE_CLOSING,
+        JobEvent.PLACE_OPENED,
     }
 )
 """Events that the log has too, for a person on duty without the page."""
@@ -103,6 +107,8 @@ class Controller:
         self._restored = restored
         self._keep_events = keep_events
         self._log: FilteringBoundLogger = logger(plant=plant.name)
+        self.figures = Figures(plant)
+        """What is counted for /metrics."""
         self._in_flight: deque[Transaction] = deque()
         self._asked: dict[int, tuple[asyncio.Future[Reply], float]] = {}
         self._sweeping = False
@@ -134,10 +140,13 @@ class Controller:
             lambda last: self._tell(self._durable, last),
             on_trouble=lambda message: self._tell(self._troubled, message),
             on_lost=lambda message: self._tell(self._lose, message),
+            figures=self.figures,
         )
         self._writer.start()
-        self._replanner = Replanner(self._replanned)
+        self._replanner = Replanner(self._replanned, figures=self.figures)
         self.hub.publish(self._control.snapshot())
+        self.figures.jobs.begin(self.model.all(Topic.JOBS))
+        self.figures.start()
         leased = math.isfinite(self._writer.held_until)
         for name in self._control.lines:
             end = self._control.endpoint(name)
@@ -218,6 +227,23 @@ class Controller:
         """Return the figures of every hoist's line."""
         return self._control.line_quality()
 
+    def named_quality(self) -> Sequence[tuple[VehicleId, LinkQuality]]:
+        """Return the figures of every hoist's line, by the hoist's name."""
+        return self._control.named_quality()
+
+    def waits(self) -> dict[str, int]:
+        """Return how many vehicles wait for what, by cause."""
+        return self._control.waits()
+
+    @property
+    def backlog(self) -> tuple[int, int]:
+        """Batches that wait for the writer, and decisions that are not durable yet."""
+        return self._writer.waiting, len(self._in_flight)
+
+    def silent_for(self) -> Seconds:
+        """Return for how long nothing was made durable or tried; for ever once the controller may not go on."""
+        return Seconds(math.inf) if self._over else self._writer.silent_for()
+
     def link_frames(self, link: LinkId) -> Sequence[tuple[Timestamp, str, bytes]]:
         """Return the last frames on a link, oldest first."""
         return self._control.link_frames(link)
@@ -225,6 +251,10 @@ class Controller:
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now. Raises NoRoute."""
         return self._control.fleet.books.router.alternatives(start, goal, most)
+
+    def survey(self) -> Survey:
+        """Return the fleet at this moment, fixed."""
+        return survey(self._control.fleet.books)
 
     def utc(self) -> Timestamp:
         """Return the present moment."""
@@ -282,6 +312,7 @@ class Controller:
             updates = self._control.updates()
             if updates:
                 self.hub.publish(updates)
+                self.figures.jobs.take(updates)
                 self._note(updates)
             for ticket, reply in self._control.replies():
                 asked = self._asked.pop(ticket, None)
@@ -377,6 +408,7 @@ class Controller:
 
     def _end(self) -> None:
         self._over = True
+        self.figures.stop()
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None

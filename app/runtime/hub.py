@@ -228,6 +228,8 @@ class Subscription(AsyncIterator[Frame]):
 
     def resync(self) -> None:
         """Give a resync mark and the newest state next, in place of the changes that wait."""
+        self._hub.resyncs += 1
+        self._hub.frames_dropped += self._changes
         self._mark = self._fresh = True
         self._frames = deque(frame for frame in self._frames if frame.kind == "event")
         self._changes = 0
@@ -276,6 +278,7 @@ class Subscription(AsyncIterator[Frame]):
             self._events = 0
             self._taken = self._given
             self._behind = True
+            self._hub.catch_ups += 1
             return
         self._frames.append(frame if len(news) == len(frame.events) else _event_frame(news))
         self._events += len(news)
@@ -312,6 +315,12 @@ class Hub:
         self._events: list[EventView] = []
         self._feeds: dict[frozenset[Topic], _Feed] = {}
         self._awaited: dict[tuple[Topic, str], asyncio.Future[None]] = {}
+        self.frames_dropped = 0
+        """Frames of state that slow watchers never got, the newest state in their place."""
+        self.resyncs = 0
+        """How often a watcher was given a resync mark."""
+        self.catch_ups = 0
+        """How often a watcher was so slow that its events were read from the store again."""
 
     async def changed(self, topic: Topic, key: str) -> None:
         """Wait until an object is published again."""

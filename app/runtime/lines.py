@@ -4,6 +4,7 @@ import asyncio
 import socket
 import sys
 from collections.abc import Callable
+from contextvars import Context
 from typing import cast
 
 from app.domain.ports import Endpoint, Prompt
@@ -19,6 +20,7 @@ would be old news when their turn comes, and each costs the other vehicles time.
 FLOODED = f"it sent more than {FLOOD} bytes in a second"
 CLOSE_GRACE = 1.0
 """Seconds for the last bytes to leave before a connection that is being closed is cut. Our choice."""
+_CONTEXT = Context()
 _SHORTEST = 0.001
 """Timer resolution of the loop, s."""
 
@@ -183,7 +185,8 @@ class Line(asyncio.Protocol):
         if self._timer is not None:
             self._timer.cancel()
         self._armed = deadline
-        self._timer = self._loop.call_later(max(deadline - self._now(), _SHORTEST), self._fire)
+        # In one context for all lines: each timer would make a copy of its own.
+        self._timer = self._loop.call_later(max(deadline - self._now(), _SHORTEST), self._fire, context=_CONTEXT)
 
     def _fire(self) -> None:
         self._timer = None

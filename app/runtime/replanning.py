@@ -6,6 +6,7 @@ import pickle
 import sys
 from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 from structlog.typing import FilteringBoundLogger
 
@@ -24,13 +25,35 @@ SLICE_PAUSE = 0.001
 """Seconds that the loop has for others between two slices. Our choice."""
 
 
+class Seen(Protocol):
+    """Takes durations."""
+
+    def see(self, value: float) -> None:
+        """Count a value."""
+        ...
+
+
+class Computed(Protocol):
+    """Counts what was computed: ``table_seconds`` from the task to its tables, ``table_failures`` processes lost."""
+
+    @property
+    def table_seconds(self) -> Seen:
+        """Takes seconds."""
+        ...
+
+    table_failures: int
+
+
 class Replanner:
     """Computes one task after the other and tells ``deliver`` of each, on the loop. The process starts with the first task.
 
     A process that dies is logged and started again; nothing here ends the controller.
     """
 
-    def __init__(self, deliver: Callable[[Tables], None], command: Sequence[str] = COMMAND) -> None:
+    def __init__(
+        self, deliver: Callable[[Tables], None], command: Sequence[str] = COMMAND, figures: Computed | None = None
+    ) -> None:
+        self._figures = figures
         self._deliver = deliver
         self._command = command
         self._log: FilteringBoundLogger = logger(part="planner")
@@ -62,7 +85,10 @@ class Replanner:
         used: list[Tables] = []
         while True:
             task = await self._tasks.get()
+            began = asyncio.get_running_loop().time()
             tables = await self._computed(task)
+            if self._figures is not None:
+                self._figures.table_seconds.see(asyncio.get_running_loop().time() - began)
             self._deliver(tables)
             # The last to hold the tables before these is a thread: unmapping 60 MB takes some 8 ms, but not the GIL.
             await asyncio.to_thread(used.clear)
@@ -73,6 +99,8 @@ class Replanner:
             try:
                 return await self._elsewhere(task)
             except (OSError, EOFError, ValueError, pickle.UnpicklingError) as why:
+                if self._figures is not None:
+                    self._figures.table_failures += 1
                 self._log.warning("planner process lost", reason=str(why) or type(why).__name__)
                 await self._end()
                 await asyncio.sleep(PAUSE)

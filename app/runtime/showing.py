@@ -10,9 +10,10 @@ from typing import get_args
 
 import msgspec
 
-from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PinView, View
+from app.domain.view import EventView, HoldView, LinkView, LockoutView, LockView, PauseView, PinView, View
 
-TIMES = frozenset({"at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed"})
+_AT = ("at", "since", "seen", "created", "assigned", "picked", "ended", "started", "opened", "closed")
+TIMES = frozenset((*_AT, "expires", "begun", "acknowledged"))
 """Names of the fields that are moments, in every view."""
 
 RENAMED: dict[tuple[type, str], str] = {(EventView, "at"): "ts"}
@@ -50,22 +51,26 @@ def _shower(kind: type) -> Callable[[object], dict[str, object]]:
     values = attrgetter(*fields)
     moments = [RENAMED.get((kind, n), n) for n in fields if n in TIMES]
     nested = [n for n in fields if n in _NESTED]
+    listed = [n for n in fields if n in _LISTED]
 
     def show(view: object) -> dict[str, object]:
         out: dict[str, object] = dict(zip(labels, values(view), strict=True))
         for label in moments:
-            moment = out[label]
-            if isinstance(moment, float | int):
-                out[label] = iso(moment)
+            if (moment := out[label]) is not None:
+                out[label] = iso(moment)  # type: ignore[arg-type]
         for name in nested:
             if type(out[name]) in _SHOWERS:
                 out[name] = shown(out[name])
+        for name in listed:
+            out[name] = [shown(part) for part in getattr(view, name)]
         return out
 
     return show
 
 
 _NESTED = frozenset({"link", "hold", "lockout", "pin", "lock"})
+_LISTED = frozenset({"pauses"})
+"""Parts that are lists of views with moments of their own."""
 _SHOWERS: dict[type, Callable[[object], dict[str, object]]] = {
-    kind: _shower(kind) for kind in (*get_args(View), LinkView, HoldView, LockoutView, PinView, LockView)
+    kind: _shower(kind) for kind in (*get_args(View), LinkView, HoldView, LockoutView, PinView, LockView, PauseView)
 }

@@ -1,5 +1,6 @@
 """The group-commit thread: everything that waits goes into one durable transaction, then its owner is told."""
 
+import math
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -43,6 +44,16 @@ class LeasedLedger(Ledger, Protocol):
         ...
 
 
+class Counted(Protocol):
+    """Counts commits; called from the writer's thread."""
+
+    commit_failures: int
+
+    def committed(self, seconds: float, records: int) -> None:
+        """Count one commit."""
+        ...
+
+
 class Writer:
     """A thread around a ledger. Batches are committed in the order of :meth:`submit`, as many together as wait.
 
@@ -61,6 +72,7 @@ class Writer:
         *,
         on_trouble: Callable[[str], None],
         on_lost: Callable[[str], None],
+        figures: Counted | None = None,
         clock: Callable[[], float] = time.monotonic,
         pauses: Sequence[float] = PAUSES,
     ) -> None:
@@ -68,6 +80,7 @@ class Writer:
         self._deliver = deliver
         self._on_trouble = on_trouble
         self._on_lost = on_lost
+        self._figures = figures
         self._clock = clock
         self._pauses = pauses
         self._renew_every = min(ledger.lease_seconds / RENEWALS, IDLE)
@@ -75,7 +88,7 @@ class Writer:
         self._changed = threading.Condition()
         self._closing = False
         self._in_trouble = False
-        self._verified = clock()
+        self._verified = self._beat = clock()
         self._prune_at = self._verified + PRUNE_EVERY
         self._thread = threading.Thread(target=self._run, name="hoistway-writer", daemon=True)
 
@@ -83,6 +96,16 @@ class Writer:
     def held_until(self) -> Seconds:
         """The moment on ``clock`` until which the plant is surely ours: after it, send nothing (COMMANDS 3.7)."""
         return Seconds(self._verified + self._ledger.lease_seconds)
+
+    @property
+    def waiting(self) -> int:
+        """How many batches wait to be taken."""
+        return len(self._waiting)
+
+    def silent_for(self) -> Seconds:
+        """Return for how long the thread has tried nothing: some seconds at rest, infinite at its end."""
+        ended = self._thread.ident is not None and not self._thread.is_alive()
+        return Seconds(math.inf if ended else self._clock() - self._beat)
 
     def start(self) -> None:
         """Start the thread; the ledger belongs to it from now on."""
@@ -139,10 +162,12 @@ class Writer:
         """Commit, or renew the lease if it is time; return False if the writer was closed before it could."""
         attempts = 0
         while True:
-            began = self._clock()
+            began = self._beat = self._clock()
             try:
                 if records:
                     self._ledger.commit(records)
+                    if self._figures is not None:
+                        self._figures.committed(self._clock() - began, len(records))
                 elif began - self._verified >= self._renew_every:
                     self._ledger.renew()
                 else:
@@ -150,6 +175,8 @@ class Writer:
             except (PlantHeld, StoreRefused):
                 raise
             except StoreError as trouble:
+                if self._figures is not None:
+                    self._figures.commit_failures += 1
                 if not self._again(trouble, attempts):
                     return False
                 attempts += 1

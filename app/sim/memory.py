@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import fields
 
+from app.domain.alarms import Alarm
+from app.domain.closures import Closure
 from app.domain.devices import DeviceId
 from app.domain.drive import DriveId, Parameter
 from app.domain.drive_records import DriveOperation, DriveRecord, DriveValue, OperationState
@@ -25,6 +27,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, SessionState, TeachingSession
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 
 
@@ -52,6 +55,10 @@ class MemoryLedger:
         self._proposals: dict[int, Proposal] = {}
         self._sessions: dict[int, TeachingSession] = {}
         self._next_taught = 1
+        self._closures: dict[int, Closure] = {}
+        self._alarms: dict[int, Alarm] = {}
+        self._walks: dict[int, Walk] = {}
+        self._walk_places: dict[tuple[int, StationId], WalkPlace] = {}
 
     def load(self) -> Kept:
         """Raise the epoch and return all that is kept."""
@@ -79,6 +86,13 @@ class MemoryLedger:
             next_taught=self._next_taught,
             next_proposal=max(self._proposals, default=0) + 1,
             next_session=max(self._sessions, default=0) + 1,
+            closures=tuple(c for c in self._closures.values() if not c.state.over),
+            alarms=tuple(a for a in self._alarms.values() if a.ended is None),
+            next_alarm=max(self._alarms, default=0) + 1,
+            walks=tuple(w for w in self._walks.values() if w.ended is None),
+            walk_places=tuple(p for p in self._walk_places.values() if self._walks[p.walk].ended is None),
+            next_walk=max(self._walks, default=0) + 1,
+            next_closure=max(self._closures, default=0) + 1,
             fresh=self._fresh,
         )
 
@@ -134,12 +148,20 @@ class MemoryLedger:
         match record:
             case Why():
                 self._whys[record.order] = record
+            case Alarm():
+                self._alarms[record.number] = record
+            case Closure():
+                self._closures[record.number] = record
             case DriveRecord():
                 self._drives[record.drive] = record
             case DriveValue():
                 self._values[record.drive, record.parameter] = record
             case DriveOperation():
                 self._operations[record.number] = record
+            case Walk():
+                self._walks[record.number] = record
+            case WalkPlace():
+                self._walk_places[record.walk, record.station] = record
             case _:
                 self._keep_teaching(record)
 

@@ -10,6 +10,7 @@ from app.domain.records import (
     Emergency,
     EmergencyKind,
     Pin,
+    ZonePause,
 )
 from app.store.columns import Found, Row, as_json, lockout_of, lockout_text
 
@@ -43,6 +44,17 @@ def emergencies_text(emergencies: tuple[Emergency, ...]) -> str | None:
     """Return emergencies as the column ``controller.emergencies`` holds them; None: there are none."""
     rows = [[e.kind.value, e.actor, e.reason, e.since] for e in emergencies]
     return as_json(rows) if rows else None
+
+
+def pauses_text(pauses: tuple[ZonePause, ...]) -> str | None:
+    """Return pauses as the column ``controller.pauses`` holds them; None: there are none."""
+    rows = [[p.zone, p.owner, p.reason, p.since, p.stopped] for p in pauses]
+    return as_json(rows) if rows else None
+
+
+def pauses(column: list[list[Any]] | None) -> tuple[ZonePause, ...]:
+    """Undo :func:`pauses_text`."""
+    return tuple(ZonePause(*row) for row in column or ())
 
 
 def emergencies(column: list[list[Any]] | None) -> tuple[Emergency, ...]:

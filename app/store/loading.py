@@ -5,9 +5,13 @@ import sqlalchemy as sa
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
 from app.store import drive_rows, rows, teaching, why_rows
+from app.store.alarm_rows import alarm
+from app.store.closure_rows import closure
 from app.store.device_rows import device
 from app.store.tables import (
+    alarms,
     carriers,
+    closures,
     controller,
     devices,
     drive_values,
@@ -15,21 +19,27 @@ from app.store.tables import (
     events,
     going_on,
     going_on_teaching,
+    in_force,
     intents,
     job_whys,
     jobs,
+    open_walks,
     operations,
     station_dests,
     stations,
     teaching_events,
     teaching_proposals,
     teaching_sessions,
+    there_now,
     undecided,
     under_way,
     unsettled,
     vehicle_offsets,
     vehicles,
+    walk_places,
+    walks,
 )
+from app.store.walk_rows import walk, walk_place
 
 
 def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
@@ -69,6 +79,13 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         next_taught=_next(connection, teaching_events.c.seq),
         next_proposal=_next(connection, teaching_proposals.c.number),
         next_session=_next(connection, teaching_sessions.c.number),
+        closures=tuple(map(closure, _those(connection, closures, in_force))),
+        alarms=tuple(map(alarm, _those(connection, alarms, there_now))),
+        next_alarm=_next(connection, alarms.c.number),
+        walks=tuple(map(walk, _those(connection, walks, open_walks))),
+        walk_places=tuple(map(walk_place, _places(connection))),
+        next_walk=_next(connection, walks.c.number),
+        next_closure=_next(connection, closures.c.number),
         fresh=fresh,
     )
 
@@ -80,6 +97,13 @@ def _all(connection: sa.Connection, table: sa.Table) -> sa.CursorResult[object]:
 def _those(connection: sa.Connection, table: sa.Table, wanted: sa.ColumnElement[bool]) -> sa.CursorResult[object]:
     """Return the rows wanted, in the order of their number."""
     return connection.execute(sa.select(table).where(wanted).order_by(table.c.number))
+
+
+def _places(connection: sa.Connection) -> sa.CursorResult[object]:
+    """Return the places of open walks."""
+    live = sa.select(walks.c.number).where(open_walks)
+    query = sa.select(walk_places).where(walk_places.c.walk.in_(live))
+    return connection.execute(query.order_by(walk_places.c.walk, walk_places.c.station))
 
 
 def _whys(connection: sa.Connection) -> sa.CursorResult[object]:

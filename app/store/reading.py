@@ -13,8 +13,11 @@ from app.domain.job import Job
 from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.why import Why
 from app.store import drive_rows, rows, why_rows
+from app.store.alarm_reading import AlarmReader
 from app.store.columns import Found, signed
 from app.store.engine import MEMORY, parsed, reading, told
+from app.store.room_reading import RoomReader
+from app.store.statistics_reading import StatisticsReader
 from app.store.tables import audit, drive_backups, events, intents, job_whys, jobs, operations
 from app.store.teaching_reading import TeachingReader, where
 
@@ -27,7 +30,7 @@ KEY_SECONDS = 7 * 86_400
 """How long an idempotency key names its job (COMMANDS section 5)."""
 
 
-class Reader(TeachingReader):
+class Reader(TeachingReader, RoomReader, AlarmReader, StatisticsReader):
     """Questions to the database of a plant, from any thread. Every method raises StoreError if it cannot be read.
 
     ``after`` is the key of the last row that the caller has; ``limit`` bounds the answer. The tables must exist: open the

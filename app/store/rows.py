@@ -8,6 +8,8 @@ from collections.abc import Callable
 from operator import attrgetter
 from typing import Any
 
+from app.domain.alarms import Alarm
+from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.ids import Actor, CarrierId
 from app.domain.job import Job, JobState, Leg
@@ -27,10 +29,14 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.units import Timestamp
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 from app.store import drive_rows, teaching
+from app.store.alarm_rows import alarm_row
+from app.store.closure_rows import closure_row
 from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
-from app.store.device_rows import device_row, emergencies, emergencies_text
+from app.store.device_rows import device_row, emergencies, emergencies_text, pauses, pauses_text
+from app.store.walk_rows import walk_place_row, walk_row
 from app.store.why_rows import why_row
 
 
@@ -234,12 +240,12 @@ def gone_row(record: CarrierGone) -> Row:
 
 def controller_row(record: ControllerRecord) -> Row:
     """Columns of ``controller``."""
-    return (1, record.state.value, record.reason, emergencies_text(record.emergencies))
+    return (1, record.state.value, record.reason, emergencies_text(record.emergencies), pauses_text(record.pauses))
 
 
 def controller(row: Found) -> ControllerRecord:
     """Undo :func:`controller_row`."""
-    return ControllerRecord(ControllerState(row.state), row.reason, emergencies(row.emergencies))
+    return ControllerRecord(ControllerState(row.state), row.reason, emergencies(row.emergencies), pauses(row.pauses))
 
 
 ROW_OF: dict[type, Callable[[Any], Row]] = {
@@ -259,5 +265,9 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     DriveRecord: drive_rows.drive_row,
     DeviceRecord: device_row,
     Why: why_row,
+    Closure: closure_row,
+    Alarm: alarm_row,
+    Walk: walk_row,
+    WalkPlace: walk_place_row,
 }
 """How each record type becomes a row."""

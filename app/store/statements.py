@@ -6,6 +6,8 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from app.domain.alarms import Alarm
+from app.domain.closures import Closure
 from app.domain.drive_records import DriveBackup, DriveOperation, DriveRecord, DriveValue
 from app.domain.errors import StoreRefused
 from app.domain.job import Job
@@ -25,6 +27,7 @@ from app.domain.records import (
     VehicleRecord,
 )
 from app.domain.teaching import Proposal, TeachingSession
+from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
@@ -44,6 +47,10 @@ REPLACED: dict[type, sa.Table] = {
     TeachingSession: tables.teaching_sessions,
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
+    Closure: tables.closures,
+    Alarm: tables.alarms,
+    Walk: tables.walks,
+    WalkPlace: tables.walk_places,
 }
 """A record replaces the row of its key: the table's first columns."""
 

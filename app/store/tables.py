@@ -8,10 +8,12 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from app.domain.closures import ClosureState
 from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
 from app.domain.teaching import ProposalState, SessionState
+from app.domain.walks import WalkState
 
 metadata = sa.MetaData(
     naming_convention={
@@ -340,6 +342,7 @@ controller = sa.Table(
     _text("state"),
     _text("reason"),
     sa.Column("emergencies", JSON),
+    sa.Column("pauses", JSON),
     sa.CheckConstraint("one = 1", name="only"),
 )
 
@@ -352,4 +355,76 @@ devices = sa.Table(
     sa.Column("lock", JSON),
     sa.Column("locked", sa.Boolean()),
     _text("out_of_service"),
+)
+
+closures = sa.Table(
+    "closures",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    sa.Column("names", JSON, nullable=False),
+    sa.Column("barcodes", JSON, nullable=False),
+    _text("reason"),
+    _text("owner"),
+    _text("purpose"),
+    _at("since"),
+    sa.Column("expires", UTC),
+    _text("state"),
+    sa.Column("closed", UTC),
+    sa.Column("releases", JSON, nullable=False),
+    sa.Column("ended", UTC),
+    _maybe("ended_by"),
+)
+in_force = closures.c.state.not_in([sa.literal_column(f"'{state}'") for state in sorted(ClosureState) if state.over])
+"""Closures that a restart must take up again."""
+sa.Index("ix_closures_in_force", closures.c.number, sqlite_where=in_force, postgresql_where=in_force)
+
+alarms = sa.Table(
+    "alarms",
+    metadata,
+    _key("number", BIG),
+    _text("kind"),
+    _text("source"),
+    _text("code"),
+    _text("cause"),
+    _text("remedy"),
+    _at("begun"),
+    _maybe("job"),
+    sa.Column("ended", UTC),
+    _text("outcome"),
+    sa.Column("acknowledged", UTC),
+    _maybe("acknowledged_by"),
+    _text("note"),
+)
+there_now = alarms.c.ended.is_(None)
+"""Alarms that a restart must take up again."""
+sa.Index("ix_alarms_there_now", alarms.c.number, sqlite_where=there_now, postgresql_where=there_now)
+sa.Index("ix_alarms_begun", alarms.c.begun)
+sa.Index("ix_alarms_source_number", alarms.c.source, alarms.c.number)
+
+walks = sa.Table(
+    "walks",
+    metadata,
+    _key("number", BIG),
+    _text("actor"),
+    _text("reason"),
+    _at("started"),
+    _text("state"),
+    sa.Column("ended", UTC),
+    _maybe("ended_by"),
+)
+open_walks = walks.c.state == sa.literal_column(f"'{WalkState.OPEN.value}'")
+"""Walks that a restart must take up again."""
+
+walk_places = sa.Table(
+    "walk_places",
+    metadata,
+    _key("walk", BIG),
+    _key("station"),
+    sa.Column("believed", sa.Boolean()),
+    _maybe("believed_carrier"),
+    sa.Column("seen", sa.Boolean()),
+    _maybe("seen_carrier"),
+    _maybe("by"),
+    sa.Column("at", UTC),
 )

@@ -1,13 +1,13 @@
 """Mistakes that controllers make: each is built in on purpose, so that the oracle can show that it would notice.
 
-Each takes a ``MonkeyPatch`` and spoils one thing. Where a mistake needs doors or AGVs it is tried on the hall.
+Each takes a ``pytest.MonkeyPatch`` and spoils one thing. Where a mistake needs doors or AGVs it is tried on the hall.
 """
 
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from pytest import MonkeyPatch
+import pytest
 
 from app.control.control import Control
 from app.domain.ids import Epoch
@@ -24,44 +24,44 @@ from app.fleet.motion import Motion
 from app.fleet.passages import Passages
 from app.fleet.recovery import Recovery
 from app.fleet.rollcall import RollCall
+from app.fleet.targets import target_for
 from app.fleet.vehicle import Stage, VehicleNow
 from app.planning.traffic import Traffic
-from app.protocols.itsc.framing import Decoder
 from app.protocols.itsc.session import refusals
 from app.protocols.itsc.session.timing import Timing
 from app.sim.memory import MemoryLedger
 
-Mistake = Callable[[MonkeyPatch], None]
+Mistake = Callable[[pytest.MonkeyPatch], None]
 
 
-def _kept(patch: MonkeyPatch, change: Callable[[Kept], Kept]) -> None:
+def _kept(patch: pytest.MonkeyPatch, change: Callable[[Kept], Kept]) -> None:
     """Let a controller load something else than was kept."""
     load = MemoryLedger.load
     patch.setattr(MemoryLedger, "load", lambda self: change(load(self)))
 
 
-def forgotten_reservation(patch: MonkeyPatch) -> None:
+def forgotten_reservation(patch: pytest.MonkeyPatch) -> None:
     """After a restart vehicles are granted track though others have not said where they are, and hold nothing."""
     _kept(patch, lambda kept: replace(kept, vehicles=tuple(replace(v, held=()) for v in kept.vehicles), intents=()))
     patch.setattr(RollCall, "miss", lambda self, vehicle: None)
 
 
-def cmd_ids_again(patch: MonkeyPatch) -> None:
+def cmd_ids_again(patch: pytest.MonkeyPatch) -> None:
     """The epoch is not raised: CMD_IDs are used again after a restart."""
     _kept(patch, lambda kept: replace(kept, epoch=Epoch(1)))
 
 
-def events_again(patch: MonkeyPatch) -> None:
+def events_again(patch: pytest.MonkeyPatch) -> None:
     """After a restart events are numbered from 1 again."""
     _kept(patch, lambda kept: replace(kept, next_event=1))
 
 
-def forgotten_intents(patch: MonkeyPatch) -> None:
+def forgotten_intents(patch: pytest.MonkeyPatch) -> None:
     """After a restart nobody remembers which commands may have been sent."""
     _kept(patch, lambda kept: replace(kept, intents=()))
 
 
-def resent_after_restart(patch: MonkeyPatch) -> None:
+def resent_after_restart(patch: pytest.MonkeyPatch) -> None:
     """A pick-up or place whose outcome is not known counts as not done, whatever F says."""
 
     def settle(self: Missions, vehicle: VehicleNow) -> None:
@@ -71,13 +71,13 @@ def resent_after_restart(patch: MonkeyPatch) -> None:
             job = self._books.job_of(vehicle)
             if job is not None:
                 station = self._books.specs[job.source if intent.kind == "pickup" else job.destination]  # type: ignore[index]
-                target = missions.target_for(self._books, vehicle, station)
+                target = target_for(self._books, vehicle, station)
                 self._handle(vehicle, station, target, job, pickup=intent.kind == "pickup")  # type: ignore[arg-type]
 
     patch.setattr(Missions, "settle_handling", settle)
 
 
-def no_quiesce(patch: MonkeyPatch) -> None:
+def no_quiesce(patch: pytest.MonkeyPatch) -> None:
     """What a vehicle says at once, and once, settles it, at rest or not."""
     patch.setattr(recovery, "QUIESCE", Seconds(0.0))
     patch.setattr(Recovery, "unrest", lambda self, vehicle, status: "")
@@ -90,7 +90,7 @@ def no_quiesce(patch: MonkeyPatch) -> None:
     patch.setattr(Recovery, "observe", at_once)
 
 
-def early_release(patch: MonkeyPatch) -> None:
+def early_release(patch: pytest.MonkeyPatch) -> None:
     """Track is free as soon as the next barcode is read, though the vehicle's length still covers it."""
     report = Motion.report
 
@@ -104,7 +104,7 @@ def early_release(patch: MonkeyPatch) -> None:
     patch.setattr(Motion, "report", too_soon)
 
 
-def released_when_silent(patch: MonkeyPatch) -> None:
+def released_when_silent(patch: pytest.MonkeyPatch) -> None:
     """A vehicle whose link is lost gives back all that it was granted, as if it had stopped at its last barcode."""
     lost = Recovery.link_lost
 
@@ -117,13 +117,13 @@ def released_when_silent(patch: MonkeyPatch) -> None:
     patch.setattr(Recovery, "link_lost", gone)
 
 
-def granted_twice(patch: MonkeyPatch) -> None:
+def granted_twice(patch: pytest.MonkeyPatch) -> None:
     """Who asks for track gets it, whoever holds it."""
     patch.setattr(Traffic, "obstacle", lambda self, vehicle, barcode: None)
     patch.setattr(Traffic, "_others", lambda self, vehicle, barcode: iter(()))
 
 
-def answered_before_commit(patch: MonkeyPatch) -> None:
+def answered_before_commit(patch: pytest.MonkeyPatch) -> None:
     """A caller is answered as soon as it is decided."""
     decide = Control._decide
 
@@ -136,7 +136,7 @@ def answered_before_commit(patch: MonkeyPatch) -> None:
     patch.setattr(Control, "_decide", at_once)
 
 
-def sent_before_commit(patch: MonkeyPatch) -> None:
+def sent_before_commit(patch: pytest.MonkeyPatch) -> None:
     """A command leaves as soon as it is decided; its intent is written meanwhile."""
     decide = Control._decide
 
@@ -152,7 +152,7 @@ def sent_before_commit(patch: MonkeyPatch) -> None:
     patch.setattr(Control, "_decide", at_once)
 
 
-def mode_ignored(patch: MonkeyPatch) -> None:
+def mode_ignored(patch: pytest.MonkeyPatch) -> None:
     """A vehicle is commanded in any mode."""
     patch.setattr(refusals, "_wrong_mode", lambda name, code, mode: None)
 
@@ -163,7 +163,7 @@ def mode_ignored(patch: MonkeyPatch) -> None:
     patch.setattr(Hearing, "_mode_changed", lambda self, *args: None, raising=False)
 
 
-def silence_unnoticed(patch: MonkeyPatch) -> None:
+def silence_unnoticed(patch: pytest.MonkeyPatch) -> None:
     """A half-open link is believed to be up, and an old STATUS to be true."""
     init = Control.__init__
 
@@ -173,31 +173,31 @@ def silence_unnoticed(patch: MonkeyPatch) -> None:
     patch.setattr(Control, "__init__", patient)
 
 
-def _everywhere(patch: MonkeyPatch, name: str, instead: Callable[..., object]) -> None:
+def _everywhere(patch: pytest.MonkeyPatch, name: str, instead: Callable[..., object]) -> None:
     """Replace a function in every part of the fleet that uses it."""
     for module in (missions, beginnings, dispatch, reasons, obstacles):
         if hasattr(module, name):
             patch.setattr(module, name, instead)
 
 
-def source_not_looked_at(patch: MonkeyPatch) -> None:
+def source_not_looked_at(patch: pytest.MonkeyPatch) -> None:
     """A vehicle picks up at a place that is empty, because the job says so."""
     _everywhere(patch, "against_picking_up", lambda books, job: "")
     _everywhere(patch, "brought_first", lambda books, source, order: "")
     _everywhere(patch, "bringer", lambda books, job: None)
 
 
-def destination_not_looked_at(patch: MonkeyPatch) -> None:
+def destination_not_looked_at(patch: pytest.MonkeyPatch) -> None:
     """A vehicle puts down where something stands."""
     _everywhere(patch, "against_putting_down", lambda books, station, job: "")
 
 
-def order_taken_twice(patch: MonkeyPatch) -> None:
+def order_taken_twice(patch: pytest.MonkeyPatch) -> None:
     """An order whose id is known is taken for a new one."""
     patch.setattr(Jobs, "_known", lambda self, request: None)
 
 
-def audit_forgotten(patch: MonkeyPatch) -> None:
+def audit_forgotten(patch: pytest.MonkeyPatch) -> None:
     """What a person asks for is not written down."""
     audit = Books.audit
 
@@ -208,7 +208,7 @@ def audit_forgotten(patch: MonkeyPatch) -> None:
     patch.setattr(Books, "audit", some)
 
 
-def event_skipped(patch: MonkeyPatch) -> None:
+def event_skipped(patch: pytest.MonkeyPatch) -> None:
     """Watchers are not told of a vehicle that was released."""
     publish = Control._publish
 
@@ -218,44 +218,12 @@ def event_skipped(patch: MonkeyPatch) -> None:
     patch.setattr(Control, "_publish", some)
 
 
-def crc_unchecked(patch: MonkeyPatch) -> None:
-    """A packet whose CRC is wrong is taken for right."""
-    init = Decoder.__init__
-
-    def made(self: Decoder, codec: Any, toward: Any) -> None:
-        init(self, codec, toward)
-        check = codec.checksum
-        start, size = self._start, 33
-
-        def read(data: Any, at: int = 0) -> Any:
-            whole = bytes(data[at : at + size])
-            crc = check(whole[start : size - 2])
-            return enq(whole[: size - 2] + self._structs.crc.pack(crc), 0)
-
-        enq = self._read_enq
-        if toward.name == "CONTROLLER":
-            self._read_enq = read
-
-    patch.setattr(Decoder, "__init__", made)
-
-
-def widened_not(patch: MonkeyPatch) -> None:
-    """A vehicle that people may push is believed to stand where it last was."""
-    patch.setattr(Recovery, "widen", lambda self, vehicle: None)
-
-
-def strange_place_believed(patch: MonkeyPatch) -> None:
+def strange_place_believed(patch: pytest.MonkeyPatch) -> None:
     """Whatever barcode a vehicle reads, there it stands."""
     patch.setattr(Recovery, "_strange_place", lambda self, vehicle, status: None)
 
 
-def doors_driven_through(patch: MonkeyPatch) -> None:
-    """A vehicle does not wait for doors."""
-    patch.setattr(Passages, "barred", lambda self, start, end: None)
-    patch.setattr(Passages, "shut_on", lambda self, path: iter(()))
-
-
-def door_closed_on_a_vehicle(patch: MonkeyPatch) -> None:
+def door_closed_on_a_vehicle(patch: pytest.MonkeyPatch) -> None:
     """A door closes when nobody is on the way to it any more, whoever is in it."""
     patch.setattr(Passages, "engaged", lambda self, door: {})
     patch.setattr(doors, "NEEDED_FOR", Seconds(0.0), raising=False)
@@ -267,7 +235,7 @@ SMALL: dict[str, Mistake] = {
         forgotten_reservation, cmd_ids_again, events_again, forgotten_intents, resent_after_restart, no_quiesce,
         early_release, released_when_silent, granted_twice, answered_before_commit, sent_before_commit, mode_ignored,
         silence_unnoticed, source_not_looked_at, destination_not_looked_at, order_taken_twice, audit_forgotten, event_skipped,
-        crc_unchecked, widened_not, strange_place_believed,
+        strange_place_believed,
     )
 }  # fmt: skip
-HALL: dict[str, Mistake] = {f.__name__: f for f in (doors_driven_through, door_closed_on_a_vehicle)}
+HALL: dict[str, Mistake] = {f.__name__: f for f in (door_closed_on_a_vehicle,)}

@@ -5,6 +5,8 @@ from dataclasses import replace
 
 from app.domain import requests as r
 from app.domain import teaching_requests as t
+from app.domain.alarms import AcknowledgeAlarm, Alarm, AlarmCount, AlarmKind
+from app.domain.closures import ClosePlace, Closure, ClosureState, OpenPlace
 from app.domain.device_requests import (
     CommandDevice,
     RaiseEmergency,
@@ -31,6 +33,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
 )
+from app.domain.statistics import Queued, Transfer, Waited
 from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
@@ -40,17 +43,22 @@ from app.domain.view import (
     DeviceView,
     LineView,
     LinkView,
+    PauseView,
     StationView,
     Topic,
     Update,
     VehicleView,
 )
+from app.domain.walks import AcceptWalk, EnterSights, StartWalk, Walk, WalkPlace, WalkRequest, WalkState
 from app.domain.why import Why
+from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
-from app.fleet.views import view_of_event, view_of_intent, view_of_job
+from app.fleet.views import view_of_alarm, view_of_closure, view_of_event, view_of_intent, view_of_job, view_of_walk
 from app.planning.routing import Route, Router
 from app.planning.track import Track
+from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.metrics import Figures
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
@@ -94,6 +102,56 @@ class MemoryReader:
         self.sent: list[TeachingEvent] = []
         self.proposed: dict[int, Proposal] = {}
         self.taught_in: dict[int, TeachingSession] = {}
+        self.shut: dict[int, Closure] = {}
+        self.wrong: dict[int, Alarm] = {}
+        self.done: list[Transfer] = []
+        self.walked: dict[int, Walk] = {}
+        self.along: list[WalkPlace] = []
+
+    def event_count(self, begin: float, end: float) -> int:
+        return self.events_between
+
+    events_between = 7
+
+    def transfers(self, begin: float, end: float) -> Sequence[Transfer]:
+        return [one for one in self.done if begin <= one.ended < end]
+
+    def queued(self, begin: float, end: float) -> Sequence[Queued]:
+        return [Queued(one.created, one.assigned) for one in self.done]
+
+    def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
+        return [Waited(begin, begin + 60, "P2 is occupied by F1")], 1
+
+    def walk(self, number: int) -> Walk | None:
+        return self.walked.get(number)
+
+    def walks(self, after: int | None = None, limit: int = 100) -> Sequence[Walk]:
+        return [one for one in reversed(self.walked.values()) if after is None or one.number < after][:limit]
+
+    def walk_places(self, number: int) -> Sequence[WalkPlace]:
+        return [place for place in self.along if place.walk == number]
+
+    def alarm(self, number: int) -> Alarm | None:
+        return self.wrong.get(number)
+
+    def alarms(self, *, after: int | None = None, limit: int = 100, **asked: object) -> Sequence[Alarm]:
+        self.asked_for = asked
+        return [one for one in reversed(self.wrong.values()) if after is None or one.number < after][:limit]
+
+    def alarm_counts(self, by: tuple[str, ...], begin: float, end: float, limit: int = 100) -> Sequence[AlarmCount]:
+        self.asked_for = {"begin": begin, "end": end}
+        about = {"kind": "vehicle", "source": "V001", "code": "101"}
+        return [AlarmCount({name: about[name] for name in by}, 3, 90.0, NOW)]
+
+    def failures(self, begin: float, end: float) -> Sequence[tuple[str, float, float | None]]:
+        return [("V001", NOW - 3600, NOW - 1800)]
+
+    def closure(self, number: int) -> Closure | None:
+        return self.shut.get(number)
+
+    def closures(self, after: int | None = None, limit: int = 100) -> Sequence[Closure]:
+        found = [one for one in reversed(self.shut.values()) if after is None or one.number < after]
+        return found[:limit]
 
     def why(self, order: int) -> Why | None:
         return self.whys.get(order)
@@ -224,6 +282,8 @@ class Scripted:
         self.model = ReadModel(lambda: float(self.model.version))
         self.hub = Hub(self.model, later)
         self.reader = MemoryReader()
+        self.figures = Figures(plant)
+        self.backlog = (0, 0)
         self.trouble = ""
         self.refusal: Refusal | Exception | None = None
         self.seen: list[r.Request] = []
@@ -240,8 +300,22 @@ class Scripted:
     def utc(self) -> Timestamp:
         return NOW
 
+    def survey(self) -> Survey:
+        track = Track(self.plant)
+        router = Router(track)
+        vehicle = SeenVehicle(VehicleId("V001"), B("1003"), (B("1003"),), (B("1003"), B("1001"), B("1002")))
+        job = SeenJob(JobId("J1"), "P1", StationId("P2"), None)
+        return Survey(track, router.edges, router.seconds, (), (vehicle,), (job,))
+
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         return Router(Track(self.plant)).alternatives(start, goal, most)
+
+    def waits(self) -> dict[str, int]:
+        return {"held": 0}
+
+    def named_quality(self) -> Sequence[tuple[VehicleId, LinkQuality]]:
+        quality = LinkQuality(2, 10, 11, 1, 3, 4, 9, 5, 12.5, 11.0)
+        return [(vehicle.id, quality) for vehicle in self.plant.vehicles]
 
     def frames(self, vehicle: VehicleId) -> Sequence[tuple[Timestamp, str, bytes]]:
         return self.traffic
@@ -277,7 +351,9 @@ class Scripted:
             VehicleId(vehicle) if vehicle else None,
         )
         self.reader.past.append(row)
-        self.hub.publish([Update(Topic.EVENTS, str(row.seq), view_of_event(row))])
+        updates = [Update(Topic.EVENTS, str(row.seq), view_of_event(row))]
+        self.hub.publish(updates)
+        self.figures.jobs.take(updates)
         return row
 
     def end(self, job: str, state: JobState = JobState.COMPLETED) -> None:
@@ -315,6 +391,22 @@ class Scripted:
             case _ if isinstance(request, r.HallRequest):
                 return self._hall(request)
             case _:
+                return self._of_room(request)
+
+    def _of_room(self, request: r.Request) -> r.Reply:
+        match request:
+            case _ if isinstance(request, WalkRequest):
+                return self._walk(request)
+            case AcknowledgeAlarm():
+                row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
+                self.reader.wrong[request.alarm] = row
+                self.hub.publish([Update(Topic.ALARMS, str(row.number), view_of_alarm(row))])
+                return r.Accepted(Topic.ALARMS, str(row.number))
+            case ClosePlace() | OpenPlace():
+                return self._closure(request)
+            case r.StopAll() | r.PauseZone() | r.ResumeZone():
+                return self._still(request)
+            case _:
                 return self._vehicles(request)
 
     def _hall(self, request: r.HallRequest) -> r.Reply:
@@ -325,6 +417,55 @@ class Scripted:
                 return r.Accepted(Topic.CONTROLLER, "controller")
             case _:
                 return r.Accepted(Topic.DEVICES, request.device)
+
+    def _closure(self, request: ClosePlace | OpenPlace) -> r.Reply:
+        shut = self.reader.shut
+        if isinstance(request, ClosePlace):
+            number = len(shut) + 1
+            row = Closure(
+                number, request.place, (), request.reason, request.actor, request.purpose, NOW, request.expires
+            )
+        elif request.closure in shut:
+            number = request.closure
+            row = replace(shut[number], state=ClosureState.OPENED, ended=NOW, ended_by=request.actor)
+        else:
+            return Refusal("not-found", f"There is no closure {request.closure} now.")
+        shut[number] = row
+        view = None if row.state.over else view_of_closure(row, ())
+        self.hub.publish([Update(Topic.CLOSURES, str(number), view)])
+        return r.Accepted(Topic.CLOSURES, str(number), created=isinstance(request, ClosePlace))
+
+    def _walk(self, request: WalkRequest) -> r.Reply:
+        walked = self.reader.walked
+        if isinstance(request, StartWalk):
+            walked[1] = Walk(1, request.actor, request.reason, NOW)
+            self.reader.along = [WalkPlace(1, StationId("L3"), present, None) for present in (None,)]
+        elif request.walk not in walked:
+            return Refusal("not-found", f"There is no open walk {request.walk}.")
+        elif isinstance(request, EnterSights):
+            (sight,) = request.sights
+            self.reader.along = [
+                replace(self.reader.along[0], seen=sight.present, by=request.actor, at=Timestamp(NOW + 1))
+            ]
+        else:
+            state = WalkState.ACCEPTED if isinstance(request, AcceptWalk) else WalkState.ABANDONED
+            walked[1] = replace(walked[1], state=state, ended=NOW, ended_by=request.actor)
+        seen = sum(place.seen is not None for place in self.reader.along)
+        view = None if walked[1].ended else view_of_walk(walked[1], len(self.reader.along), seen)
+        self.hub.publish([Update(Topic.WALKS, "1", view)])
+        return r.Accepted(Topic.WALKS, "1", created=isinstance(request, StartWalk))
+
+    def _still(self, request: r.Stilling) -> r.Reply:
+        record = ControllerRecord(ControllerState.PAUSING if isinstance(request, r.StopAll) else ControllerState.AUTO)
+        view = self._controller(record).value
+        assert isinstance(view, ControllerView)
+        if isinstance(request, r.PauseZone):
+            if request.zone not in {zone.id for zone in self.plant.zones}:
+                return Refusal("not-found", f"There is no zone {request.zone}.")
+            pause = PauseView(request.zone, request.actor, request.reason, NOW, request.stop)
+            view = replace(view, pauses=(pause,))
+        self.hub.publish([Update(Topic.CONTROLLER, "controller", view)])
+        return r.Accepted(Topic.CONTROLLER, "controller")
 
     def _create(self, request: r.CreateJob) -> r.Reply:
         order = len(self.reader.kept) + 1
@@ -418,6 +559,13 @@ class Scripted:
         self.reader.commands[self._cmd] = intent
         self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
+
+    def alarm(self) -> Alarm:
+        """Let V001 have alarm 1."""
+        row = Alarm(1, AlarmKind.VEHICLE, "V001", "101", "alarm 101 wrong barcode", "look", NOW)
+        self.reader.wrong[1] = row
+        self.hub.publish([Update(Topic.ALARMS, "1", view_of_alarm(row))])
+        return row
 
     def teach(self) -> None:
         """Let session 1 at P1 with V001 have taught proposal 1, which waits for approval."""

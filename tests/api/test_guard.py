@@ -8,7 +8,7 @@ from fastapi import FastAPI
 from pydantic import SecretStr
 
 from app.api import application
-from app.api.guard import TICKETS, Tickets
+from app.api.callers import TICKETS, Tickets
 from app.settings import Settings
 from tests.api.scripted import Scripted
 from tests.api.sockets import Socket

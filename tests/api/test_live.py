@@ -47,6 +47,7 @@ async def test_without_topics_a_watcher_gets_all_but_commands(app: FastAPI) -> N
         snapshot = await socket.frame()
         assert sorted(snapshot["objects"]) == [
             "carriers",
+            "closures",
             "controller",
             "devices",
             "drives",

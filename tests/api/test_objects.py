@@ -223,6 +223,7 @@ async def test_the_layout_is_given_for_drawing(client: httpx.AsyncClient) -> Non
     assert layout["points"][0] == {"barcode": "1001", "x": 10010, "y": 0, "park": False}
     assert layout["edges"][2]["curve"] is True
     assert layout["zones"][0]["barcodes"] == ["1002", "1003"]
+    assert layout["zones"][0]["soft"] is None
     assert [s["kind"] for s in layout["stations"]] == ["port", "port", "sbfl"]
     again = await client.get("/layout", headers={"If-None-Match": answer.headers["etag"]})
     assert again.status_code == 304

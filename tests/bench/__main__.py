@@ -14,6 +14,7 @@ from tests.bench import (
     history,
     hoists,
     memory,
+    page,
     posting,
     replanning,
     routing,
@@ -33,6 +34,7 @@ BENCHES: dict[str, Callable[[], Iterator[Row]]] = {
     "replan": replanning.rows,
     "dispatch": dispatching.rows,
     "memory": memory.rows,
+    "page": page.rows,
     "hoists": hoists.rows,
 }
 RESULTS = ROOT / "bench"

@@ -75,7 +75,7 @@ def test_a_wait_for_an_alarm_or_a_settlement_says_so(script: Script) -> None:
 def test_a_wait_for_a_vehicle_that_waits_or_moves_itself_says_so(script: Script) -> None:
     place(script, "102", "107")
     script.accept(HoldVehicle(KIM, V2, "x"))
-    doing = script.fleet._courtesy._doing
+    doing = script.fleet._courtesy.doing
     assert doing(V1) == "V001, which is idle there"
     script.accept(MoveVehicle(KIM, V1, Barcode("108")))
     script.run(1)

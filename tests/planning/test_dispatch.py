@@ -140,6 +140,31 @@ def test_who_cannot_do_a_job_is_not_sent_however_urgent_it_is() -> None:
     assert given_to(plan) == [-1]
 
 
+def test_where_not_all_may_set_out_those_do_that_cost_least_and_each_takes_the_job_that_suits_best() -> None:
+    times = table([[50, 60], [9, 12], [10, 40], [70, 11]])
+    assert given_to(dispatch(fleet(4), jobs(2), times, most=1)) == [1, -1]
+    assert given_to(dispatch(fleet(4), jobs(2), times, most=2)) == [1, 3]
+    assert given_to(dispatch(fleet(4), jobs(2), times, most=0)) == [-1, -1]
+    assert given_to(dispatch(fleet(4), jobs(2), times, most=4)) == given_to(dispatch(fleet(4), jobs(2), times))
+
+
+def test_of_those_that_may_set_out_the_urgent_and_the_old_jobs_have_the_first() -> None:
+    times = table([[10, 300], [12, 300]])
+    assert given_to(dispatch(fleet(2), jobs(2, priorities=[50, 51]), times, most=1)) == [-1, 0]
+    assert given_to(dispatch(fleet(2), jobs(2, hot=[1]), times, most=1)) == [-1, 0]
+    assert given_to(dispatch(fleet(2), jobs(2, ages=[0, 1000]), times, most=1)) == [-1, 0]
+
+
+def test_who_fetches_already_goes_on_though_nobody_else_may_set_out() -> None:
+    plan = dispatch(fleet(3, on={1: 0}), jobs(2), table([[1, 1], [90, 95], [2, 2]]), most=0)
+    assert given_to(plan) == [1, -1]
+
+
+def test_first_come_first_served_gives_the_oldest_jobs_vehicles_as_long_as_any_may_set_out() -> None:
+    plan = nearest_first_come(fleet(3), jobs(3, ages=[1, 9, 5]), table([[1, 9, 9], [1, 4, 9], [1, 9, 3]]), most=2)
+    assert given_to(plan) == [-1, 1, 2]
+
+
 def test_a_higher_priority_comes_first_however_old_and_near_the_other_job_is() -> None:
     plan = dispatch(fleet(1), jobs(2, ages=[0, 1e6], priorities=[51, 50]), table([[3000, 1]]))
     assert given_to(plan) == [0, -1]

@@ -353,3 +353,28 @@ def test_alternatives_keep_off_a_closure_at_once(lay: Lay) -> None:
     replanned(router)
     router.open(D)
     assert len(router.alternatives(A, E, 9)) == 3
+
+
+@settings(max_examples=50)
+@given(edges, st.data())
+def test_what_can_be_reached_is_what_networkx_reaches_with_and_without_closures(
+    lay: Lay, rails: list[Edge], data: st.DataObject
+) -> None:
+    track = lay(edges=rails)
+    router = Router(track, LATER)
+    places: list[Barcode | EdgeKey] = [*track.barcodes, *((e.start, e.end) for e in rails)]
+    router.close(*data.draw(st.lists(st.sampled_from(places), max_size=3)))
+    starts = data.draw(st.lists(st.sampled_from(track.barcodes), max_size=3))
+    for anyway, graph in ((False, weighed(track, router.closed, {})), (True, track.graph)):
+        there = {goal for start in starts for goal in nx.descendants(graph, start) | {start}}
+        expected = [barcode in there for barcode in track.barcodes]
+        assert router.reached(starts, track.barcodes, anyway=anyway) == expected
+
+
+def test_a_way_costs_what_its_edges_do_whatever_is_closed_on_it(lay: Lay) -> None:
+    router = Router(lay("a b c", "a d e c"))
+    router.reweigh({(A, B): 4.0})
+    router.close(B)
+    assert router.along((A, B, C)) == pytest.approx(4 + 1 / 3)
+    assert router.along((A, D, E, C)) == pytest.approx(router.time(A, C))
+    assert router.along((A,)) == 0

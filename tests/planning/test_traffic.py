@@ -275,3 +275,18 @@ def test_the_views_cannot_be_changed_from_outside(lay: Lay) -> None:
     traffic = Traffic(lay("a b"))
     with pytest.raises(TypeError):
         traffic.blocked[V1] = Blocked(b("a"), None, BlockReason.CLOSED)  # type: ignore[index]
+
+
+def test_a_vehicle_bars_what_it_holds_what_excludes_that_and_the_zones_that_it_fills_alone(
+    lay: Lay, zone: MakeZone
+) -> None:
+    zones = [zone("b3 b4 b5", name="one"), zone("b6 b7", 2, name="two")]
+    at = CROSS | {f"b{n}": (9000 * n, 9000) for n in range(1, 8)}
+    traffic = Traffic(lay("b1 b2 b3 b4 b5 b6 b7", "w e", "s n", at=at, zones=zones))
+    assert traffic.barred_by(V1) == ()
+    traffic.hold(V1, path("b2 b3 b6"))
+    assert traffic.barred_by(V1) == path("b2 b3 b4 b5 b6")
+    traffic.hold(V2, path("n"))
+    assert traffic.barred_by(V2) == path("n e")
+    traffic.clear(V1)
+    assert traffic.barred_by(V1) == ()

@@ -62,6 +62,23 @@ def test_the_slot_is_taken_when_the_grant_is_given_not_when_the_vehicle_arrives(
     assert fork.queues.load(buffer) == 1
 
 
+def test_a_vehicle_cut_short_wants_the_next_buffer_on_its_way_not_the_one_after(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("c4"))
+    fork.hold(V2, way("b1"))
+    grant = fork.claim(V1, way("a1 a2 a3 a4 b1 b2 b3 b4"), goal_included=False, beyond=way("a1 a2"))
+    assert grant.granted == tuple(way("a1 a2 a3 a4"))
+    assert fork.queues.want(V1) == fork.queues.buffers.at(Barcode("b1"))
+
+
+def test_the_rest_of_a_way_need_not_be_copied(fork: Traffic) -> None:
+    assert fork.queues is not None
+    fork.hold(V1, way("c4"))
+    whole = way("a1 a2 a3 a4 b1 b2")
+    assert fork.claim(V1, whole[:2], goal_included=False, beyond=whole, begun=2).granted == tuple(whole[:2])
+    assert fork.queues.want(V1) == fork.queues.buffers.at(Barcode("b1"))
+
+
 def test_what_is_given_back_ahead_gives_the_slot_back(fork: Traffic) -> None:
     assert fork.queues is not None
     fork.hold(V1, way("a3"))
@@ -123,7 +140,17 @@ def test_a_head_keeps_what_it_wanted_where_a_change_could_close_a_circle(fork: T
     fork.claim(head, (), goal_included=False, beyond=way("b1 b2"))
     assert fork.queues.want(head) == c
     assert fork.strays(head, way("b1 b2"))
+    assert not fork.turns(head, way("b1 b2"))
+    assert fork.turns(head, way("c1 c2"))
     assert fork.claim(head, way("c1"), goal_included=True).granted == ("c1",)
+
+
+def test_a_head_turns_to_another_queue_where_no_circle_closes_by_it_and_is_committed_to_that(fork: Traffic) -> None:
+    head, *_ = fill(fork, "a4 a3 a2 a1")
+    fork.claim(head, (), goal_included=False, beyond=way("c1 c2"))
+    assert fork.turns(head, way("b1 b2"))
+    assert not fork.strays(head, way("b1 b2"))
+    assert fork.strays(head, way("c1 c2"))
 
 
 def test_a_goal_in_a_transit_buffer_asks_for_no_slot_of_it(lay: Callable[..., Track]) -> None:

@@ -8,6 +8,8 @@ import sqlalchemy as sa
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.domain.alarms import Alarm, AlarmKind
+from app.domain.closures import ClosedPlace, Closure, ClosurePurpose, ClosureState, PlaceKind
 from app.domain.drive_records import (
     DriveBackup,
     DriveOperation,
@@ -44,9 +46,11 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
     VehicleRecord,
+    ZonePause,
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
+from app.domain.walks import Walk, WalkPlace, WalkState
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
 from app.store.reading import Reader
@@ -87,6 +91,7 @@ READINGS = st.builds(Reading, axis=st.sampled_from(Axis), position=PULSES, cmd_i
 PINS = st.builds(Pin, position=st.sampled_from(DoorPosition), owner=TEXT, reason=TEXT, since=TIME)
 BUFFER_LOCKS = st.builds(BufferLock, owner=TEXT, person=st.booleans(), since=TIME)
 EMERGENCIES = st.builds(Emergency, kind=st.sampled_from(EmergencyKind), actor=TEXT, reason=TEXT, since=TIME)
+PAUSES = st.builds(ZonePause, zone=TEXT, owner=TEXT, reason=TEXT, since=TIME, stopped=st.booleans())
 SECONDS = st.floats(-1e9, 1e9)
 CANDIDATES = st.builds(Candidate, vehicle=TEXT, seconds=st.none() | SECONDS, why_not=TEXT)
 CHOICES = st.builds(
@@ -291,6 +296,7 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         state=st.sampled_from(ControllerState),
         reason=TEXT,
         emergencies=st.lists(EMERGENCIES, max_size=2).map(tuple),
+        pauses=st.lists(PAUSES, max_size=2).map(tuple),
     ),
     DeviceRecord: st.builds(
         DeviceRecord,
@@ -300,6 +306,59 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         lock=st.none() | BUFFER_LOCKS,
         locked=st.none() | st.booleans(),
         out_of_service=TEXT,
+    ),
+    Alarm: st.builds(
+        Alarm,
+        number=NUMBER,
+        kind=st.sampled_from(AlarmKind),
+        source=TEXT,
+        code=TEXT,
+        cause=TEXT,
+        remedy=TEXT,
+        begun=TIME,
+        job=MAYBE,
+        ended=st.none() | TIME,
+        outcome=TEXT,
+        acknowledged=st.none() | TIME,
+        acknowledged_by=MAYBE,
+        note=TEXT,
+    ),
+    Walk: st.builds(
+        Walk,
+        number=NUMBER,
+        actor=TEXT,
+        reason=TEXT,
+        started=TIME,
+        state=st.sampled_from(WalkState),
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
+    ),
+    WalkPlace: st.builds(
+        WalkPlace,
+        walk=NUMBER,
+        station=TEXT,
+        believed=st.none() | st.booleans(),
+        believed_carrier=MAYBE,
+        seen=st.none() | st.booleans(),
+        seen_carrier=MAYBE,
+        by=MAYBE,
+        at=st.none() | TIME,
+    ),
+    Closure: st.builds(
+        Closure,
+        number=NUMBER,
+        place=st.builds(ClosedPlace, kind=st.sampled_from(PlaceKind), names=NAMES),
+        barcodes=NAMES,
+        reason=TEXT,
+        owner=TEXT,
+        purpose=st.sampled_from(ClosurePurpose),
+        since=TIME,
+        expires=st.none() | TIME,
+        state=st.sampled_from(ClosureState),
+        closed=st.none() | TIME,
+        releases=NAMES,
+        ended=st.none() | TIME,
+        ended_by=MAYBE,
     ),
 }
 
@@ -332,6 +391,22 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
     DriveValue: lambda one, kept, reader: list(kept.drive_values),
     DriveRecord: lambda one, kept, reader: list(kept.drives),
     DeviceRecord: lambda one, kept, reader: list(kept.devices),
+    Alarm: lambda one, kept, reader: [
+        reader.alarm(one.number),
+        *reader.alarms(source=one.source, code=one.code, kind=one.kind.value),
+        *([kept.alarms[0]] if one.ended is None else []),
+    ],
+    Walk: lambda one, kept, reader: [
+        reader.walk(one.number),
+        *reader.walks(),
+        *([kept.walks[0]] if one.state is WalkState.OPEN else []),
+    ],
+    WalkPlace: lambda one, kept, reader: list(reader.walk_places(one.walk)),
+    Closure: lambda one, kept, reader: [
+        reader.closure(one.number),
+        *reader.closures(),
+        *([] if one.state.over else [kept.closures[0]]),
+    ],
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}

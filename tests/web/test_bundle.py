@@ -9,6 +9,7 @@ from app.web import PAGE
 
 WEB = Path(__file__).parents[2] / "web"
 SOURCES = ("index.html", "package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "src")
+TEXTS = ("../app/texts/en.json", "../app/texts/ko.json")
 
 
 def digest_of_sources() -> str:
@@ -16,7 +17,8 @@ def digest_of_sources() -> str:
     roots = [WEB / name for name in SOURCES]
     files = [file for root in roots for file in ([root] if root.is_file() else root.rglob("*")) if file.is_file()]
     digest = hashlib.sha256()
-    for name, file in sorted((file.relative_to(WEB).as_posix(), file) for file in files):
+    named = [(file.relative_to(WEB).as_posix(), file) for file in files] + [(name, WEB / name) for name in TEXTS]
+    for name, file in sorted(named):
         digest.update(name.encode() + b"\0" + file.read_bytes() + b"\0")
     return digest.hexdigest()
 

@@ -1,10 +1,15 @@
 """The page in a real browser, with the real application behind it."""
 
+from dataclasses import replace
 from urllib.parse import urlsplit
 
 import pytest
 
+from app.domain.ids import JobId, VehicleId
 from app.domain.requests import CreateJob
+from app.domain.view import ControllerView, Topic, Update
+from app.domain.why import Candidate, Choice, Why
+from tests.api.scripted import NOW
 from tests.web.served import Served, served
 from tests.web.whole import device, whole
 from tools.chromium import Page, browser, installed
@@ -67,7 +72,7 @@ def drawn(page: Page) -> bool:
     """Whether anything is on the canvas of what moves."""
     return bool(
         page.ask("""new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-          const canvas = document.querySelectorAll('.map canvas')[1];
+          const canvas = document.querySelector('.map canvas.front');
           const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
           done(data.some((value) => value > 0));
         })))""")
@@ -211,7 +216,7 @@ def test_what_stands_in_the_hall_is_chosen_on_the_map(name: str, kind: str) -> N
 def place_on_map(page: Page, name: str) -> tuple[float, float]:
     """Return where the map names something under the pointer."""
     found = page.ask(f"""(async () => {{
-      const canvas = document.querySelectorAll('.map canvas')[1];
+      const canvas = document.querySelector('.map .touch');
       const {{ left, top, width, height }} = canvas.getBoundingClientRect();
       for (let x = width - 5; x > width / 2; x -= 7) for (let y = 40; y < height; y += 7) {{
         const at = {{ clientX: left + x, clientY: top + y, bubbles: true }};
@@ -242,6 +247,71 @@ def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
         page.ask(fill(".transfer label:nth-of-type(1) select", "ETCH01-P1", "change"))
         page.until(f"{ends}.includes('SBA-L1') && !{ends}.includes('AB1')")
         assert page.ask("document.querySelector('.transfer label:nth-of-type(2) select').value") == ""
+
+
+def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        (now,) = server.controller.model.all(Topic.CONTROLLER)
+        assert isinstance(now, ControllerView)
+        words = "V001, V002 wait for each other in a circle (a); if none finds another way, move V001 by hand"
+        server.show([Update(Topic.CONTROLLER, "controller", replace(now, circles=(words,), circles_found=3))])
+        page.until(text_of(".banner", "V001, V002 wait for each other") + " && " + text_of(".banner", "found 3"))
+        page.ask(room("Alarms"))
+        page.until(text_of("[data-alarm^=controller]", "V001, V002 wait for each other"))
+        assert page.complaints == []
+
+
+def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        order(page, "P1", "P2")
+        page.until(text_of(".jobs .job", "P1"))
+        other = Candidate(VehicleId("V002"), 31.5, "is not free")
+        choice = Choice(NOW, VehicleId("V001"), 12.25, 50, hot=False, waited=3.0, switch=0.0, candidates=(other,))
+        why = Why(1, JobId("J1")).waiting("P2 is occupied by F7", NOW).chosen(choice)
+        server.controller.reader.whys[1] = why
+        page.ask("document.querySelector('.jobs .job .facts button').click()")
+        page.until(text_of(".panel .choice", "V001") + " && " + text_of(".panel .choice", "12.3 s to the source"))
+        page.until(text_of(".panel .choice tr", "V002") + " && " + text_of(".panel .choice tr", "is not free"))
+        page.until(text_of(".panel .why-list", "P2 is occupied by F7"))
+        assert page.ask("location.hash") == "#/map?job=J1"
+        assert page.complaints == []
+
+
+def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        page.ask(fill(".finder input", "etch01-p"))
+        page.until(text_of("#found [role=option]", "ETCH01-P1"))
+        page.ask("""document.querySelector('.finder input').dispatchEvent(
+          new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }))""")
+        page.until(text_of(".panel h2", "ETCH01-P1"))
+        assert page.complaints == []
+
+
+@pytest.mark.parametrize(("theme", "language", "word"), [("light", "en", "Jobs"), ("dark", "ko", "작업")])
+def test_theme_and_language_are_kept(theme: str, language: str, word: str) -> None:
+    with served() as server, browser() as page:
+        page.open(server.url)
+        page.until(LIVE)
+        if page.ask("document.documentElement.dataset.theme") != theme:
+            page.ask("[...document.querySelectorAll('header .plain')][0].click()")
+        if page.ask("document.documentElement.lang") != language:
+            page.ask("[...document.querySelectorAll('header .plain')][1].click()")
+        page.open("about:blank")
+        page.open(server.url)
+        page.until(f"{LIVE} && document.documentElement.dataset.theme === {theme!r}")
+        page.until(text_of("nav.rooms button", word))
+        assert page.ask("document.documentElement.lang") == language
+
+
+def room(name: str) -> str:
+    """Open a room by its name in the head."""
+    return f"[...document.querySelectorAll('nav.rooms button')].find((e) => e.textContent.includes({name!r})).click()"
 
 
 def tab(name: str) -> str:

@@ -1,34 +1,35 @@
 /** How people move the map and choose on it: pointer, wheel and keys. */
+import { following } from "./layers";
 import type { Painter } from "./painter";
 import { type Selection, selected } from "./store";
 
 /** Listens on the map; `show` is told what lies under the pointer, and where that is. Returns how to stop. */
 export function listenTo(
-  canvas: HTMLCanvasElement,
+  touched: HTMLElement,
   paint: Painter,
   show: (hit: Selection, x: number, y: number) => void,
 ): () => void {
   const ends = new AbortController();
   const { signal } = ends;
   let from: { x: number; y: number; moved: boolean } | null = null;
-  canvas.addEventListener(
+  touched.addEventListener(
     "wheel",
     (event) => {
       event.preventDefault();
       paint.view.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
-      paint.redraw();
+      paint.move();
     },
     { passive: false, signal },
   );
-  canvas.addEventListener(
+  touched.addEventListener(
     "pointerdown",
     (event) => {
       from = { x: event.offsetX, y: event.offsetY, moved: false };
-      canvas.setPointerCapture(event.pointerId);
+      touched.setPointerCapture(event.pointerId);
     },
     { signal },
   );
-  canvas.addEventListener(
+  touched.addEventListener(
     "pointermove",
     (event) => {
       const [x, y] = [event.offsetX, event.offsetY];
@@ -37,17 +38,18 @@ export function listenTo(
         paint.view.pan(x - from.x, y - from.y);
         from = { x, y, moved: true };
         show(null, 0, 0);
-        paint.redraw();
+        following.value = false;
+        paint.move();
         return;
       }
       paint.hovered = paint.at(x, y);
-      canvas.style.cursor = paint.hovered ? "pointer" : "grab";
+      touched.style.cursor = paint.hovered ? "pointer" : "grab";
       show(paint.hovered, Math.min(x + 14, paint.view.width - 250), Math.min(y + 14, paint.view.height - 90));
       paint.wake();
     },
     { signal },
   );
-  canvas.addEventListener(
+  touched.addEventListener(
     "pointerup",
     (event) => {
       if (from && !from.moved) selected.value = paint.at(event.offsetX, event.offsetY);
@@ -55,7 +57,7 @@ export function listenTo(
     },
     { signal },
   );
-  canvas.addEventListener(
+  touched.addEventListener(
     "pointerleave",
     () => {
       paint.hovered = null;
@@ -64,7 +66,7 @@ export function listenTo(
     },
     { signal },
   );
-  canvas.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
+  touched.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
   return () => ends.abort();
 }
 
@@ -80,9 +82,10 @@ function keyed(key: string, paint: Painter): boolean {
     "-": () => view.zoom(0.8, view.width / 2, view.height / 2),
     "0": () => paint.fit(),
     Escape: () => (selected.value = null),
+    f: () => (following.value = !following.value),
   };
   const move = moves[key];
   move?.();
-  if (move) paint.redraw();
+  if (move) paint.move();
   return move !== undefined;
 }

@@ -2,7 +2,7 @@
  * Where to draw a vehicle between two reports. It reports a barcode and the mm beyond it; we drive the drawn one along the
  * track it has been granted, at the pace of its reports, and never beyond the grant. Pure: the caller brings the time.
  */
-import type { Spot, Track } from "./track";
+import type { Spot, Track, Way } from "./track";
 
 export interface Report {
   barcode: string | null;
@@ -23,6 +23,8 @@ const TAIL = 1500;
 
 export class Glide {
   private path: string[] = [];
+  /** The ways between the barcodes of the path: `ways[i]` leads from `path[i]` on. */
+  private ways: (Way | undefined)[] = [];
   private s = 0;
   private reported = 0;
   /** Index in the path of the barcode that was reported last: track driven both ways may have it twice. */
@@ -41,7 +43,7 @@ export class Glide {
   report(report: Report, now: number): void {
     const { barcode } = report;
     if (barcode === null || !this.track.points.has(barcode)) {
-      this.path = [];
+      this.lay([]);
       return;
     }
     const ahead = this.connected(barcode, report.granted);
@@ -50,7 +52,7 @@ export class Glide {
     this.here = reached ?? 0;
     if (reached === null) {
       const tail = this.tail(barcode);
-      this.path = [...tail, ...ahead];
+      this.lay([...tail, ...ahead]);
       this.here = tail.length;
       offset = this.lengthTo(tail.length);
     }
@@ -86,7 +88,7 @@ export class Glide {
   middle(back = 0): Spot | null {
     let rest = this.s - back;
     for (let i = 0; i + 1 < this.path.length; i++) {
-      const way = this.track.way(this.path[i] as string, this.path[i + 1] as string);
+      const way = this.ways[i];
       if (!way) break;
       if (rest <= way.edge.length || i + 2 === this.path.length) return behind(this.track.along(way, rest), -rest);
       rest -= way.edge.length;
@@ -121,14 +123,14 @@ export class Glide {
     const onward = this.path.indexOf(barcode, this.here);
     const known = onward >= 0 ? onward : this.path.lastIndexOf(barcode);
     if (known >= 0) {
-      this.path = [...this.path.slice(0, known), ...ahead];
+      this.lay([...this.path.slice(0, known), ...ahead]);
       return known;
     }
     const from = this.index();
     const way = this.track.path(this.path[from] as string, barcode);
     if (!way) return null;
     const path = [...this.path.slice(0, from), ...way];
-    this.path = [...path.slice(0, -1), ...ahead];
+    this.lay([...path.slice(0, -1), ...ahead]);
     return this.lengthTo(path.length - 1) - this.s > JUMP ? null : path.length - 1;
   }
 
@@ -151,11 +153,14 @@ export class Glide {
     return path;
   }
 
+  private lay(path: string[]): void {
+    this.path = path;
+    this.ways = path.slice(1).map((end, i) => this.track.way(path[i] as string, end));
+  }
+
   private lengthTo(index: number): number {
     let sum = 0;
-    for (let i = 0; i < index; i++) {
-      sum += this.track.way(this.path[i] as string, this.path[i + 1] as string)?.edge.length ?? 0;
-    }
+    for (let i = 0; i < index; i++) sum += this.ways[i]?.edge.length ?? 0;
     return sum;
   }
 
@@ -168,9 +173,10 @@ export class Glide {
 
   private trim(): void {
     while (this.path.length > 2) {
-      const length = this.track.way(this.path[0] as string, this.path[1] as string)?.edge.length ?? 0;
+      const length = this.ways[0]?.edge.length ?? 0;
       if (this.s < length + TAIL || this.reported < length) return;
       this.path.shift();
+      this.ways.shift();
       this.here = Math.max(0, this.here - 1);
       this.s -= length;
       this.reported -= length;

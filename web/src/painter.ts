@@ -1,12 +1,18 @@
-/** The live map: two canvases, one for what stands still and one for what moves. */
+/** The live map: what stands still and what lies over it on sheets that are shifted, and what moves on a canvas of its own. */
+import { closedWays } from "./closed";
 import { doorMarks } from "./doors";
 import { Glide } from "./glide";
-import type { Now, Scene } from "./paint/ink";
+import { Heat } from "./heat";
+import { following, heatShown, layers } from "./layers";
+import { dip, type Now, type Scene } from "./paint/ink";
 import { Labels } from "./paint/labels";
-import { paintPlant } from "./paint/plant";
 import { wingOf } from "./paint/doors";
-import { type Body, paintGrant, paintVehicle, Signs } from "./paint/vehicles";
+import { paintClosed, paintGrants, paintHeat, paintHolds, paintPlan } from "./paint/over";
+import { paintPlant } from "./paint/plant";
+import { type Body, paintFleet, paintRings, Signs, visible } from "./paint/vehicles";
+import { plan } from "./plan";
 import { clustersOf, MARK } from "./places";
+import { Sheet } from "./sheet";
 import { lookOf } from "./shows";
 import { devices, layout, lookAt, type Selection, selected, stations, track, vehicles } from "./store";
 import type { LayoutVehicle, Vehicle } from "./types";
@@ -14,8 +20,19 @@ import { type Box, View } from "./view";
 
 /** Room in px beyond the outermost marks: buttons and names. */
 const MARGIN = { top: 66, side: 72, bottom: 30 };
-/** Smooth enough, and half the work where there is no GPU: ms between two pictures. */
+/** Vehicles are drawn anew at most and at least so often, ms: the map is shifted between, as often as the screen wants. */
 const PERIOD = 30;
+const SELDOM = 120;
+/** The pace by which a vehicle goes across the map, mm/s. */
+const FASTEST = 3000;
+/** Below this scale only what is looked at shows its grant: others would be shorter than their vehicles. */
+const GRANTS = 0.008;
+/** What lies over the track follows the vehicles so often, ms. */
+const OVER = 250;
+/** A map that was moved is drawn as often as the screen wants for so long, ms. */
+const MOVED = 400;
+/** Somebody who looks for one thing sees it at least at this scale. */
+const CLOSE = 0.03;
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Owns the canvases; drawn as often as the screen wants while something moves, and not at all else. */
@@ -29,27 +46,31 @@ export class Painter {
   private bodies: Body[] = [];
   private names = new Labels();
   private specs = new Map<string, LayoutVehicle>();
-  private ground: CanvasRenderingContext2D;
-  private front: CanvasRenderingContext2D;
+  private readonly ground: Sheet;
+  private readonly over: Sheet;
+  private readonly front: Sheet;
+  private readonly heat = new Heat();
   private stale = true;
+  private overAt = Number.NEGATIVE_INFINITY;
   private frame = 0;
   private painted = 0;
+  private moved = Number.NEGATIVE_INFINITY;
+  private namesAt = { scale: 0, x: 0, y: 0 };
+  private count = 0;
 
   constructor(
-    private readonly lower: HTMLCanvasElement,
-    private readonly upper: HTMLCanvasElement,
+    lower: HTMLCanvasElement,
+    middle: HTMLCanvasElement,
+    upper: HTMLCanvasElement,
   ) {
-    this.ground = lower.getContext("2d") as CanvasRenderingContext2D;
-    this.front = upper.getContext("2d") as CanvasRenderingContext2D;
+    this.ground = new Sheet(lower, 400);
+    this.over = new Sheet(middle, 320);
+    this.front = new Sheet(upper, 120);
   }
 
   resize(width: number, height: number): void {
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    for (const canvas of [this.lower, this.upper]) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-      canvas.getContext("2d")?.setTransform(ratio, 0, 0, ratio, 0, 0);
-    }
+    for (const sheet of [this.ground, this.over, this.front]) sheet.resize(width, height, ratio);
     this.view.width = width;
     this.view.height = height;
     if (this.view.fitted) this.fit();
@@ -65,6 +86,7 @@ export class Painter {
     this.specs = new Map(layout.value.vehicles.map((spec) => [spec.id, spec]));
     this.glides.clear();
     this.last.clear();
+    this.heat.clear();
     this.fit();
     this.redraw();
   }
@@ -77,7 +99,35 @@ export class Painter {
   /** Something that stands still has changed. */
   redraw(): void {
     this.stale = true;
+    this.overAt = Number.NEGATIVE_INFINITY;
     this.wake();
+  }
+
+  /** Somebody moves the map: it is shifted, and painted anew where that does not do. */
+  move(): void {
+    this.moved = performance.now();
+    this.wake();
+  }
+
+  /** Other colours. */
+  recolour(): void {
+    dip();
+    this.redraw();
+  }
+
+  /** Bring something into the middle. */
+  centre({ kind, id }: NonNullable<Selection>): void {
+    const spot = this.placeOf(kind, id);
+    if (!spot) return;
+    this.view.scale = Math.max(this.view.scale, CLOSE);
+    this.view.centre(spot.x, spot.y);
+    this.move();
+  }
+
+  private placeOf(kind: string, id: string): { x: number; y: number } | undefined {
+    if (kind === "vehicle") return this.bodies.find((body) => body.vehicle.id === id)?.spot;
+    const marks = [...(this.scene?.marks ?? []), ...(this.scene?.doors ?? [])];
+    return marks.find((mark) => mark.id === id) ?? this.scene?.track.points.get(id);
   }
 
   wake(): void {
@@ -96,13 +146,15 @@ export class Painter {
     for (const vehicle of vehicles.values()) {
       if (this.last.get(vehicle.id) === vehicle) continue;
       this.last.set(vehicle.id, vehicle);
+      this.heat.take(vehicle, now);
       let glide = this.glides.get(vehicle.id);
       if (!glide) {
         glide = new Glide(this.scene.track, this.specs.get(vehicle.id)?.max_speed);
         this.glides.set(vehicle.id, glide);
       }
       const moving = vehicle.link.up && vehicle.activity === "moving";
-      glide.report({ ...vehicle, moving }, now);
+      const { barcode, dist, granted } = vehicle;
+      glide.report({ barcode, dist, granted, moving }, now);
     }
     this.wake();
   }
@@ -137,34 +189,90 @@ export class Painter {
     this.frame = 0;
     const { scene, view } = this;
     if (!scene) return;
-    if (performance.now() - this.painted < PERIOD - 5) {
+    const ms = performance.now();
+    const moving = ms - this.moved < MOVED;
+    const due = ms - this.painted >= this.period() - 5;
+    if (!moving && !due) {
       this.wake();
       return;
     }
-    this.painted = performance.now();
     const pick = selected.value;
-    if (this.stale) {
-      this.stale = false;
-      const now: Now = {
-        station: (id) => stations.get(id),
-        device: (id) => devices.get(id),
-        look: lookAt,
-        picked: pick?.kind === "station" || pick?.kind === "device" ? pick : null,
-      };
-      this.names = paintPlant(this.ground, view, scene, now);
+    if (following.value && pick?.kind === "vehicle") this.keepInMiddle(pick.id);
+    if (!this.ground.follow(view, ms) || this.stale) this.paintGround(scene, ms);
+    const shown = this.over.follow(view, ms);
+    if (!shown || (due && ms - this.overAt > OVER)) this.paintOver(scene, ms);
+    if (!this.front.follow(view, ms) || due) this.paintFront(ms);
+    this.front.canvas.dataset["pictures"] = String(++this.count);
+    const alarm = this.bodies.some((body) => body.look === "alarm");
+    const busy = !STILL.matches && (alarm || [...this.glides.values()].some((glide) => glide.busy));
+    if (busy || moving || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
+  }
+
+  /** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
+  private period(): number {
+    return Math.min(SELDOM, Math.max(PERIOD, 1000 / (FASTEST * this.view.scale)));
+  }
+
+  private looked(body: Body): number {
+    const pick = selected.value;
+    if (pick?.kind === "vehicle" && pick.id === body.vehicle.id) return 0.95;
+    return this.hovered?.kind === "vehicle" && this.hovered.id === body.vehicle.id ? 0.5 : 0;
+  }
+
+  private paintFront(ms: number): void {
+    this.painted = ms;
+    this.bodies = this.placed(ms / 1000);
+    const at = this.front.begin(this.view, ms);
+    const { ctx } = this.front;
+    const seen = this.bodies.filter((body) => visible(at, body));
+    paintFleet(ctx, at, seen);
+    const pulse = STILL.matches ? 0 : ((ms / 1000) % 1.4) / 1.4;
+    paintRings(ctx, at, seen, (body) => this.looked(body), pulse);
+    this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, (box) => this.names.free(this.onGround(box, at)));
+  }
+
+  private paintGround(scene: Scene, ms: number): void {
+    this.stale = false;
+    const pick = selected.value;
+    const now: Now = {
+      station: (id) => stations.get(id),
+      device: (id) => devices.get(id),
+      look: lookAt,
+      picked: pick?.kind === "station" || pick?.kind === "device" ? pick : null,
+      zones: layers.value.zones,
+    };
+    const at = this.ground.begin(this.view, ms);
+    this.names = paintPlant(this.ground.ctx, at, scene, now);
+    this.namesAt = { scale: at.scale, x: at.x, y: at.y };
+  }
+
+  private paintOver(scene: Scene, ms: number): void {
+    this.overAt = ms;
+    const at = this.over.begin(this.view, ms);
+    const { ctx } = this.over;
+    const { track: drawn } = scene;
+    if (heatShown.value) paintHeat(ctx, at, drawn, this.heat, heatShown.value);
+    if (layers.value.closures) {
+      paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
     }
-    const now = performance.now() / 1000;
-    this.bodies = this.placed(now);
-    const ctx = this.front;
-    ctx.clearRect(0, 0, view.width, view.height);
-    const picked = (body: Body): boolean => pick?.kind === "vehicle" && pick.id === body.vehicle.id;
-    const hovered = (body: Body): boolean => this.hovered?.kind === "vehicle" && this.hovered.id === body.vehicle.id;
-    for (const body of this.bodies) paintGrant(ctx, view, scene.track, body, picked(body) || hovered(body));
-    const pulse = STILL.matches ? 0 : (now % 1.4) / 1.4;
-    for (const body of this.bodies) paintVehicle(ctx, view, body, picked(body), hovered(body), pulse);
-    this.signs.paint(ctx, view, this.bodies, (body) => picked(body) || hovered(body), this.names);
-    const alarm = this.bodies.some((body) => lookOf(body.vehicle) === "alarm");
-    if (!STILL.matches && (alarm || [...this.glides.values()].some((glide) => glide.busy))) this.wake();
+    if (plan.value.length > 0) paintPlan(ctx, at, drawn, plan.value);
+    const strong = (body: Body): boolean => this.looked(body) > 0;
+    const granted = this.view.scale > GRANTS ? this.bodies : this.bodies.filter(strong);
+    if (layers.value.grants) paintGrants(ctx, at, drawn, granted, strong);
+    if (layers.value.holds) paintHolds(ctx, at, this.bodies);
+  }
+
+  /** Where a box of a view lies on the sheet on which the names stand. */
+  private onGround({ x0, x1, y0, y1 }: Box, view: View): Box {
+    const { namesAt } = this;
+    const k = namesAt.scale / view.scale;
+    const [dx, dy] = [namesAt.x - view.x * k, namesAt.y - view.y * k];
+    return { x0: x0 * k + dx, x1: x1 * k + dx, y0: y0 * k + dy, y1: y1 * k + dy };
+  }
+
+  private keepInMiddle(id: string): void {
+    const spot = this.bodies.find((body) => body.vehicle.id === id)?.spot;
+    if (spot) this.view.centre(spot.x, spot.y);
   }
 
   private placed(now: number): Body[] {
@@ -176,7 +284,7 @@ export class Painter {
       const glide = vehicle.activity === "off_rail" ? undefined : this.glides.get(vehicle.id);
       // A hoist lies behind the barcode that it reports; an AGV, which drives both ways, is drawn over its tag.
       const spot = glide?.drive(now, STILL.matches).middle(agv ? 0 : length * 0.41);
-      if (spot) bodies.push({ vehicle, agv, spot, length });
+      if (spot) bodies.push({ vehicle, look: lookOf(vehicle), agv, spot, length });
     }
     return bodies;
   }

@@ -3,15 +3,16 @@ import type { Device, Drive, Job, Vehicle } from "./types";
 
 export type Look = "idle" | "moving" | "waiting" | "handling" | "charging" | "held" | "alarm" | "gone";
 
+/** As custom properties of the style sheet, which has them for each theme. */
 export const LOOKS: Record<Look, string> = {
-  idle: "#93a8bd",
-  moving: "#45bdff",
-  waiting: "#ffd24d",
-  handling: "#bba0ff",
-  charging: "#5fdc96",
-  held: "#ff9640",
-  alarm: "#ff5c5c",
-  gone: "#66788a",
+  idle: "var(--look-idle)",
+  moving: "var(--look-moving)",
+  waiting: "var(--look-waiting)",
+  handling: "var(--look-handling)",
+  charging: "var(--look-charging)",
+  held: "var(--look-held)",
+  alarm: "var(--look-alarm)",
+  gone: "var(--look-gone)",
 };
 
 const LOOK_OF: Record<string, Look> = {
@@ -41,16 +42,16 @@ export function lookOf(vehicle: Vehicle): Look {
 export type DeviceLook = "open" | "closed" | "cart" | "no_cart" | "charging" | "free" | "busy" | "unknown" | "error" | "silent";
 
 export const DEVICE_LOOKS: Record<DeviceLook, string> = {
-  open: "#5fdc96",
-  closed: "#8fb8e8",
-  cart: "#f7e3b0",
-  no_cart: "#93a8bd",
-  charging: "#5fdc96",
-  free: "#93a8bd",
-  busy: "#ffd24d",
-  unknown: "#c4a4ff",
-  error: "#ff5c5c",
-  silent: "#7e90a2",
+  open: "var(--device-open)",
+  closed: "var(--device-closed)",
+  cart: "var(--device-cart)",
+  no_cart: "var(--device-no_cart)",
+  charging: "var(--device-charging)",
+  free: "var(--device-free)",
+  busy: "var(--device-busy)",
+  unknown: "var(--device-unknown)",
+  error: "var(--device-error)",
+  silent: "var(--device-silent)",
 };
 
 /** How a door or buffer looks: what it said counts only while it is heard. A charger says nothing itself. */

@@ -1,5 +1,6 @@
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
-import { computed, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
+import { wrongs } from "./alarms";
 import * as api from "./api";
 import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
@@ -10,10 +11,12 @@ import type { Carrier, Controller, Device, Drive, Happening, Job, Layout, Object
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
 const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,events";
+/** Compares names as people do: V2 before V10. */
+export const NATURAL = new Intl.Collator(undefined, { numeric: true });
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
 
 /** A device is a door, a buffer or a charger. */
-export type Selection = { kind: "vehicle" | "station" | "device" | "drive"; id: string } | null;
+export type Selection = { kind: "vehicle" | "station" | "device" | "drive" | "job"; id: string } | null;
 
 export const layout = signal<Layout | null>(null);
 export const track = computed(() => (layout.value ? new Track(layout.value) : null));
@@ -62,9 +65,16 @@ export const controller = computed(() => {
   return controllers.values().next().value ?? null;
 });
 
+/** Rises when a vehicle comes or goes: they are sorted then only. */
+const members = signal(0);
+const vehicleOrder = computed(() => {
+  void members.value;
+  return [...vehicles.keys()].sort((a, b) => NATURAL.compare(a, b));
+});
+
 export const vehicleList = computed(() => {
   void changes.vehicles.value;
-  return [...vehicles.values()].sort(byId);
+  return vehicleOrder.value.flatMap((id) => vehicles.get(id) ?? []);
 });
 
 export type MachineKind = "door" | "buffer" | "charger";
@@ -76,13 +86,21 @@ export const machines = computed<{ id: string; kind: MachineKind }[]>(() => {
   return [...of(doors, "door"), ...of(buffers, "buffer"), ...of(places, "charger")];
 });
 
+/** What is wrong now. */
+export const troubles = computed(() => {
+  void changes.vehicles.value;
+  void changes.devices.value;
+  void changes.drives.value;
+  return wrongs({ controller: controller.value, vehicles: vehicles.values(), devices: devices.values(), drives: drives.values() });
+});
+
 export const driveList = computed(() => {
   void changes.drives.value;
   return [...drives.values()].sort(byId);
 });
 
-function byId(a: { id: string }, b: { id: string }): number {
-  return a.id.localeCompare(b.id, undefined, { numeric: true });
+export function byId(a: { id: string }, b: { id: string }): number {
+  return NATURAL.compare(a.id, b.id);
 }
 
 /** Open and ended jobs, newest first. */
@@ -158,10 +176,13 @@ function isTopic(name: string): name is Topic {
   return name in maps;
 }
 
+/** One round for all that changed: what shows several topics is drawn once. */
 function flush(): void {
-  heardAt.value = Date.now();
-  for (const topic of touched) changes[topic].value++;
-  touched.clear();
+  batch(() => {
+    heardAt.value = Date.now();
+    for (const topic of touched) changes[topic].value++;
+    touched.clear();
+  });
 }
 
 const sink: Sink = {
@@ -172,6 +193,7 @@ const sink: Sink = {
       for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
       touched.add(topic);
     }
+    members.value++;
     flush();
     void refreshEnded();
     if (happenings.value.length === 0) void earlier(lastEvent);
@@ -179,6 +201,7 @@ const sink: Sink = {
   change(topic, key, value) {
     if (!isTopic(topic)) return;
     const map = maps[topic] as Map<string, unknown>;
+    if (topic === "vehicles" && (value === null || !map.has(key))) members.value++;
     if (value !== null) map.set(key, value);
     else {
       map.delete(key);

@@ -1,5 +1,7 @@
 /** The track as drawn: edges as curves, places along them, and the way between two barcodes. Pure. */
+import { Grid } from "./grid";
 import type { Layout, LayoutEdge } from "./types";
+import type { Box } from "./view";
 
 export interface Spot {
   x: number;
@@ -8,7 +10,7 @@ export interface Spot {
   angle: number;
 }
 
-interface Vec {
+export interface Vec {
   x: number;
   y: number;
 }
@@ -18,6 +20,8 @@ export interface Way {
   edge: LayoutEdge;
   pts: Vec[];
   at: number[];
+  /** What it takes up on paper. */
+  box: Box;
 }
 
 const STEPS = 8;
@@ -35,16 +39,28 @@ export class Track {
   readonly before = new Map<string, LayoutEdge[]>();
   /** Barcodes on the floor: tape of AGVs, and all that hangs together with it. */
   readonly floor: ReadonlySet<string>;
-  readonly box: { x0: number; y0: number; x1: number; y1: number };
+  readonly box: Box;
+  /** Barcodes by where they are. */
+  readonly grid = new Grid<Vec>();
+  private readonly from = new Map<string, Way[]>();
 
   constructor(layout: Layout) {
-    for (const { barcode, x, y, park } of layout.points) this.points.set(barcode, { x, y, park });
+    for (const { barcode, x, y, park } of layout.points) {
+      this.points.set(barcode, { x, y, park });
+      this.grid.put({ x, y });
+    }
     for (const edge of layout.edges) {
       if (!this.points.has(edge.start) || !this.points.has(edge.end)) continue;
       push(this.next, edge.start, edge);
       push(this.before, edge.end, edge);
     }
-    for (const edges of this.next.values()) for (const edge of edges) this.ways.set(keyOf(edge), this.draw(edge));
+    for (const edges of this.next.values()) {
+      for (const edge of edges) {
+        const way = this.draw(edge);
+        this.ways.set(keyOf(edge), way);
+        push(this.from, edge.start, way);
+      }
+    }
     this.floor = this.connected([
       ...layout.stations.filter((station) => station.kind === "agv_buffer").map((station) => station.barcode),
       ...layout.chargers.map((charger) => charger.barcode),
@@ -60,12 +76,12 @@ export class Track {
   }
 
   way(start: string, end: string): Way | undefined {
-    return this.ways.get(`${start}>${end}`);
+    return this.from.get(start)?.find((way) => way.edge.end === end);
   }
 
   /** Whether the same piece is driven the other way, too. */
   twoWay(edge: LayoutEdge): boolean {
-    return this.ways.has(`${edge.end}>${edge.start}`);
+    return this.way(edge.end, edge.start) !== undefined;
   }
 
   /** Place at `mm` of travel along an edge. */
@@ -152,7 +168,9 @@ export class Track {
       const step = minus(pts[i] as Vec, pts[i - 1] as Vec);
       at.push((at[i - 1] ?? 0) + Math.hypot(step.x, step.y));
     }
-    return { edge, pts, at };
+    const [xs, ys] = [pts.map((p) => p.x), pts.map((p) => p.y)];
+    const box = { x0: Math.min(...xs), x1: Math.max(...xs), y0: Math.min(...ys), y1: Math.max(...ys) };
+    return { edge, pts, at, box };
   }
 }
 

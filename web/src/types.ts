@@ -73,6 +73,8 @@ export interface Vehicle {
   lockout: Lockout | null;
   seen: string | null;
   agv?: Agv | null;
+  /** Idle, at a parking place. */
+  parked: boolean;
 }
 
 /** A door, a buffer or a charger. Its state is its last word, and counts only while it is fresh. */
@@ -172,6 +174,54 @@ export interface Job {
   ended: string | null;
 }
 
+/** Why a job went as it did: its assignments with those that were thought of, and its waits. Spans in s. */
+export interface JobWhy {
+  job: string;
+  state: string;
+  reason: string;
+  created: string;
+  queued: number | null;
+  fetching: number | null;
+  carrying: number | null;
+  assignments: Assignment[];
+  waits: { since: string; until: string | null; seconds: number | null; reason: string }[];
+  left_out: number;
+}
+
+export interface Assignment {
+  at: string;
+  vehicle: string;
+  seconds: number;
+  priority: number;
+  hot: boolean;
+  waited: number;
+  switch: number;
+  before: string | null;
+  saved: number | null;
+  candidates: { vehicle: string; seconds: number | null; why_not: string }[];
+}
+
+/** A command and what became of it. */
+export interface Command {
+  cmd_id: string;
+  vehicle: string;
+  kind: string;
+  state: string;
+  actor: string;
+  opened: string;
+  closed: string | null;
+  outcome: string;
+  job: string | null;
+}
+
+export interface RouteShown {
+  barcodes: string[];
+  length: number;
+  seconds: number;
+  free_flow_seconds: number;
+  version: number;
+}
+
 export interface Station {
   id: string;
   kind: string;
@@ -185,6 +235,9 @@ export interface Station {
   at: string | null;
   target: [number, number, number] | null;
   target_version: number | null;
+  /** Axes that the DEST lacks, and the session that closes the port. */
+  missing: string[];
+  teaching: number | null;
 }
 
 export interface Carrier {
@@ -205,9 +258,17 @@ export interface Controller {
   trouble: string;
   /** Fires and earthquakes that nobody has released yet, in words. */
   emergencies: string[];
-  circles?: string[];
-  circles_found?: number;
-  circles_resolved?: number;
+  /** Vehicles that wait for each other now, in words; how many such circles were found and are over, since the start. */
+  circles: string[];
+  circles_found: number;
+  circles_resolved: number;
+  /** What routes keep off, a line for each reason; the places counted; the stations that nobody can reach for that. */
+  kept_off: string[];
+  closed_places: number;
+  cut_off: string[];
+  /** How many vehicles under way were led another way: round what is closed, and because it was quicker. */
+  led_round: number;
+  led_quicker: number;
 }
 
 export interface Happening {
@@ -271,13 +332,23 @@ export interface LayoutDoor {
   normally_open: boolean;
 }
 
+/** `soft`: no hard cap, but a share of its slots that may be filled from outside, while nobody waits `patience` s. */
+export interface LayoutZone {
+  id: string;
+  name: string;
+  barcodes: string[];
+  capacity: number;
+  no_stop: boolean;
+  soft: { share: number; patience: number } | null;
+}
+
 /** Lengths and places in mm, speeds of edges in percent, of vehicles in mm/s. */
 export interface Layout {
   name: string;
   points: LayoutPoint[];
   edges: LayoutEdge[];
   stations: { id: string; kind: string; barcode: string; display: string; buffer: string | null }[];
-  zones: { id: string; name: string; barcodes: string[]; capacity: number; no_stop: boolean }[];
+  zones: LayoutZone[];
   vehicles: LayoutVehicle[];
   links: { id: string; protocol: string; address: string }[];
   doors: LayoutDoor[];

@@ -55,4 +55,14 @@ export class View {
   py(my: number): number {
     return my * this.scale + this.y;
   }
+
+  /** Whether anything of a box in mm may be seen, or lies so many px beside the edge. */
+  sees(box: Box, beside = 40): boolean {
+    return (
+      this.px(box.x1) > -beside &&
+      this.py(box.y1) > -beside &&
+      this.px(box.x0) < this.width + beside &&
+      this.py(box.y0) < this.height + beside
+    );
+  }
 }

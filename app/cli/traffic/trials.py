@@ -1,8 +1,9 @@
 """Trials of the rules of traffic in the fast plant: what is compared with what, and what counts (TRAFFIC sections 3 to 6)."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
+from itertools import groupby
 from time import process_time
 
 import numpy as np
@@ -11,9 +12,9 @@ from app.domain.layout import Plant as Layout
 from app.domain.units import Millimetres
 from app.planning.track import BOOK_VEHICLE, Track
 from app.plant.fab import Shape, generate, populate
-from app.sim.kinematic.drill import Drill
+from app.sim.kinematic.drill import CYCLE, Drill
 from app.sim.kinematic.fab import Fab, Plant
-from app.sim.kinematic.network import Map, draw
+from app.sim.kinematic.network import Map, Real, draw
 from app.sim.kinematic.state import DELIVERED, EVENTS, PUSHED, STANDING
 
 HOIST = replace(BOOK_VEHICLE, length=Millimetres(950))
@@ -94,7 +95,7 @@ def run(fab: Fab, minutes: int) -> Outcome:
         locked=len(locked(fab)),
         pushed=int(counts[PUSHED] - begun[PUSHED]),
         events=int(counts[EVENTS] - begun[EVENTS]),
-        oldest=max((fab.now - transfer.created for transfer in fab.waiting), default=0.0),
+        oldest=fab.transfers.oldest(fab.now),
         cpu=cpu,
     )
 
@@ -118,23 +119,51 @@ def locked(fab: Fab) -> list[int]:
     return sorted(found)
 
 
+WINDOW = 300.0
+"""Deliveries are compared over so many seconds: about 500, which chance alone moves by 4 %."""
+
+
+@dataclass(frozen=True, slots=True)
+class Storm:
+    """What a storm of events did: deliveries as shares of those of the same fab undisturbed in the same seconds.
+
+    ``before``: in the five minutes before its first event; ``during``: until the end of its last one; ``after``: in the next
+    five minutes; ``then``: in the five after those. None: the drill was over by then.
+    """
+
+    began: float
+    ended: float
+    events: int
+    before: float
+    during: float
+    after: float | None
+    then: float | None
+
+
 @dataclass(frozen=True, slots=True)
 class Drilled:
-    """What came of a drill. ``recovered``: the share of the moments five minutes after the end of an event, with none begun
-    meanwhile, in whose next five minutes at least ``0.9`` of the undisturbed deliveries were made; ``judged`` of them.
+    """What came of a drill. ``named``: events that cut ports off. ``usual``: deliveries per hour of the undisturbed twin,
+    ``outcome`` has those of the drill.
     """
 
     events: int
     named: int
     outcome: Outcome
-    recovered: float
-    judged: int
     usual: float
+    storms: tuple[Storm, ...]
+
+    @property
+    def judged(self) -> list[float]:
+        """What was delivered from five to ten minutes after each storm, as shares of the twin's."""
+        return [storm.then for storm in self.storms if storm.then is not None]
 
 
 def drill(shape: Shape, vehicles: int, hours: float, per_hour: float, seed: int, *, settle: float = 600.0) -> Drilled:
-    """Let vehicles break down and track be closed at random; all is well ``settle`` seconds before it and after it."""
-    fab = fab_of(shape, vehicles, Plant(), seed)
+    """Let vehicles break down and track be closed at random; all is well ``settle`` seconds before it and after it.
+
+    The twin is the same fab with the same seed, and no events.
+    """
+    fab, twin = (fab_of(shape, vehicles, Plant(), seed) for _ in range(2))
     fab.run(settle)
     trouble = Drill(fab, per_hour, seed)
     counts, cpu, begun = fab.state.counts, process_time(), fab.state.counts.copy()
@@ -149,20 +178,27 @@ def drill(shape: Shape, vehicles: int, hours: float, per_hour: float, seed: int,
         vehicles, hours * 3600, tuple(per_minute), len(locked(fab)), int(counts[PUSHED] - begun[PUSHED]),
         int(counts[EVENTS] - begun[EVENTS]), 0.0, process_time() - cpu,
     )  # fmt: skip
-    usual = run(fab_of(shape, vehicles, Plant(), seed), max(4, int(hours * 15))).per_hour
-    shares = list(_recoveries(trouble, per_minute, usual / 60))
+    twin.run(fab.now)
+    own, usual = (np.array([one.at for one in some.delivered]) for some in (fab, twin))
+    end = trouble.began + 60.0 * len(per_minute)
+    storms = tuple(_storms(trouble, partial(_share, own, usual), end))
     named = sum(bool(event.cut_off) for event in trouble.events)
-    well = sum(share >= 0.9 for share in shares) / len(shares) if shares else 1.0
-    return Drilled(len(trouble.events), named, outcome, well, len(shares), usual)
+    rate = 3600 * int(((usual > trouble.began) & (usual <= end)).sum()) / (end - trouble.began)
+    return Drilled(len(trouble.events), named, outcome, rate, storms)
 
 
-def _recoveries(trouble: Drill, per_minute: list[int], usual: float) -> Iterator[float]:
-    """Give, for each moment at which nothing has stood still for five minutes, what the next five delivered of the usual."""
-    for event in trouble.events:
-        at = event.ends + 300.0
-        if any(other.at < at and other.ends > event.ends for other in trouble.events):
-            continue
-        first = int((at - trouble.began) // 60)
-        some = per_minute[first : first + 5]
-        if len(some) == 5:
-            yield sum(some) / 5 / usual
+def _share(own: Real, usual: Real, begin: float, end: float) -> float:
+    """Return what was delivered from one time to another as a share of the usual."""
+    first, second = (int(((at > begin) & (at <= end)).sum()) for at in (own, usual))
+    return first / max(1, second)
+
+
+def _storms(trouble: Drill, share: Callable[[float, float], float], end: float) -> Iterator[Storm]:
+    """Give what each storm did, as far as the drill went on after it."""
+    for _, some in groupby(trouble.events, key=lambda event: int((event.at - trouble.began) // CYCLE)):
+        events = list(some)
+        begin, over = events[0].at, max(event.ends for event in events)
+        if over > end:
+            return
+        following = [share(at, at + WINDOW) if at + WINDOW <= end else None for at in (over, over + WINDOW)]
+        yield Storm(begin, over, len(events), share(begin - WINDOW, begin), share(begin, over), *following)

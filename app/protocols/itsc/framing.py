@@ -82,7 +82,7 @@ class Decoder:
     def __init__(self, codec: Codec, toward: Toward) -> None:
         self.toward = toward
         self._codec = codec
-        self._held = bytearray()
+        self._held = b""
         self._need = 0
         self._start = 0 if codec.dialect.crc_covers_type else 1
         self._checksum = codec.checksum
@@ -97,17 +97,17 @@ class Decoder:
         """Take bytes as they arrive and return what they complete, in order."""
         held = self._held
         if held:
-            held += data
+            self._held = held = held + data
             if len(held) < self._need:
                 return []
-            return self._cut(bytes(held), idle=False)
+            return self._cut(held, idle=False)
         if len(data) == _ENQ_SIZE and (frame := self._read_whole(data)) is not None:
             return [frame]
         return self._cut(bytes(data), idle=False)
 
     def flush(self) -> list[Frame | Garbled]:
         """Give up waiting, since the line is idle: return what the pending bytes hold behind their broken head."""
-        return self._cut(bytes(self._held), idle=True)
+        return self._cut(self._held, idle=True)
 
     def _cut(self, data: bytes, *, idle: bool) -> list[Frame | Garbled]:
         out: list[Frame | Garbled] = []
@@ -134,7 +134,7 @@ class Decoder:
             at = good = at + size
         if fault is not None:
             out.append(Garbled(fault.reason, fault.detail, at - good))
-        self._held = bytearray(data[at:])
+        self._held = data[at:]
         return out
 
     def _candidate(self, data: bytes, at: int, end: int) -> Candidate:

@@ -73,7 +73,9 @@ def _shove(scene: Scene, dice: Random, vehicle: VehicleId) -> None:
     if not scene.alive or device.working or device.state.driving:
         return
     track = scene.control.fleet.books.track
-    near = [b for b in sorted(track.reach(device.place(scene.now)[0], device.spec.reach)) if nobody_near(scene, vehicle, b)]
+    near = [
+        b for b in sorted(track.reach(device.place(scene.now)[0], device.spec.reach)) if nobody_near(scene, vehicle, b)
+    ]
     if near and scene.knows_to_be_in(vehicle, Mode.MANT):
         scene.tell("shoved")
         device.push_to(dice.choice(near), scene.now)
@@ -220,7 +222,9 @@ def _intrude(scene: Scene, _dice: Random) -> None:
     if not scene.alive:
         return
     books, at = scene.control.fleet.books, scene.floor.truth.at
-    jobs = [j for j in books.jobs.values() if j.leg is Leg.TO_DESTINATION and j.vehicle and books.vehicles[j.vehicle].rest]
+    jobs = [
+        j for j in books.jobs.values() if j.leg is Leg.TO_DESTINATION and j.vehicle and books.vehicles[j.vehicle].rest
+    ]
     target = next((j.destination for j in jobs if j.destination not in at), None)
     if target is None:
         return
@@ -228,8 +232,12 @@ def _intrude(scene: Scene, _dice: Random) -> None:
 
     def told() -> bool:
         record = scene.control.fleet.books.stations.get(target) if scene.alive else None
-        return record is not None and record.present is True and not any(
-            v.handling and v.handling.station == target for v in scene.control.fleet.books.vehicles.values()
+        return (
+            record is not None
+            and record.present is True
+            and not any(
+                v.handling and v.handling.station == target for v in scene.control.fleet.books.vehicles.values()
+            )
         )
 
     def fill() -> None:

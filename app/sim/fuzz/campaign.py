@@ -19,7 +19,14 @@ REACHED: frozenset[str] = frozenset(
 )  # fmt: skip
 """What a campaign on a plant of hoists must have seen, or it tries nothing."""
 HALL_REACHED: frozenset[str] = frozenset(
-    {Blow.AGV_MANUAL.value, Blow.AGV_ERROR.value, Blow.AGV_MISS.value, Blow.DOOR.value, Blow.BUFFER.value, Blow.DRIVE.value}
+    {
+        Blow.AGV_MANUAL.value,
+        Blow.AGV_ERROR.value,
+        Blow.AGV_MISS.value,
+        Blow.DOOR.value,
+        Blow.BUFFER.value,
+        Blow.DRIVE.value,
+    }
 )
 """What it must have seen besides where the plant has a hall and drives."""
 

@@ -98,7 +98,7 @@ class Plan:
     crashes: tuple[Crash, ...] = ()
     noise: dict[tuple[str, str], dict[Fault, float]] = field(default_factory=dict)
     answers_on_acceptance: bool = False
-    delays: Delays = Delays()  # noqa: RUF009  (frozen)
+    delays: Delays = Delays()
 
     @property
     def faults(self) -> int:

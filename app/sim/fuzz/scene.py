@@ -11,7 +11,7 @@ from app.domain.requests import Accepted, CreateJob, Request
 from app.domain.units import Seconds
 from app.domain.view import EventView, Topic, Update, View
 from app.protocols.itsc.messages import Mode
-from app.sim.fuzz.plan import Crash, Plan, Where
+from app.sim.fuzz.plan import Plan, Where
 from app.sim.world import World
 
 ARRIVED = 0.3

@@ -1,8 +1,9 @@
 """Breakdowns and closures in the fast plant: what stands still for a while, and whom it cuts off."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
+from itertools import count
 from random import Random
 
 import numpy as np
@@ -16,6 +17,9 @@ SHUT = 1e6
 """Seconds that a way costs over track that nobody may enter: driven only by whom no other way leads out. Our choice."""
 LEAST, MOST = 60.0, 300.0
 """Seconds that a breakdown or a closure lasts. Our choice."""
+CYCLE, STORM = 1800.0, 600.0
+"""Events come in the first ``STORM`` seconds of each ``CYCLE``: thrice as thick as evenly spread, and then all is well for long
+enough to see what comes back. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +38,7 @@ class Drill:
     """Lets vehicles break down and barcodes be closed at random moments, and takes both back after a while.
 
     Half of the events are breakdowns of vehicles on the track, half are closures of barcodes that nobody holds just then.
+    They come in storms (``CYCLE``); ``per_hour`` is their mean.
     """
 
     def __init__(self, fab: Fab, per_hour: float, seed: int) -> None:
@@ -41,7 +46,8 @@ class Drill:
         self.events: list[Event] = []
         self.began = fab.now
         self._per_hour, self._dice = per_hour, Random(f"{seed}/drill")
-        self._next = fab.now + self._dice.expovariate(per_hour / 3600)
+        self._moments = self._storms()
+        self._next = next(self._moments)
         self._ends: list[tuple[float, int]] = []
 
     def run(self, seconds: float) -> None:
@@ -50,7 +56,7 @@ class Drill:
         while self.fab.now < end:
             self._end_what_is_over()
             while self._next <= self.fab.now:
-                self._next += self._dice.expovariate(self._per_hour / 3600)
+                self._next = next(self._moments)
                 self._begin()
             self.fab.run(1.0)
 
@@ -58,6 +64,12 @@ class Drill:
         """End all that stands still now."""
         self._ends = [(self.fab.now, i) for _, i in self._ends]
         self._end_what_is_over()
+
+    def _storms(self) -> Iterator[float]:
+        """Give the moments of the events, one after the other, without end."""
+        for cycle in count():
+            moments = (self._dice.uniform(0.0, STORM) for _ in range(max(1, round(self._per_hour * CYCLE / 3600))))
+            yield from sorted(self.began + cycle * CYCLE + moment for moment in moments)
 
     def _begin(self) -> None:
         s, now = self.fab.state, self.fab.now

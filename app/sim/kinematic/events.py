@@ -5,7 +5,7 @@ from math import sqrt
 from app.planning.admission import ANY, may_want
 from app.sim.kinematic.compiled import compiled
 from app.sim.kinematic.granting import extend, need, nudge, want_beyond
-from app.sim.kinematic.network import Network
+from app.sim.kinematic.network import Network, Whole
 from app.sim.kinematic.state import (
     BROKEN,
     DELIVERED,
@@ -167,6 +167,13 @@ def send(net: Network, s: State, rules: Rules, vehicle: int, goal: int, phase: i
         if s.lines.head[slot] == vehicle:
             wake_watchers(s, slot)
     ask_again(s, vehicle)
+
+
+@compiled
+def send_each(net: Network, s: State, rules: Rules, vehicles: Whole, goals: Whole, phase: int) -> None:
+    """Give each of these vehicles its goal."""
+    for i in range(len(vehicles)):
+        send(net, s, rules, vehicles[i], goals[i], phase)
 
 
 @compiled

@@ -15,11 +15,11 @@ from app.planning.congestion import Congestion
 from app.planning.dispatch import Indices, Jobs, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
 from app.planning.dispatch import Plan as DispatchPlan
 from app.planning.restraint import Restraint
-from app.sim.kinematic.events import run, send, take_off
-from app.sim.kinematic.load import Ports, Work
-from app.sim.kinematic.network import Map, Real
+from app.sim.kinematic.events import run, send_each, take_off
+from app.sim.kinematic.load import NOBODY, Ports, Transfers, Work
+from app.sim.kinematic.network import Map, Real, Whole
 from app.sim.kinematic.state import DRIVING, DWELLING, FETCHING, IDLE, STANDING, Rules, still
-from app.sim.kinematic.ways import free_flow, refresh, survey
+from app.sim.kinematic.ways import drives, free_flow, refresh, survey
 
 TICK = 1.0
 """Seconds between two looks of dispatch. Our choice."""
@@ -47,16 +47,6 @@ class Plant:
     hearing: float = 0.05
     more: float = 1000.0
     patience: float = 0.0
-
-
-@dataclass(slots=True)
-class Transfer:
-    """A transfer between two ports, by number. ``vehicle``: who is on its way to fetch it, -1: nobody."""
-
-    source: int
-    destination: int
-    created: float
-    vehicle: int = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,8 +86,7 @@ class Fab:
             patience=how.patience,
         )
         self.ports: Work = work or Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
-        self.waiting: list[Transfer] = []
-        """Transfers that are not picked up, the oldest first."""
+        self.transfers = Transfers(how.backlog + len(starts))
         self.delivered: list[Delivered] = []
         self.now = Seconds(0.0)
         self.shut: dict[int, float] = {}
@@ -106,7 +95,7 @@ class Fab:
         """Ports that cannot be reached just now: their transfers wait."""
         self.rows = 0
         """Rows of next hops made so far."""
-        self._of: list[Transfer | None] = [None] * len(starts)
+        self._of: Whole = np.full(len(starts), NOBODY, dtype=np.int64)
         self._room = len(starts)
         self._restraint = Restraint(len(starts)) if how.restraint else None
         self._congestion = Congestion(free_flow(self.net), np.asarray(self.state.lines.capacity))
@@ -138,9 +127,9 @@ class Fab:
             return at_random(np.random.default_rng(seed))
         return nearest_first_come if self.how.dispatch == "nearest" else self._assignment
 
-    def _assignment(self, vehicles: Vehicles, jobs: Jobs, times: Times) -> DispatchPlan:
+    def _assignment(self, vehicles: Vehicles, jobs: Jobs, times: Times, *, most: int | None = None) -> DispatchPlan:
         self._turn += 1
-        return dispatch(vehicles, jobs, times, turn=self._turn)
+        return dispatch(vehicles, jobs, times, turn=self._turn, most=most)
 
     def _place(self, starts: list[int]) -> None:
         s = self.state
@@ -150,29 +139,32 @@ class Fab:
             enter(s.lines, vehicle, int(self.net.buffer[starts[vehicle]]), ANY)
 
     def _finish(self, vehicle: int, *, put_down: bool) -> None:
-        transfer = self._of[vehicle]
-        if transfer is None:
+        row, transfers = int(self._of[vehicle]), self.transfers
+        if row == NOBODY:
             raise LookupError(f"vehicle {vehicle} has handled a carrier without a transfer")
+        source, destination = transfers.ports[row].tolist()
         if put_down:
-            self.ports.filled(transfer.destination)
-            self.delivered.append(Delivered(transfer.created, self.now))
-            self._of[vehicle] = None
+            self.ports.filled(destination)
+            self.delivered.append(Delivered(float(transfers.created[row]), self.now))
+            self._of[vehicle] = NOBODY
+            transfers.free.append(row)
         else:
-            self.ports.emptied(transfer.source)
-            self.waiting.remove(transfer)
+            self.ports.emptied(source)
+            transfers.open[row] = False
 
     def _order(self) -> None:
-        missing = self.how.backlog - sum(transfer.vehicle < 0 for transfer in self.waiting)
+        missing = self.how.backlog - self.transfers.waiting
         while missing > 0 and (drawn := self.ports.draw()):
-            self.waiting.append(Transfer(*drawn, self.now))
+            self.transfers.order(drawn, self.ports.barcodes, self.now)
             missing -= 1
 
     def _look(self) -> None:
         """Look at who is on the way: where, and how many of them stand."""
         s = self.state
         under_way = s.phase != IDLE
-        size = len(self.net.first)
-        self._congestion.look(np.bincount(np.asarray(s.lines.slot)[under_way], minlength=size), TICK)
+        if self.how.reweigh:
+            load = np.bincount(np.asarray(s.lines.slot)[under_way], minlength=len(self.net.first))
+            self._congestion.look(load, TICK)
         if self._restraint is not None:
             standing, driving = self._standing(under_way), int((under_way & (s.doing == DRIVING)).sum())
             self._room = self._restraint.look(standing, driving, int(under_way.sum()), TICK)
@@ -196,79 +188,65 @@ class Fab:
         for buffer, seconds in self.shut.items():
             ways.weight[buffer] += seconds
         ways.version[0] += 1
-        self._know(np.unique(self.net.buffer[s.goal[s.goal >= 0]]))
+        self._know(self.net.buffer[s.goal[s.goal >= 0]])
 
     def _know(self, goals: "NDArray[np.int64]") -> None:
-        self.rows += refresh(self.ways, self.net, self.state.hop, goals)
+        older = goals[self.ways.made[goals] != self.ways.version[0]]
+        if len(older):
+            self.rows += refresh(self.ways, self.net, self.state.hop, older)
 
     def _dispatch(self) -> None:
-        s, thinks = self.state, self.now >= self._next_thought
+        s, transfers, thinks = self.state, self.transfers, self.now >= self._next_thought
         may = (s.phase == IDLE) if self._room > 0 else np.zeros(len(s.phase), np.bool_)
         if thinks:
             self._next_thought = self.now + self.how.rethink
             may |= (s.phase == FETCHING) & (s.doing != DWELLING)
-        vehicles = np.flatnonzero(may)
-        jobs = [t for t in self.waiting if (may[t.vehicle] if t.vehicle >= 0 else self._reachable(t))]
-        if not len(vehicles) or not jobs:
+        vehicles, jobs = np.flatnonzero(may), self._jobs(may)
+        if not len(vehicles) or not len(jobs):
             return
-        column = {id(t): i for i, t in enumerate(jobs)}
-        on = np.array([column.get(id(self._of[v]), -1) for v in vehicles.tolist()], dtype=np.intp)
-        still_soon = np.zeros(len(vehicles), np.bool_)
-        sources = np.array([self.ports.barcodes[t.source] for t in jobs])
-        times = partial(self._times, vehicles, sources)
-        ages = Jobs.waiting(np.array([self.now - t.created for t in jobs]))
-        plan = self._rule(Vehicles(np.zeros(len(vehicles)), on, still_soon), ages, times)
-        if self.how.restraint:
-            self._hold_back(plan, s.phase[vehicles] == IDLE)
-        chosen = [int(vehicles[row]) if row >= 0 else -1 for row in plan.vehicle.tolist()]
-        self._carry_out(jobs, chosen)
+        column = np.full(len(transfers.open), NOBODY, dtype=np.intp)
+        column[jobs] = np.arange(len(jobs))
+        on = np.where(self._of[vehicles] >= 0, column[self._of[vehicles]], NOBODY)
+        fleet = Vehicles(np.zeros(len(vehicles)), on, np.zeros(len(vehicles), np.bool_))
+        waiting = Jobs.waiting(self.now - transfers.created[jobs])
+        most = self._room if self.how.restraint else None
+        plan = self._rule(fleet, waiting, partial(self._times, vehicles, transfers.source[jobs]), most=most)
+        self._carry_out(jobs, np.where(plan.vehicle >= 0, vehicles[plan.vehicle], NOBODY))
 
-    def _reachable(self, transfer: Transfer) -> bool:
-        ends = {self.ports.barcodes[transfer.source], self.ports.barcodes[transfer.destination]}
-        return self.cut_off.isdisjoint(ends)
+    def _jobs(self, may: "NDArray[np.bool_]") -> "NDArray[np.intp]":
+        """Return the rows of the transfers to be thought of: without a vehicle and possible, or of one that may change."""
+        transfers = self.transfers
+        able = np.append(may, True)[transfers.vehicle]
+        if self.cut_off:
+            cut = np.zeros(len(self.net.buffer), np.bool_)
+            cut[list(self.cut_off)] = True
+            able &= (transfers.vehicle >= 0) | ~(cut[transfers.source] | cut[transfers.destination])
+        return np.flatnonzero(transfers.open & able)
 
-    def _hold_back(self, plan: DispatchPlan, idle: "NDArray[np.bool_]") -> None:
-        """Of the idle vehicles chosen for jobs, leave those that are nearest; no more than may set out."""
-        chosen = plan.vehicle
-        new = np.flatnonzero((chosen >= 0) & idle[chosen])
-        if len(new) <= self._room:
+    def _carry_out(self, jobs: "NDArray[np.intp]", chosen: Whole) -> None:
+        transfers, before = self.transfers, self.transfers.vehicle[jobs]
+        changed = np.flatnonzero(before != chosen)
+        if not len(changed):
             return
-        row, column = np.zeros(len(idle), dtype=np.intp), np.zeros(len(chosen), dtype=np.intp)
-        row[plan.rows], column[plan.columns] = np.arange(len(plan.rows)), np.arange(len(plan.columns))
-        away = plan.arrival[row[chosen[new]], column[new]]
-        chosen[new[np.argsort(away, kind="stable")[self._room :]]] = -1
-
-    def _carry_out(self, jobs: list[Transfer], chosen: list[int]) -> None:
-        changed = [(t, v) for t, v in zip(jobs, chosen, strict=True) if t.vehicle != v]
-        for transfer, _ in changed:
-            if transfer.vehicle >= 0:
-                self._of[transfer.vehicle] = None
-        left = {t.vehicle for t, _ in changed if t.vehicle >= 0} - {v for _, v in changed}
-        for vehicle in sorted(left):
+        jobs, chosen, before = jobs[changed], chosen[changed], before[changed]
+        left = before[before >= 0]
+        self._of[left] = NOBODY
+        for vehicle in sorted(set(left.tolist()).difference(chosen.tolist())):
             take_off(self.net, self.state, vehicle)
-        for transfer, vehicle in changed:
-            transfer.vehicle = vehicle
-            if vehicle < 0:
-                continue
-            self._of[vehicle] = transfer
-            source, destination = self.ports.barcodes[transfer.source], self.ports.barcodes[transfer.destination]
-            self.state.destination[vehicle] = destination
-            self._know(np.array([self.net.buffer[source], self.net.buffer[destination]]))
-            send(self.net, self.state, self.rules, vehicle, source, FETCHING)
+        transfers.vehicle[jobs] = chosen
+        jobs, chosen = jobs[chosen >= 0], chosen[chosen >= 0]
+        self._of[chosen] = jobs
+        self.state.destination[chosen] = transfers.destination[jobs]
+        self._know(self.net.buffer[np.concatenate((transfers.source[jobs], transfers.destination[jobs]))])
+        if len(jobs):
+            send_each(self.net, self.state, self.rules, chosen, transfers.source[jobs], FETCHING)
 
-    def _times(
-        self, vehicles: "NDArray[np.intp]", sources: "NDArray[np.int64]", rows: Indices, columns: Indices
-    ) -> Real:
+    def _times(self, vehicles: Indices, sources: Whole, rows: Indices, columns: Indices) -> Real:
         """Return the seconds from where each vehicle can turn to each source, by the weights of the moment."""
-        s, net, ways = self.state, self.net, self.ways
-        some, goals = vehicles[rows], sources[columns]
+        s, some, goals = self.state, vehicles[rows], sources[columns]
         granted = s.granted[some]
         at = np.where(granted > 0, s.ahead[some, np.maximum(granted - 1, 0)], s.at[some])
-        goal_buffers, buffers = net.buffer[goals], net.buffer[at]
-        self._know(np.unique(goal_buffers))
-        far: Real = ways.far[goal_buffers][:, buffers].T - ways.reach[at][:, None] + ways.reach[goals][None, :]
-        behind = (buffers[:, None] == goal_buffers[None, :]) & (goals[None, :] < at[:, None])
-        if behind.any():
-            around = s.hop[goal_buffers, goal_buffers]
-            far = far + behind * (ways.weight[goal_buffers] + ways.far[goal_buffers, around])[None, :]
-        return far
+        self._know(self.net.buffer[goals])
+        out = np.empty((len(at), len(goals)))
+        drives(self.ways, self.net, s.hop, at, goals, out)
+        return out

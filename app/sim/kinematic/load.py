@@ -4,7 +4,11 @@ from collections.abc import Sequence
 from random import Random
 from typing import Protocol
 
-UNBOUND = -1
+import numpy as np
+
+from app.sim.kinematic.network import Real, Whole
+
+NOBODY = -1
 
 
 class Work(Protocol):
@@ -54,3 +58,36 @@ class Ports:
         at = self._rng.randrange(len(ports))
         ports[at], ports[-1] = ports[-1], ports[at]
         return ports.pop()
+
+
+class Transfers:
+    """Transfers that are ordered and not put down, as columns; a row is used again once its transfer is delivered.
+
+    ``source`` and ``destination`` are barcodes, ``ports`` (two columns) the ports there; ``created`` in seconds; ``vehicle``:
+    who fetches or carries it, NOBODY; ``open``: it is not picked up; ``free`` are the rows without a transfer.
+    """
+
+    def __init__(self, most: int) -> None:
+        self.source: Whole = np.zeros(most, dtype=np.int64)
+        self.destination: Whole = np.zeros(most, dtype=np.int64)
+        self.ports: Whole = np.zeros((most, 2), dtype=np.int64)
+        self.created: Real = np.zeros(most)
+        self.vehicle: Whole = np.full(most, NOBODY, dtype=np.int64)
+        self.open = np.zeros(most, dtype=np.bool_)
+        self.free = list(range(most - 1, -1, -1))
+
+    def order(self, ports: tuple[int, int], barcodes: Sequence[int], now: float) -> None:
+        """Take in a transfer between two ports."""
+        row = self.free.pop()
+        self.ports[row] = ports
+        self.source[row], self.destination[row] = (barcodes[port] for port in ports)
+        self.created[row], self.vehicle[row], self.open[row] = now, NOBODY, True
+
+    @property
+    def waiting(self) -> int:
+        """How many wait for a vehicle to be sent."""
+        return int(np.count_nonzero(self.open & (self.vehicle == NOBODY)))
+
+    def oldest(self, now: float) -> float:
+        """Return how long the transfer that waits longest for its pick-up has waited, s."""
+        return float(now - self.created[self.open].min(initial=now))

@@ -173,3 +173,20 @@ def refresh(ways: Ways, net: Network, hops: Whole, goals: Whole) -> int:
                 grow(ways, goal, hops[goal])
             made += 1
     return made
+
+
+@compiled
+def drives(ways: Ways, net: Network, hops: Whole, starts: Whole, goals: Whole, out: Real) -> None:
+    """Write the seconds from each start (rows) to each goal (columns) into ``out``. All are barcodes; the goals have rows."""
+    for j in range(len(goals)):
+        goal = goals[j]
+        there, beyond = net.buffer[goal], ways.reach[goal]
+        far, after = ways.far[there], hops[there, there]
+        around = np.inf if after < 0 else ways.weight[there] + far[after]
+        for i in range(len(starts)):
+            at = starts[i]
+            here = net.buffer[at]
+            time = far[here] - ways.reach[at] + beyond
+            if here == there and goal < at:
+                time += around
+            out[i, j] = time

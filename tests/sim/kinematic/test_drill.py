@@ -7,7 +7,7 @@ import pytest
 
 from app.cli.traffic.trials import HOIST, drill, fab_of, locked, run
 from app.plant.fab import SIZES
-from app.sim.kinematic.drill import Drill
+from app.sim.kinematic.drill import CYCLE, STORM, Drill
 from app.sim.kinematic.events import fail, repair
 from app.sim.kinematic.fab import Plant
 from app.sim.kinematic.state import BROKEN, DELIVERED, DRIVING, STANDING
@@ -58,10 +58,10 @@ def test_no_transfer_is_begun_to_a_port_that_is_cut_off() -> None:
     fab = fab_of(FAB, 10, Plant(backlog=10), 1)
     fab.cut_off = frozenset(fab.ports.barcodes)
     fab.run(60)
-    assert all(transfer.vehicle < 0 for transfer in fab.waiting)
+    assert (fab.transfers.vehicle < 0).all()
     fab.cut_off = frozenset()
     fab.run(60)
-    assert any(transfer.vehicle >= 0 for transfer in fab.waiting) or fab.state.counts[DELIVERED] > 0
+    assert (fab.transfers.vehicle >= 0).any()
 
 
 def test_vehicles_that_wait_for_each_others_barcodes_are_found_locked() -> None:
@@ -74,12 +74,29 @@ def test_vehicles_that_wait_for_each_others_barcodes_are_found_locked() -> None:
     assert locked(fab) == []
 
 
-def test_a_whole_drill_says_what_came_of_it() -> None:
-    found = drill(FAB, 12, 0.1, 120.0, 1, settle=30.0)
-    assert found.events > 0
+def test_events_come_in_storms_so_that_the_time_after_one_can_be_judged() -> None:
+    trouble = Drill(fab_of(FAB, 12, Plant(backlog=5), 1), per_hour=20.0, seed=1)
+    trouble.run(2 * CYCLE)
+    since = [event.at - trouble.began for event in trouble.events]
+    assert len(since) == 20
+    assert sum(at >= CYCLE for at in since) == 10
+    assert all(at % CYCLE <= STORM + 1.0 for at in since)
+
+
+def test_a_whole_drill_compares_each_storm_with_the_same_fab_undisturbed() -> None:
+    found = drill(FAB, 12, 0.5, 40.0, 1, settle=300.0)
+    assert found.events == sum(storm.events for storm in found.storms) == 20
     assert found.outcome.locked == 0
-    assert 0.0 <= found.recovered <= 1.0
-    assert found.usual > 0
+    assert found.usual > found.outcome.per_hour * 0.5 > 0
+    (storm,) = found.storms
+    assert storm.before == 1.0, "nothing has happened yet: the twin is the same"
+    assert storm.during != 1.0
+    assert found.judged == [storm.then]
+
+
+def test_a_storm_after_which_the_drill_ends_at_once_is_not_judged() -> None:
+    found = drill(FAB, 12, 0.3, 40.0, 1, settle=30.0)
+    assert found.judged == []
 
 
 def test_a_run_counts_each_minute_and_the_fleet_that_is_held_back_delivers_too() -> None:

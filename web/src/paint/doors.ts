@@ -1,8 +1,8 @@
 /** Drawing of doors: a bar across the track, whose form says what its colour says. */
-import { colourOfDevice, DEVICE_LOOKS, type DeviceLook, signOfDevice } from "../shows";
+import { type DeviceLook, signOfDevice } from "../shows";
 import type { View } from "../view";
 import type { DoorMark } from "../doors";
-import { type Ctx, font, INK, type Now, type Scene, text } from "./ink";
+import { type Ctx, DEVICE_INK, font, INK, type Now, type Scene, text, widthOf } from "./ink";
 import type { Labels } from "./labels";
 
 /** Half the width of a doorway, mm. */
@@ -38,7 +38,7 @@ function paintBar(ctx: Ctx, px: number, py: number, angle: number, wing: number,
   ctx.translate(px, py);
   ctx.rotate(angle);
   ctx.lineCap = "butt";
-  ctx.strokeStyle = ctx.fillStyle = DEVICE_LOOKS[look];
+  ctx.strokeStyle = ctx.fillStyle = DEVICE_INK[look];
   ctx.lineWidth = 1.6;
   const bar = (from: number, to: number): void => ctx.fillRect(-thick / 2, from, thick, to - from);
   if (look === "open") {
@@ -81,8 +81,7 @@ function paintName(ctx: Ctx, view: View, mark: DoorMark, now: Now, labels: Label
   const device = now.device(mark.id);
   const words = `${mark.id} ${signOfDevice(device, look)}`.trim();
   const letters = font(view.scale > 0.045 ? 12 : 10.5, 600);
-  ctx.font = letters;
-  const width = ctx.measureText(words).width;
+  const width = widthOf(ctx, words, letters);
   const wing = wingOf(view);
   const [px, py] = [view.px(mark.x), view.py(mark.y)];
   const [w, h] = [Math.abs(Math.sin(mark.angle)) * wing, Math.abs(Math.cos(mark.angle)) * wing];
@@ -90,5 +89,5 @@ function paintName(ctx: Ctx, view: View, mark: DoorMark, now: Now, labels: Label
   const along = [{ x: px, y: py - h - 11 }, { x: px, y: py + h + 20 }];
   const places = w > h ? [...across, ...along] : [...along, ...across];
   const place = places[labels.take(places, width)];
-  if (place) text(ctx, words, place.x, place.y, colourOfDevice(device, look), letters);
+  if (place) text(ctx, words, place.x, place.y, DEVICE_INK[device?.alarm ? "error" : look], letters);
 }

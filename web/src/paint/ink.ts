@@ -1,28 +1,52 @@
 /** What all drawing shares: colours, letters, and the shape of what is drawn. */
 import type { DoorMark } from "../doors";
 import type { Cluster, Mark } from "../places";
-import type { DeviceLook } from "../shows";
+import { DEVICE_LOOKS, type DeviceLook, LOOKS, type Look } from "../shows";
 import type { Selection } from "../store";
 import type { Track } from "../track";
 import type { Device, Layout, Station } from "../types";
 
-export const INK = {
-  ground: "#0a1017",
-  rail: "#33475b",
-  tape: "#2c5254",
-  core: "#0f1822",
-  arrow: "#6d879f",
-  zone: "#c98a2b",
-  mark: "#5b7389",
-  frame: "#1d2a38",
-  text: "#9fb3c6",
-  park: "#7fd1a8",
-  carrier: "#f7e3b0",
-  reserved: "#ffd24d",
-  closed: "#ff5c5c",
-  picked: "#ffffff",
-};
-const LETTERS = '"Segoe UI", Roboto, "Noto Sans KR", "Malgun Gothic", Arial, system-ui, sans-serif';
+const NAMES = [
+  "ground",
+  "rail",
+  "tape",
+  "core",
+  "arrow",
+  "zone",
+  "soft",
+  "mark",
+  "frame",
+  "text",
+  "faint",
+  "park",
+  "carrier",
+  "reserved",
+  "closed",
+  "picked",
+  "plate",
+  "plan",
+] as const;
+type Name = (typeof NAMES)[number];
+
+/** The colours of the present theme, read from the style sheet by `dip`. */
+export const INK = Object.fromEntries(NAMES.map((name) => [name, "#888"])) as Record<Name, string>;
+export const LOOK_INK = { ...LOOKS } as Record<Look, string>;
+export const DEVICE_INK = { ...DEVICE_LOOKS } as Record<DeviceLook, string>;
+/** From little to much; a scale that is also told apart without red and green. */
+export const HEAT: string[] = [];
+const STEPS = 6;
+
+/** Take the colours of the theme that is worn now. */
+export function dip(): void {
+  const style = getComputedStyle(document.documentElement);
+  const of = (name: string): string => style.getPropertyValue(name).trim() || "#888888";
+  for (const name of NAMES) INK[name] = of(`--ink-${name}`);
+  for (const look of Object.keys(LOOK_INK) as Look[]) LOOK_INK[look] = of(`--look-${look}`);
+  for (const look of Object.keys(DEVICE_INK) as DeviceLook[]) DEVICE_INK[look] = of(`--device-${look}`);
+  HEAT.splice(0, HEAT.length, ...Array.from({ length: STEPS }, (_, i) => of(`--heat-${i + 1}`)));
+}
+
+const LETTERS = '"Segoe UI", Roboto, "Noto Sans KR", "Malgun Gothic", "NanumGothic", Arial, system-ui, sans-serif';
 
 export type Ctx = CanvasRenderingContext2D;
 
@@ -41,6 +65,8 @@ export interface Now {
   /** How a door, buffer or charger looks. */
   look(id: string): DeviceLook;
   picked: Selection;
+  /** Whether zones are shown. */
+  zones: boolean;
 }
 
 export function font(px: number, weight = 400): string {
@@ -52,4 +78,18 @@ export function text(ctx: Ctx, words: string, x: number, y: number, colour: stri
   ctx.textAlign = "center";
   ctx.fillStyle = colour;
   ctx.fillText(words, x, y);
+}
+
+const widths = new Map<string, number>();
+
+/** Width of words in px; measured once, since names do not change. */
+export function widthOf(ctx: Ctx, words: string, letters: string): number {
+  const key = `${letters}${words}`;
+  const known = widths.get(key);
+  if (known !== undefined) return known;
+  if (widths.size > 20_000) widths.clear();
+  ctx.font = letters;
+  const { width } = ctx.measureText(words);
+  widths.set(key, width);
+  return width;
 }

@@ -1,21 +1,24 @@
 /** Drawing of what stands still: track, zones, barcodes, and, over them, stations and doors. */
 import type { View } from "../view";
-import type { Track, Way } from "../track";
+import type { Track, Vec, Way } from "../track";
+import type { LayoutZone } from "../types";
 import { paintDoors } from "./doors";
-import { type Ctx, font, INK, type Now, type Scene, text } from "./ink";
+import { type Ctx, font, INK, type Now, type Scene, text, widthOf } from "./ink";
 import { Labels, type Place } from "./labels";
 import { paintStations } from "./stations";
 
+/** Below this scale a whole fab is on the map, and what is small is left out. */
+const FINE = 0.011;
+
 /** Draws the plant; returns what room names and marks take, for those that are drawn over it. */
 export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): Labels {
-  ctx.clearRect(0, 0, view.width, view.height);
-  ctx.lineCap = "round";
   ctx.lineJoin = "round";
-  const rail = Math.min(14, Math.max(3, 260 * view.scale));
-  paintZones(ctx, view, scene, rail);
-  const ways = [...scene.track.ways.values()];
+  const rail = Math.min(14, Math.max(view.scale < FINE ? 1.6 : 3, 260 * view.scale));
+  ctx.lineCap = view.scale < FINE ? "butt" : "round";
+  const ways = [...scene.track.ways.values()].filter((way) => view.sees(way.box));
+  if (now.zones) paintZones(ctx, view, scene, rail);
   paintRails(ctx, view, scene.track, ways, rail);
-  paintArrows(ctx, view, scene.track, ways, rail);
+  if (view.scale > FINE) paintArrows(ctx, view, scene.track, ways, rail);
   paintDots(ctx, view, scene.track, rail);
   const labels = new Labels();
   paintDoors(ctx, view, scene, now, labels);
@@ -24,15 +27,28 @@ export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): Labels
   return labels;
 }
 
+/** Zones are broad bands under the track: no-stop and capped ones whole, soft ones dotted. */
 function paintZones(ctx: Ctx, view: View, scene: Scene, rail: number): void {
-  for (const zone of scene.layout.zones) {
-    const inside = new Set(zone.barcodes);
-    const ways = [...scene.track.ways.values()].filter((w) => inside.has(w.edge.start) && inside.has(w.edge.end));
-    ctx.strokeStyle = INK.zone;
-    ctx.globalAlpha = zone.no_stop ? 0.2 : 0.12;
-    stroke(ctx, view, ways, Math.max(rail + 8, 900 * view.scale));
-    ctx.globalAlpha = 1;
-  }
+  const width = Math.max(rail + (view.scale < FINE ? 3 : 8), 900 * view.scale);
+  const of = (which: (zone: LayoutZone) => boolean): Way[] => scene.layout.zones.filter(which).flatMap((zone) => inside(scene.track, zone));
+  ctx.strokeStyle = INK.zone;
+  ctx.globalAlpha = 0.24;
+  stroke(ctx, view, of((zone) => zone.no_stop && !zone.soft), width);
+  ctx.globalAlpha = 0.15;
+  stroke(ctx, view, of((zone) => !zone.no_stop && !zone.soft), width);
+  ctx.strokeStyle = INK.soft;
+  ctx.globalAlpha = 0.4;
+  ctx.setLineDash([2, width * 0.8]);
+  stroke(ctx, view, of((zone) => zone.soft !== null), width);
+  ctx.setLineDash([]);
+  ctx.globalAlpha = 1;
+}
+
+function inside(track: Track, zone: LayoutZone): Way[] {
+  const barcodes = new Set(zone.barcodes);
+  return zone.barcodes.flatMap((barcode) =>
+    (track.next.get(barcode) ?? []).filter((edge) => barcodes.has(edge.end)).flatMap((edge) => track.way(edge.start, edge.end) ?? []),
+  );
 }
 
 /** Rail hangs and is hollow; tape lies on the floor and is thin. */
@@ -50,8 +66,15 @@ function paintRails(ctx: Ctx, view: View, track: Track, ways: Way[], rail: numbe
 export function stroke(ctx: Ctx, view: View, ways: Iterable<Way>, width: number): void {
   ctx.lineWidth = width;
   ctx.beginPath();
-  for (const way of ways) {
-    way.pts.forEach((p, i) => (i ? ctx.lineTo(view.px(p.x), view.py(p.y)) : ctx.moveTo(view.px(p.x), view.py(p.y))));
+  let [lastX, lastY] = [Number.NaN, Number.NaN];
+  for (const { pts } of ways) {
+    const first = pts[0] as Vec;
+    if (first.x !== lastX || first.y !== lastY) ctx.moveTo(view.px(first.x), view.py(first.y));
+    for (let i = 1; i < pts.length; i++) {
+      const point = pts[i] as Vec;
+      ctx.lineTo(view.px(point.x), view.py(point.y));
+      [lastX, lastY] = [point.x, point.y];
+    }
   }
   ctx.stroke();
 }
@@ -91,8 +114,10 @@ function arrow(ctx: Ctx, px: number, py: number, angle: number, size: number): v
 }
 
 function paintDots(ctx: Ctx, view: View, track: Track, rail: number): void {
+  if (view.scale < FINE) return;
   for (const { x, y, park } of track.points.values()) {
     if (!park && view.scale <= 0.05) continue;
+    if (!view.sees({ x0: x, x1: x, y0: y, y1: y })) continue;
     ctx.fillStyle = park ? INK.park : INK.arrow;
     ctx.beginPath();
     ctx.arc(view.px(x), view.py(y), park ? Math.max(1.6, rail * 0.16) : Math.max(1, rail * 0.1), 0, 7);
@@ -103,15 +128,15 @@ function paintDots(ctx: Ctx, view: View, track: Track, rail: number): void {
 /** Barcodes and tags have their names where there is room: tags lie further apart. */
 function nameBarcodes(ctx: Ctx, view: View, track: Track, rail: number, labels: Labels): void {
   const letters = font(10);
+  if (view.scale <= 0.045) return;
   for (const [barcode, { x, y }] of track.points) {
     if (view.scale <= (track.floor.has(barcode) ? 0.045 : 0.085)) continue;
     const [px, py] = [view.px(x), view.py(y)];
     if (px < -50 || py < -50 || px > view.width + 50 || py > view.height + 50) continue;
-    ctx.font = letters;
-    const width = ctx.measureText(barcode).width;
+    const width = widthOf(ctx, barcode, letters);
     const places = besides(track, barcode, rail * 0.5 + 5, width).map(({ x: dx, y: dy }) => ({ x: px + dx, y: py + dy }));
     const place = places[labels.take(places, width)];
-    if (place) text(ctx, barcode, place.x, place.y, "#7f95a9", letters);
+    if (place) text(ctx, barcode, place.x, place.y, INK.faint, letters);
   }
 }
 

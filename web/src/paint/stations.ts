@@ -1,16 +1,26 @@
 /** Drawing of stations and chargers, with what is believed of them, and their names. */
 import { type Cluster, MARK, type Mark } from "../places";
-import { colourOfDevice, DEVICE_LOOKS, type DeviceLook, lookOfDevice, signOfDevice } from "../shows";
+import { type DeviceLook, lookOfDevice, signOfDevice } from "../shows";
 import type { Device, Station } from "../types";
 import type { Box, View } from "../view";
-import { type Ctx, font, INK, type Now, type Scene, text } from "./ink";
+import { type Ctx, DEVICE_INK, font, INK, type Now, type Scene, text, widthOf } from "./ink";
 import type { Labels, Place } from "./labels";
+
+/** Below this scale a station is a dot, and only what is occupied or closed is told apart. */
+const DOTS = 0.011;
+/** Below this one their machines have no names. */
+const NAMED = 0.012;
 
 export function paintStations(ctx: Ctx, view: View, scene: Scene, now: Now, labels: Labels): void {
   const size = Math.max(7, MARK * view.scale);
+  if (view.scale < DOTS) {
+    paintDots(ctx, view, scene, now);
+    return;
+  }
   const buffers = new Map(scene.layout.stations.map((station) => [station.id, station.buffer]));
-  const frames = scene.clusters.map((cluster) => frameOf(view, cluster, size));
-  scene.clusters.forEach((cluster, i) => {
+  const seen = scene.clusters.filter((cluster) => cluster.marks.some((mark) => near(view, mark)));
+  const frames = seen.map((cluster) => frameOf(view, cluster, size));
+  seen.forEach((cluster, i) => {
     const frame = frames[i] as Box;
     labels.block(frame);
     paintFrame(ctx, frame, cluster);
@@ -21,8 +31,32 @@ export function paintStations(ctx: Ctx, view: View, scene: Scene, now: Now, labe
       if (now.picked?.id === mark.id) paintPicked(ctx, view, mark, size);
     }
   });
-  if (view.scale < 0.012) return;
-  scene.clusters.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i] as Box, labels));
+  if (view.scale < NAMED) return;
+  seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i] as Box, labels));
+}
+
+function near(view: View, { x, y }: Mark): boolean {
+  return view.sees({ x0: x, x1: x, y0: y, y1: y }, 120);
+}
+
+/** A whole fab at once: one path for each kind of dot. */
+function paintDots(ctx: Ctx, view: View, scene: Scene, now: Now): void {
+  const size = Math.max(1.6, MARK * view.scale * 1.1);
+  const kinds: [string, (station: Station | undefined) => boolean][] = [
+    [INK.mark, (station) => !station?.present && !station?.out_of_service],
+    [INK.carrier, (station) => station?.present === true && !station.out_of_service],
+    [INK.closed, (station) => Boolean(station?.out_of_service)],
+  ];
+  for (const [colour, is] of kinds) {
+    ctx.fillStyle = colour;
+    ctx.beginPath();
+    for (const mark of scene.marks) {
+      if (near(view, mark) && is(now.station(mark.id))) ctx.rect(view.px(mark.x) - size / 2, view.py(mark.y) - size / 2, size, size);
+    }
+    ctx.fill();
+  }
+  const picked = scene.marks.find((mark) => mark.id === now.picked?.id);
+  if (picked) paintPicked(ctx, view, picked, 7);
 }
 
 function frameOf(view: View, cluster: Cluster, size: number): Box {
@@ -63,7 +97,7 @@ function paintMark(
   if (mark.kind === "agv_buffer") paintBay(ctx, mark, size, buffer);
   else shape(ctx, mark.kind, size);
   if (station?.present) paintLoad(ctx, mark.kind, size, station.verified);
-  else if (station?.present === null) text(ctx, "?", 0, size * 0.26, "#6b8196", font(Math.round(size * 0.75), 700));
+  else if (station?.present === null) text(ctx, "?", 0, size * 0.26, INK.faint, font(Math.round(size * 0.75), 700));
   if (station?.out_of_service) strike(ctx, size);
   ctx.restore();
   if (buffer) paintTrouble(ctx, px, py, size, buffer, lookOfDevice(buffer));
@@ -130,7 +164,7 @@ function paintTrouble(ctx: Ctx, px: number, py: number, size: number, device: De
   const sign = signOfDevice(device, look);
   if (!sign) return;
   const [x, y] = [px + size * 0.75, py - size * 0.75];
-  ctx.fillStyle = colourOfDevice(device, look);
+  ctx.fillStyle = DEVICE_INK[device?.alarm ? "error" : look];
   ctx.beginPath();
   ctx.arc(x, y, 6, 0, 7);
   ctx.fill();
@@ -144,8 +178,8 @@ function paintCharger(ctx: Ctx, view: View, mark: Mark, size: number, now: Now):
   const half = size * 0.85;
   ctx.save();
   ctx.translate(view.px(mark.x), view.py(mark.y));
-  ctx.strokeStyle = device?.out_of_service ? INK.closed : DEVICE_LOOKS[look];
-  ctx.fillStyle = look === "charging" ? DEVICE_LOOKS.charging : INK.ground;
+  ctx.strokeStyle = device?.out_of_service ? INK.closed : DEVICE_INK[look];
+  ctx.fillStyle = look === "charging" ? DEVICE_INK.charging : INK.ground;
   ctx.lineWidth = Math.max(1.4, size * 0.11);
   ctx.beginPath();
   ctx.moveTo(0, -half);
@@ -155,7 +189,7 @@ function paintCharger(ctx: Ctx, view: View, mark: Mark, size: number, now: Now):
   ctx.closePath();
   ctx.fill();
   ctx.stroke();
-  ctx.fillStyle = look === "charging" ? INK.ground : DEVICE_LOOKS[look];
+  ctx.fillStyle = look === "charging" ? INK.ground : DEVICE_INK[look];
   flash(ctx, size * 1.05);
   if (device?.out_of_service) strike(ctx, size * 1.2);
   ctx.restore();
@@ -178,8 +212,7 @@ function flash(ctx: Ctx, size: number): void {
 /** The name goes away from the track if there is room, else to another side of the frame, else nowhere. */
 function paintName(ctx: Ctx, view: View, cluster: Cluster, frame: Box, labels: Labels): void {
   const letters = font(view.scale > 0.045 ? 12 : 10.5, 600);
-  ctx.font = letters;
-  const width = ctx.measureText(cluster.name).width;
+  const width = widthOf(ctx, cluster.name, letters);
   const half = width / 2;
   const more = view.scale > 0.055 && cluster.marks.some((mark) => mark.short) ? 13 : 0;
   const { nx, ny } = cluster.marks[0] as Mark;

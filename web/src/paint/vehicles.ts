@@ -1,111 +1,154 @@
-/** Drawing of what moves: vehicles, the track they hold, and their names. */
-import { LOOKS, type Look, lookOf } from "../shows";
-import type { Spot, Track } from "../track";
+/** Drawing of what moves: vehicles and their names. A thousand are drawn in a few paths, one for each way to look. */
+import type { Look } from "../shows";
+import type { Spot } from "../track";
 import type { Vehicle } from "../types";
 import type { Box, View } from "../view";
-import { type Ctx, font, INK, text } from "./ink";
+import { type Ctx, font, INK, LOOK_INK, text, widthOf } from "./ink";
 import { boxOf, Labels, type Place } from "./labels";
-import { stroke } from "./plant";
 
 /** A vehicle to draw; `spot` is the middle of its hull. */
 export interface Body {
   vehicle: Vehicle;
+  look: Look;
   agv: boolean;
   spot: Spot;
   length: number;
 }
 
-/** The track that a vehicle holds ahead, from where it is drawn. */
-export function paintGrant(ctx: Ctx, view: View, track: Track, body: Body, strong: boolean): void {
-  const { vehicle } = body;
-  const stops = [vehicle.barcode ?? "", ...vehicle.granted];
-  const ways = stops.slice(1).flatMap((end, i) => track.way(stops[i] as string, end) ?? []);
-  if (ways.length === 0) return;
-  ctx.strokeStyle = LOOKS[lookOf(vehicle)];
-  ctx.lineCap = "round";
-  ctx.globalAlpha = strong ? 0.75 : 0.3;
-  stroke(ctx, view, ways, Math.min(6, Math.max(2, 110 * view.scale)));
-  ctx.globalAlpha = 1;
+/** Drawn last: what needs a person lies over what does not. */
+const ORDER: Look[] = ["gone", "idle", "charging", "moving", "handling", "waiting", "held", "alarm"];
+
+/** Vehicles: solid with a carrier aboard, hollow without. A hoist has a nose; an AGV, which drives both ways, has wheels. */
+export function paintFleet(ctx: Ctx, view: View, bodies: Body[]): void {
+  const groups = new Map<Look, Body[]>();
+  for (const body of bodies) {
+    const group = groups.get(body.look);
+    if (group) group.push(body);
+    else groups.set(body.look, [body]);
+  }
+  ctx.lineJoin = "round";
+  for (const look of ORDER) {
+    const group = groups.get(look);
+    if (group) paintGroup(ctx, view, group, LOOK_INK[look], look === "gone");
+  }
 }
 
-/** A vehicle: solid with a carrier aboard, hollow without. A hoist has a nose; an AGV, which drives both ways, has wheels. */
-export function paintVehicle(ctx: Ctx, view: View, body: Body, picked: boolean, hovered: boolean, pulse: number): void {
-  const { vehicle, spot, agv } = body;
-  const look = lookOf(vehicle);
-  const colour = LOOKS[look];
-  const [length, width] = sizeOf(view, body);
-  const [px, py] = [view.px(spot.x), view.py(spot.y)];
-  ctx.save();
-  ctx.translate(px, py);
-  if (look === "alarm") ring(ctx, length * (0.75 + 0.25 * pulse), colour, 0.8 - 0.6 * pulse);
-  if (picked || hovered) ring(ctx, length * 0.8, INK.picked, picked ? 0.95 : 0.5);
-  ctx.rotate(spot.angle);
-  if (agv) wheels(ctx, length, width);
-  if (agv) deck(ctx, length, width);
-  else hull(ctx, length, width);
-  ctx.fillStyle = INK.ground;
-  ctx.fill();
-  ctx.globalAlpha = vehicle.loaded ? 1 : 0.3;
-  ctx.fillStyle = colour;
-  ctx.fill();
+function paintGroup(ctx: Ctx, view: View, bodies: Body[], colour: string, dashed: boolean): void {
+  if (sizeOf(view, bodies[0] as Body)[0] < SMALL) {
+    paintSmall(ctx, view, bodies, colour);
+    return;
+  }
+  const agvs = bodies.filter((body) => body.agv);
+  if (agvs.length > 0) fill(ctx, INK.arrow, () => agvs.forEach((body) => wheels(ctx, view, body)));
+  const loaded = bodies.filter((body) => body.vehicle.loaded);
+  const empty = bodies.filter((body) => !body.vehicle.loaded);
+  const hulls = (some: Body[]) => () => some.forEach((body) => hull(ctx, view, body));
+  fill(ctx, INK.ground, hulls(empty));
+  ctx.globalAlpha = 0.3;
+  fill(ctx, colour, hulls(empty));
   ctx.globalAlpha = 1;
+  fill(ctx, colour, hulls(loaded));
   ctx.strokeStyle = colour;
   ctx.lineWidth = 1.8;
-  ctx.setLineDash(look === "gone" ? [3, 3] : []);
+  ctx.setLineDash(dashed ? [3, 3] : []);
+  ctx.beginPath();
+  hulls(bodies)();
   ctx.stroke();
   ctx.setLineDash([]);
-  if (vehicle.loaded) {
-    const s = width * 0.56;
-    ctx.fillStyle = INK.carrier;
-    ctx.strokeStyle = INK.ground;
-    ctx.lineWidth = 1.4;
-    ctx.beginPath();
-    ctx.rect(-s / 2 - (agv ? 0 : length * 0.06), -s / 2, s, s);
-    ctx.fill();
-    ctx.stroke();
-  }
-  ctx.restore();
+  fill(ctx, INK.carrier, () => loaded.forEach((body) => load(ctx, view, body)));
+  ctx.strokeStyle = INK.ground;
+  ctx.lineWidth = 1.4;
+  ctx.stroke();
 }
 
-function ring(ctx: Ctx, radius: number, colour: string, alpha: number): void {
+/** A whole fab at once: wedges, with a dot where a carrier is aboard. */
+function paintSmall(ctx: Ctx, view: View, bodies: Body[], colour: string): void {
+  fill(ctx, colour, () => {
+    for (const body of bodies) {
+      const [length, width] = sizeOf(view, body);
+      const [l, w] = [length / 2, width / 2];
+      shape(ctx, view, body, body.agv ? [-l, -w, l, -w, l, w, -l, w] : [-l, -w, l, 0, -l, w]);
+    }
+  });
+  fill(ctx, INK.carrier, () => {
+    for (const { vehicle, spot } of bodies) {
+      if (vehicle.loaded) ctx.rect(view.px(spot.x) - 1.5, view.py(spot.y) - 1.5, 3, 3);
+    }
+  });
+}
+
+function fill(ctx: Ctx, colour: string, path: () => void): void {
+  ctx.fillStyle = colour;
+  ctx.beginPath();
+  path();
+  ctx.fill();
+}
+
+/** A ring around one that is looked at, and a beat around one in alarm. */
+export function paintRings(ctx: Ctx, view: View, bodies: Body[], strength: (body: Body) => number, pulse: number): void {
+  for (const body of bodies) {
+    const [length] = sizeOf(view, body);
+    if (body.look === "alarm") ring(ctx, view, body, length * (0.75 + 0.25 * pulse), LOOK_INK.alarm, 0.8 - 0.6 * pulse);
+    const alpha = strength(body);
+    if (alpha > 0) ring(ctx, view, body, length * 0.8, INK.picked, alpha);
+  }
+}
+
+function ring(ctx: Ctx, view: View, { spot }: Body, radius: number, colour: string, alpha: number): void {
   ctx.strokeStyle = colour;
   ctx.globalAlpha = alpha;
   ctx.lineWidth = 2;
   ctx.beginPath();
-  ctx.arc(0, 0, radius, 0, 7);
+  ctx.arc(view.px(spot.x), view.py(spot.y), radius, 0, 7);
   ctx.stroke();
   ctx.globalAlpha = 1;
 }
 
-/** A box that is the same at both ends. */
-function deck(ctx: Ctx, length: number, width: number): void {
-  ctx.beginPath();
-  ctx.roundRect(-length / 2, -width / 2, length, width, width * 0.22);
-}
-
-function wheels(ctx: Ctx, length: number, width: number): void {
-  const [long, thick] = [length * 0.24, Math.max(2.5, width * 0.16)];
-  ctx.fillStyle = INK.arrow;
-  for (const x of [-length * 0.42, length * 0.42 - long]) {
-    ctx.fillRect(x, -width / 2 - thick - 1, long, thick);
-    ctx.fillRect(x, width / 2 + 1, long, thick);
+/** A closed shape around the vehicle: pairs along and across it, in px. */
+function shape(ctx: Ctx, view: View, { spot }: Body, corners: number[]): void {
+  const [px, py] = [view.px(spot.x), view.py(spot.y)];
+  const [c, s] = [Math.cos(spot.angle), Math.sin(spot.angle)];
+  for (let i = 0; i < corners.length; i += 2) {
+    const [along, across] = [corners[i] as number, corners[i + 1] as number];
+    const [x, y] = [px + along * c - across * s, py + along * s + across * c];
+    if (i === 0) ctx.moveTo(x, y);
+    else ctx.lineTo(x, y);
   }
-}
-
-/** A box with its nose forward. */
-function hull(ctx: Ctx, length: number, width: number): void {
-  const [l, w] = [length / 2, width / 2];
-  ctx.beginPath();
-  ctx.moveTo(-l, -w * 0.8);
-  ctx.quadraticCurveTo(-l, -w, -l + w * 0.3, -w);
-  ctx.lineTo(l - w * 0.7, -w);
-  ctx.lineTo(l, 0);
-  ctx.lineTo(l - w * 0.7, w);
-  ctx.lineTo(-l + w * 0.3, w);
-  ctx.quadraticCurveTo(-l, w, -l, w * 0.8);
   ctx.closePath();
 }
 
+/** A box with its nose forward, or, for an AGV, one that is the same at both ends. */
+function hull(ctx: Ctx, view: View, body: Body): void {
+  const [length, width] = sizeOf(view, body);
+  const [l, w] = [length / 2, width / 2];
+  if (body.agv) shape(ctx, view, body, [-l, -w, l, -w, l, w, -l, w]);
+  else shape(ctx, view, body, [-l, -w * 0.8, -l + w * 0.2, -w, l - w * 0.7, -w, l, 0, l - w * 0.7, w, -l + w * 0.2, w, -l, w * 0.8]);
+}
+
+function wheels(ctx: Ctx, view: View, body: Body): void {
+  const [length, width] = sizeOf(view, body);
+  const [long, thick] = [length * 0.24, Math.max(2.5, width * 0.16)];
+  for (const x of [-length * 0.42, length * 0.42 - long]) {
+    for (const y of [-width / 2 - thick - 1, width / 2 + 1]) {
+      shape(ctx, view, body, [x, y, x + long, y, x + long, y + thick, x, y + thick]);
+    }
+  }
+}
+
+/** The carrier aboard. */
+function load(ctx: Ctx, view: View, body: Body): void {
+  const [length, width] = sizeOf(view, body);
+  const s = width * 0.28;
+  const x = body.agv ? 0 : -length * 0.06;
+  shape(ctx, view, body, [x - s, -s, x + s, -s, x + s, s, x - s, s]);
+}
+
+/** Shorter than this a hull has thin lines, px. */
+const SMALL = 13;
+/** From this scale on all vehicles have names; below it those do that are looked at or need a person. */
+const NAMED = 0.014;
+/** So few vehicles have names at any scale. */
+const FEW = 60;
 const SIGNS: Partial<Record<Look, string>> = { alarm: "!", held: "‖", gone: "?", waiting: "…", charging: "↯" };
 /** Height of a vehicle's name with its ground, px. */
 const LINE = 15;
@@ -117,42 +160,40 @@ const LINE = 15;
 export class Signs {
   private readonly sides = new Map<string, number>();
 
-  /** `still`: what the names of all that stands still take; they are covered only where there is no other room. */
-  paint(ctx: Ctx, view: View, bodies: Body[], first: (body: Body) => boolean, still: Labels): void {
+  /** `still`: whether a box is free of the names of what stands still; they are covered only where there is no other room. */
+  paint(ctx: Ctx, view: View, seen: Body[], first: (body: Body) => boolean, still: (box: Box) => boolean): void {
     const labels = new Labels();
-    const seen = bodies.filter((body) => visible(view, body));
-    for (const body of seen) labels.block(hullOf(view, body));
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
-    for (const body of seen.toSorted((a, b) => rank(a) - rank(b))) {
+    const all = view.scale > NAMED || seen.length < FEW;
+    const named = all ? seen : seen.filter((body) => rank(body) < 2).slice(0, FEW);
+    for (const body of all ? seen : named) labels.block(hullOf(view, body));
+    for (const body of named.toSorted((a, b) => rank(a) - rank(b))) {
       this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
     }
   }
 
-  private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: Labels): void {
-    const { vehicle } = body;
-    const look = lookOf(vehicle);
+  private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: (box: Box) => boolean): void {
+    const { vehicle, look } = body;
     const words = SIGNS[look] ? `${vehicle.id} ${SIGNS[look]}` : vehicle.id;
-    ctx.font = font(11, 700);
-    const width = ctx.measureText(words).width + 8;
+    const width = widthOf(ctx, words, font(11, 700)) + 8;
     const places = placesFor(view, body, width, ringed);
     const side = this.sides.get(vehicle.id) ?? 0;
     const order = [side, ...places.keys()].filter((one) => one < places.length);
     const clear = order.filter((one) => labels.free(grown(places[one] as Place, width)));
-    const found = clear.find((one) => still.free(grown(places[one] as Place, width))) ?? clear[0] ?? (must ? 0 : undefined);
+    const found = clear.find((one) => still(grown(places[one] as Place, width))) ?? clear[0] ?? (must ? 0 : undefined);
     if (found === undefined) return;
     this.sides.set(vehicle.id, found);
     const { x, y } = places[found] as Place;
     labels.block(grown({ x, y }, width));
-    ctx.fillStyle = "rgba(6, 11, 16, 0.82)";
+    ctx.fillStyle = INK.plate;
     ctx.beginPath();
     ctx.roundRect(x - width / 2, y - 11.5, width, LINE, 4);
     ctx.fill();
-    text(ctx, words, x, y, LOOKS[look], font(11, 700));
+    text(ctx, words, x, y, LOOK_INK[look], font(11, 700));
   }
 }
 
-function urgent(body: Body): boolean {
-  const look = lookOf(body.vehicle);
+function urgent({ look }: Body): boolean {
   return look === "alarm" || look === "held";
 }
 
@@ -160,15 +201,15 @@ function grown(place: Place, width: number): Box {
   return boxOf(place, width - 3);
 }
 
-function visible(view: View, { spot }: Body): boolean {
-  const [px, py] = [view.px(spot.x), view.py(spot.y)];
-  return px > -50 && py > -50 && px < view.width + 50 && py < view.height + 50;
+export function visible(view: View, { spot }: Body): boolean {
+  return view.sees({ x0: spot.x, x1: spot.x, y0: spot.y, y1: spot.y }, 50);
 }
 
-const sizeOf = (view: View, { length, agv }: Body): [number, number] => [
-  Math.max(17, length * 0.82 * view.scale),
-  Math.max(agv ? 13 : 11, (agv ? 700 : 560) * view.scale),
-];
+/** In px. On a whole fab they are smaller than they should be to be seen well, so that they do not lie on each other. */
+const sizeOf = (view: View, { length, agv }: Body): [number, number] => {
+  const least = view.scale < 0.02 ? Math.max(7.5, view.scale * 850) : 17;
+  return [Math.max(least, length * 0.82 * view.scale), Math.max(least * (agv ? 0.76 : 0.65), (agv ? 700 : 560) * view.scale)];
+};
 
 function hullOf(view: View, body: Body): Box {
   const [length, width] = sizeOf(view, body);

@@ -1,14 +1,20 @@
-import { keyWanted, selected } from "../store";
+import { room } from "../route";
+import { controller, keyWanted, selected } from "../store";
+import { t, tell } from "../texts";
+import { Alarms } from "./Alarms";
 import { Below } from "./Below";
 import { DevicePanel } from "./DevicePanel";
 import { DrivePanel } from "./DrivePanel";
 import { Header } from "./Header";
+import { JobPanel } from "./JobPanel";
+import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { KeyPrompt } from "./KeyPrompt";
 import { StationPanel } from "./StationPanel";
 import { TrackMap } from "./TrackMap";
 import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
+import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
 
 export function App() {
@@ -17,23 +23,57 @@ export function App() {
     <div class="page">
       <Header />
       <main>
-        <section class="left">
-          <VehicleStrip />
-          <div class="stage">
-            <TrackMap />
-          </div>
-          <Below />
-        </section>
+        <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
         <aside class={pick ? "telling" : ""}>
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
           {pick?.kind === "device" && <DevicePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "drive" && <DrivePanel key={pick.id} id={pick.id} />}
+          {pick?.kind === "job" && <JobPanel key={pick.id} id={pick.id} />}
           <Jobs />
         </aside>
       </main>
       {keyWanted.value && <KeyPrompt />}
     </div>
   );
+}
+
+function Plan() {
+  return (
+    <div class="plan">
+      <VehicleStrip />
+      <div class="stage">
+        <Circles />
+        <TrackMap />
+      </div>
+      <Below />
+    </div>
+  );
+}
+
+/** Hoists that wait for each other: nothing else matters as much. */
+function Circles() {
+  const now = controller.value;
+  if (!now?.circles?.length) return null;
+  return (
+    <div class="banner" role="alert">
+      <b>{t("circle")}</b>
+      <span>{now.circles.map(tell).join(" · ")}</span>
+      <small class="calm">{t("circles_counted", now.circles_found, now.circles_resolved)}</small>
+    </div>
+  );
+}
+
+function Room() {
+  switch (room.value) {
+    case "vehicles":
+      return <Vehicles />;
+    case "jobs":
+      return <JobRoom />;
+    case "alarms":
+      return <Alarms />;
+    default:
+      return null;
+  }
 }

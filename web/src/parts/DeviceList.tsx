@@ -1,7 +1,7 @@
 /** Doors, buffers and chargers, each in one line. */
 import { colourOfDevice, DEVICE_LOOKS } from "../shows";
 import { chooseDevice, deviceNow, layout, lookAt, type MachineKind, machines, passers, presence, selected } from "../store";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import type { Device } from "../types";
 
 export function DeviceList() {
@@ -28,7 +28,7 @@ function Row({ id, kind }: { id: string; kind: MachineKind }) {
   const station = layout.value?.stations.find((one) => one.buffer === id)?.id;
   const barcode = layout.value?.chargers.find((one) => one.id === id)?.barcode;
   const who = kind === "buffer" ? (device?.lock?.owner ?? "") : passers(id).join(", ");
-  const why = device?.alarm || device?.contradiction || (device && barred(device)) || device?.reason || "";
+  const why = tell(device?.alarm || device?.contradiction || (device && barred(device)) || device?.reason || "");
   const chosen = selected.value?.id === id || (station !== undefined && selected.value?.id === station);
   return (
     <li>

@@ -4,7 +4,7 @@ import type { ComponentChildren } from "preact";
 import { post, serverNow } from "../api";
 import { clock, colourOfDevice, DEVICE_LOOKS, type DeviceLook, span } from "../shows";
 import { deviceNow, layout, lookAt, machines, passers, presence, selected, tick } from "../store";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import type { Device } from "../types";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
@@ -106,17 +106,17 @@ function Notes({ device }: { device: Device }) {
     <>
       {device.alarm && (
         <p class="note alarm">
-          <b>{device.alarm}</b> {device.remedy && <em>{device.remedy}</em>}
+          <b>{tell(device.alarm)}</b> {device.remedy && <em>{tell(device.remedy)}</em>}
         </p>
       )}
       {!device.fresh && device.reason && !device.alarm && device.kind !== "charger" && (
         <p class="note held">
-          <b>{t("device_silent")}</b> {device.reason}
+          <b>{t("device_silent")}</b> {tell(device.reason)}
         </p>
       )}
       {device.contradiction && (
         <p class="note held">
-          <b>{t("contradicts")}</b> {device.contradiction}
+          <b>{t("contradicts")}</b> {tell(device.contradiction)}
         </p>
       )}
       {lockout && (

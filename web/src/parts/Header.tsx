@@ -1,30 +1,57 @@
 /** What the plant is, how it does, whether what is shown is live, who looks at it. */
 import { useSignal } from "@preact/signals";
 import { actor, nameActor } from "../api";
-import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, vehicleList } from "../store";
+import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubles, vehicleList } from "../store";
 import { LOOKS, type Look, lookOf } from "../shows";
-import { language, said, speak, t, type Word } from "../texts";
+import { room, ROOMS } from "../route";
+import { language, said, speak, t, tell, type Word } from "../texts";
+import { choose, theme } from "../theme";
 
 export function Header() {
   return (
     <header>
       <h1>
         <svg viewBox="0 0 32 32" width="24" height="24" aria-hidden="true">
-          <path d="M3 8h26M16 8v8" stroke="#57c7ff" stroke-width="3" stroke-linecap="round" />
+          <path d="M3 8h26M16 8v8" stroke="var(--accent)" stroke-width="3" stroke-linecap="round" />
           <rect x="9" y="16" width="14" height="10" rx="2" fill="#f5b83d" />
         </svg>
         Hoistway
       </h1>
       <span class="plant">{layout.value?.name ?? ""}</span>
+      <Rooms />
       <ControllerState />
-      <Counts />
       <span class="grow" />
+      <Counts />
       <Actor />
+      <Theme />
       <button type="button" class="plain" onClick={() => speak(language.value === "en" ? "ko" : "en")}>
         {language.value === "en" ? "KO" : "EN"}
       </button>
       <LinkState />
     </header>
+  );
+}
+
+function Rooms() {
+  const grave = troubles.value.filter((wrong) => wrong.grave).length;
+  return (
+    <nav class="rooms" aria-label={t("rooms")}>
+      {ROOMS.map((name) => (
+        <button type="button" key={name} aria-current={room.value === name ? "page" : undefined} onClick={() => (room.value = name)}>
+          {t(name)}
+          {name === "alarms" && grave > 0 && <b class="badge">! {grave}</b>}
+        </button>
+      ))}
+    </nav>
+  );
+}
+
+function Theme() {
+  const other = theme.value === "dark" ? "light" : "dark";
+  return (
+    <button type="button" class="plain" title={t(`theme_${other}`)} aria-label={t(`theme_${other}`)} onClick={() => choose(other)}>
+      {other === "light" ? "☀" : "☾"}
+    </button>
   );
 }
 
@@ -35,11 +62,11 @@ function ControllerState() {
   const grave = now.trouble || emergency;
   const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
   const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
-  const why = notice.value || grave || now.reason || roll;
+  const why = tell(notice.value || grave || now.reason || roll);
   return (
     <>
-      <span class={`pill ${tone}`}>
-        {t("controller")} · {said(now.state)}
+      <span class={`pill ${tone}`} title={t("controller")}>
+        {said(now.state)}
       </span>
       <span class={`why ${grave ? "bad" : ""}`} role="status" title={why}>
         {why}

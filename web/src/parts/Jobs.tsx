@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { post, serverNow } from "../api";
 import { elapsed, TONES } from "../shows";
 import { ENDED, jobList, selected, tick, vehicles } from "../store";
-import { said, t } from "../texts";
+import { said, t, tell } from "../texts";
 import type { Job } from "../types";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
@@ -54,7 +54,9 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
     <li class={over ? "job over" : "job"} data-job={job.id}>
       <span class={`state ${TONES[job.state] ?? "calm"}`}>{said(job.state)}</span>
       <span class="facts">
-        <span title={job.id}>{job.id}</span>
+        <button type="button" class="text" title={t("job_details")} onClick={() => (selected.value = { kind: "job", id: job.id })}>
+          {job.id}
+        </button>
         {job.priority !== 50 && <span title={t("priority")}>P{job.priority}</span>}
         {job.carrier && <span>{job.carrier}</span>}
         {job.vehicle && (
@@ -73,8 +75,8 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
         {CANCELLABLE.has(job.state) && <Sure label={t("cancel")} does={() => ask(job, "cancel")} />}
         {ABORTABLE.has(job.state) && <Sure label={t("abort")} does={() => ask(job, "abort")} />}
       </span>
-      <span class="reason" title={why}>
-        {why}
+      <span class="reason" title={tell(why)}>
+        {tell(why)}
       </span>
     </li>
   );

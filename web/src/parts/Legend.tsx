@@ -1,28 +1,40 @@
 /** What the colours and forms on the map mean; what the plant does not have is left out. */
+import { heatShown, layers } from "../layers";
 import { LOOKS, type Look } from "../shows";
 import { layout } from "../store";
 import { t, type Word } from "../texts";
+
+const SIGNS: Partial<Record<Look, string>> = { alarm: "!", held: "‖", gone: "?", waiting: "…", charging: "↯" };
 
 export function Legend() {
   const plant = layout.value;
   const agvs = plant?.vehicles.some((vehicle) => vehicle.kind === "agv") ?? false;
   const looks = (Object.keys(LOOKS) as Look[]).filter((look) => look !== "charging" || agvs);
+  const zones = layers.value.zones ? (plant?.zones ?? []) : [];
   return (
     <div class="legend">
       {looks.map((look) => (
         <span key={look}>
           <i class="dot" style={{ background: LOOKS[look] }} />
-          {t(`look_${look}` as Word)}
+          {t(`look_${look}` as Word)} {SIGNS[look] ?? ""}
         </span>
       ))}
       <span>
         <i class="box" />
         {t("legend_carrier")}
       </span>
-      <span>
-        <i class="zone" />
-        {t("legend_zone")}
-      </span>
+      {zones.some((zone) => zone.no_stop && !zone.soft) && (
+        <span>
+          <i class="zone" />
+          {t("legend_zone")}
+        </span>
+      )}
+      {zones.some((zone) => zone.soft) && (
+        <span>
+          <i class="zone soft" />
+          {t("legend_soft")}
+        </span>
+      )}
       {plant && plant.doors.length > 0 && (
         <span>
           <i class="door shut" />
@@ -34,6 +46,15 @@ export function Legend() {
         <span>
           <i class="flash">↯</i>
           {t("charger")}
+        </span>
+      )}
+      {heatShown.value && (
+        <span class="heat-key">
+          {t("little")}
+          {[1, 2, 3, 4, 5, 6].map((step) => (
+            <i key={step} style={{ background: `var(--heat-${step})` }} />
+          ))}
+          {t("much")}
         </span>
       )}
     </div>

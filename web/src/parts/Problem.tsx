@@ -1,4 +1,5 @@
 import { Refused } from "../api";
+import { tell } from "../texts";
 
 /** What the server said, and what would help. */
 export function Problem({ error }: { error: unknown }) {
@@ -7,8 +8,8 @@ export function Problem({ error }: { error: unknown }) {
   const remedy = error instanceof Refused ? error.remedy : "";
   return (
     <div class="problem" role="alert">
-      <b>{message}</b>
-      {remedy && <span>{remedy}</span>}
+      <b>{tell(message)}</b>
+      {remedy && <span>{tell(remedy)}</span>}
     </div>
   );
 }

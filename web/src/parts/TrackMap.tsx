@@ -4,7 +4,15 @@ import { useEffect, useRef } from "preact/hooks";
 import { listenTo } from "../gestures";
 import { Painter } from "../painter";
 import { changes, devices, layout, lookAt, passers, presence, type Selection, selected, stations, track, vehicles } from "../store";
-import { said, t } from "../texts";
+import { said, t, tell } from "../texts";
+import { closedWays } from "../closed";
+import type { Found } from "../find";
+import { following, heatShown, layers } from "../layers";
+import * as planned from "../plan";
+import { theme } from "../theme";
+import { Finder } from "./Finder";
+import { Keys } from "./Keys";
+import { Layers } from "./Layers";
 import { Legend } from "./Legend";
 
 interface Tip {
@@ -24,12 +32,12 @@ function linesFor(kind: string, id: string): string[] | null {
     const vehicle = vehicles.get(id);
     if (!vehicle) return null;
     const load = vehicle.loaded ? (vehicle.carrier ?? t("loaded")) : t("empty");
-    return [`${said(vehicle.activity)} · ${load}`, vehicle.waiting, vehicle.hold?.reason ?? ""];
+    return [`${said(vehicle.activity)} · ${load}`, tell(vehicle.waiting), tell(vehicle.hold?.reason ?? "")];
   }
   if (kind === "device") {
     const device = devices.get(id);
     const charger = layout.value?.chargers.some((one) => one.id === id);
-    return [`${t(charger ? "charger" : "door")} · ${t(`device_${lookAt(id)}`)}`, device?.alarm || device?.reason || "", passers(id).join(", ")];
+    return [`${t(charger ? "charger" : "door")} · ${t(`device_${lookAt(id)}`)}`, tell(device?.alarm || device?.reason || ""), passers(id).join(", ")];
   }
   const station = stations.get(id);
   if (!station) return null;
@@ -42,13 +50,19 @@ function linesFor(kind: string, id: string): string[] | null {
 export function TrackMap() {
   const frame = useRef<HTMLDivElement>(null);
   const lower = useRef<HTMLCanvasElement>(null);
+  const middle = useRef<HTMLCanvasElement>(null);
   const upper = useRef<HTMLCanvasElement>(null);
+  const touch = useRef<HTMLDivElement>(null);
   const painter = useRef<Painter | null>(null);
   const tip = useSignal<Tip | null>(null);
 
   useEffect(() => {
     const box = frame.current as HTMLDivElement;
-    const paint = new Painter(lower.current as HTMLCanvasElement, upper.current as HTMLCanvasElement);
+    const paint = new Painter(
+      lower.current as HTMLCanvasElement,
+      middle.current as HTMLCanvasElement,
+      upper.current as HTMLCanvasElement,
+    );
     painter.current = paint;
     const size = new ResizeObserver(() => paint.resize(box.clientWidth, box.clientHeight));
     size.observe(box);
@@ -67,9 +81,21 @@ export function TrackMap() {
         void changes.devices.value;
         void presence.value;
         void selected.value;
+        void layers.value;
+        void heatShown.value;
+        void closedWays.value;
+        void planned.plan.value;
         paint.redraw();
       }),
-      listenTo(upper.current as HTMLCanvasElement, paint, (hit, x, y) => (tip.value = tipOf(hit, x, y))),
+      effect(() => {
+        void theme.value;
+        paint.recolour();
+      }),
+      effect(() => {
+        void following.value;
+        paint.move();
+      }),
+      listenTo(touch.current as HTMLDivElement, paint, (hit, x, y) => (tip.value = tipOf(hit, x, y))),
     ];
     return () => {
       size.disconnect();
@@ -81,12 +107,19 @@ export function TrackMap() {
   const zoom = (factor: number): void => {
     const paint = painter.current;
     paint?.view.zoom(factor, paint.view.width / 2, paint.view.height / 2);
-    paint?.redraw();
+    paint?.move();
   };
+  const go = (found: Found): void => {
+    if (found.kind !== "barcode") painter.current?.centre({ kind: found.kind, id: found.id });
+    else painter.current?.centre({ kind: "station", id: found.id });
+  };
+  const pick = selected.value;
   return (
     <div class="map" ref={frame}>
       <canvas ref={lower} aria-hidden="true" />
-      <canvas ref={upper} tabIndex={0} role="img" aria-label={t("map")} />
+      <canvas ref={middle} aria-hidden="true" />
+      <canvas ref={upper} class="front" aria-hidden="true" />
+      <div ref={touch} class="touch" tabIndex={0} role="application" aria-label={t("map_label")} />
       <div class="map-tools">
         <button type="button" onClick={() => zoom(1.4)} aria-label={t("zoom_in")} title={t("zoom_in")}>
           +
@@ -97,8 +130,20 @@ export function TrackMap() {
         <button type="button" onClick={() => painter.current?.fit()}>
           {t("fit")}
         </button>
-        <Legend />
+        <button
+          type="button"
+          aria-pressed={following.value}
+          disabled={pick?.kind !== "vehicle"}
+          title={t("follow_hint")}
+          onClick={() => (following.value = !following.value)}
+        >
+          {t("follow")}
+        </button>
+        <Layers />
+        <Finder go={go} />
+        <Keys />
       </div>
+      <Legend />
       {tip.value && (
         <div class="tip" style={{ left: `${tip.value.x}px`, top: `${tip.value.y}px` }}>
           <b>{tip.value.title}</b>

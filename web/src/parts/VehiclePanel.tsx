@@ -4,10 +4,12 @@ import { useEffect, useRef } from "preact/hooks";
 import { actor, get, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { layout, selected, tick, vehicleNow } from "../store";
-import { language, said, t, type Word } from "../texts";
+import { language, said, t, tell, type Word } from "../texts";
 import type { Agv, Traffic, Vehicle } from "../types";
+import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
+import { doing } from "./Vehicles";
 
 const FRAMES_SHOWN = 30;
 const FRAMES_EVERY = 2000;
@@ -18,7 +20,7 @@ export function VehiclePanel({ id }: { id: string }) {
   if (!now) return null;
   const load = now.loaded === null ? t("unknown") : now.loaded ? (now.carrier ?? t("loaded")) : t("empty");
   return (
-    <Panel title={now.id} tag={said(now.activity)} colour={LOOKS[lookOf(now)]}>
+    <Panel title={now.id} tag={doing(now)} colour={LOOKS[lookOf(now)]}>
       <Notes vehicle={now} />
       <dl>
         <Fact name={t("state")}>
@@ -33,7 +35,7 @@ export function VehiclePanel({ id }: { id: string }) {
           {now.barcode ?? t("unknown")}
           {now.dist ? ` + ${now.dist} mm` : ""}
         </Fact>
-        <Fact name={t("job")}>{now.job ?? t("none")}</Fact>
+        <Fact name={t("job")}>{now.job ? <Name id={now.job} /> : t("none")}</Fact>
         <Fact name={t("goal")}>
           {now.goal ? (
             <button type="button" class="text" onClick={() => (selected.value = { kind: "station", id: now.goal as string })}>
@@ -67,12 +69,12 @@ function Notes({ vehicle }: { vehicle: Vehicle }) {
       )}
       {vehicle.hold && (
         <p class="note held">
-          <b>{t("held_note")}</b> {vehicle.hold.reason} <em>{vehicle.hold.remedy}</em>
+          <b>{t("held_note")}</b> {tell(vehicle.hold.reason)} <em>{tell(vehicle.hold.remedy)}</em>
         </p>
       )}
       {vehicle.waiting && !vehicle.hold && (
         <p class="note waits">
-          <b>{t("waits")}</b> {vehicle.waiting}
+          <b>{t("waits")}</b> {tell(vehicle.waiting)}
         </p>
       )}
     </>
@@ -133,7 +135,7 @@ function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
     <dl>
       <Fact name={t("link")}>
         <span class={link.up ? "good" : "bad"}>{t(link.up ? "link_up" : "link_down", clock(link.since))}</span>
-        {!link.up && link.reason && <small> · {link.reason}</small>}
+        {!link.up && link.reason && <small> · {tell(link.reason)}</small>}
       </Fact>
       {!line && (
         <Fact name={t("round_trip")}>{link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`}</Fact>

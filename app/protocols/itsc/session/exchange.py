@@ -16,13 +16,12 @@ from app.protocols.itsc.session.link import FRAMES_KEPT, Kept, Link, LinkQuality
 from app.protocols.itsc.session.orders import Order, Orders
 from app.protocols.itsc.session.quick import (
     ABOVE_ALL_IDS,
-    BODY_END,
-    ID_AT,
     NOTHING_BELOW,
     RING_KEPT,
     ack_crc,
     ack_of,
     codec_of,
+    content_of,
     entries,
     new_ring,
     packet_of,
@@ -37,7 +36,7 @@ class Exchange:
     """What goes out to one vehicle, and what is still expected back. See Session, which adds what comes in."""
 
     __slots__ = (
-        "_after_ack", "_at", "_before_first", "_ceiling", "_codec", "_connections", "_crc_init", "_decoder",
+        "_after_ack", "_at", "_ceiling", "_codec", "_connections", "_crc_init", "_decoder",
         "_duplicates", "_events", "_flush_at", "_frames", "_frames_in", "_frames_out", "_garbled", "_has_quick",
         "_heard", "_ids", "_laps", "_last_move", "_link", "_newest", "_orders", "_out", "_polls", "_prefix",
         "_quicks_before", "_resends", "_ring", "_seen", "deadline", "dialect", "status", "status_at", "timing",
@@ -65,8 +64,6 @@ class Exchange:
         self._heard = Seconds(0.0)
         self._flush_at: Seconds | None = None
         self._prefix = b"\x05" + vehicle.dev_id.to_bytes(4, "big")
-        # As bytes are compared, it comes before every event of the vehicle: they have the top bit of the CMD_ID set (I23).
-        self._before_first = self._prefix + b"\x80"
         self._newest = self._before_first
         self._ceiling = NOTHING_BELOW
         self._ring, self._at, self._laps, self._quicks_before = new_ring(), 0, 0, 0
@@ -89,13 +86,18 @@ class Exchange:
         """Whether there is a quick way now."""
         return self._ceiling is not NOTHING_BELOW
 
+    @property
+    def _before_first(self) -> bytes:
+        """What, as bytes are compared, comes before every event of the vehicle: they have the top bit of the CMD_ID set (I23)."""
+        return self._prefix + b"\x80"
+
     def _known(self, packet: bytes) -> bool:
         """Whether this packet has been taken before on this connection (I23)."""
         if packet in self._seen:
             return True
-        if not self._before_first < packet <= self._newest or packet[ID_AT:BODY_END] not in self._ring:
+        content, here = content_of(packet), self._quicks - self._quicks_before
+        if not content or not self._before_first < packet <= self._newest:
             return False
-        content, here = packet[ID_AT:BODY_END], self._quicks - self._quicks_before
         return any(content == kept for _, _, kept in entries(self._ring, self._quicks, here))
 
     def _remember(self, packet: bytes) -> None:
@@ -114,7 +116,7 @@ class Exchange:
         return [frame[1:] for frame in frames[-FRAMES_KEPT:]]
 
     def _taped(self) -> Iterator[Kept]:
-        for number, when, kind, content in self._frames:
+        for number, when, kind, content in self._frames.packets(self._quicks):
             if kind is Taped.ASKED:
                 yield number, when, "out", self._codec.bare(self.vehicle.dev_id, int.from_bytes(content), Code.STATUS)
             elif kind is Taped.ANSWERED:
@@ -256,7 +258,7 @@ class Exchange:
         self._decoder.flush()
         self._seen.clear()
         self._newest, self._quicks_before = self._before_first, self._quicks
-        self._polls.open.clear()
+        self._polls.forget()
         self._out = b""
         self._flush_at = None
         self._last_move = 0

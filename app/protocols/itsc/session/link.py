@@ -95,7 +95,7 @@ class Taped(IntEnum):
     ASKED = 2
     """A poll sent: its CMD_ID."""
     ANSWERED = 3
-    """A STATUS and the ACK sent for it: the STATUS from CMD_ID up to its CRC."""
+    """A STATUS and the ACK sent for it: CMD_ID and data of the STATUS."""
 
 
 class Tape:
@@ -108,28 +108,44 @@ class Tape:
 
     def __init__(self) -> None:
         self._count = 0
-        self._tape = bytearray()
+        self._tape = b""
 
-    def __iter__(self) -> Iterator[tuple[int, Seconds, Taped, bytes]]:
+    def packets(self, numbered: int) -> Iterator[tuple[int, Seconds, Taped, bytes]]:
+        """Give (number, moment, kind, content), oldest first, if so many are numbered now: of a number 32 bits are kept."""
         at = 0
         while at < len(self._tape):
-            number, when, kind, size = _HEAD.unpack_from(self._tape, at)
-            at += _HEAD.size + size
-            yield number, Seconds(when), Taped(kind), bytes(self._tape[at - size : at])
+            low, when, kind = _HEAD.unpack_from(self._tape, at)
+            start, size = self._content(at)
+            at = start + size
+            yield numbered - (numbered - low) % (1 << 32), Seconds(when), Taped(kind), self._tape[start:at]
 
     def append(self, number: int, when: Seconds, kind: Taped, content: bytes) -> None:
         """Remember what a kind says, and forget the oldest packets if there are enough without them."""
         self._count += _PACKETS[kind]
-        while True:
-            _, _, oldest, size = _HEAD.unpack_from(self._tape) if self._tape else (0, 0, Taped.OUT, 0)
-            if self._count - _PACKETS[oldest] < FRAMES_KEPT:
-                break
-            self._count -= _PACKETS[oldest]
-            del self._tape[: _HEAD.size + size]
-        self._tape += _HEAD.pack(number, when, kind, len(content)) + content
+        first = 0
+        while (
+            first < len(self._tape) and self._count - (oldest := _PACKETS[self._tape[first + _KIND_AT]]) >= FRAMES_KEPT
+        ):
+            self._count -= oldest
+            first = sum(self._content(first))
+        head = _HEAD.pack(number % (1 << 32), when, kind)
+        if kind not in _SIZES:
+            head += _SIZE.pack(len(content))
+        self._tape = self._tape[first:] + head + content
+
+    def _content(self, at: int) -> tuple[int, int]:
+        """Return where the content of the entry that begins here begins, and how long it is."""
+        start = at + _HEAD.size
+        if (size := _SIZES.get(self._tape[at + _KIND_AT])) is not None:
+            return start, size
+        return start + _SIZE.size, _SIZE.unpack_from(self._tape, start)[0]
 
 
-_HEAD = struct.Struct("<QdBI")
+_HEAD = struct.Struct("<IdB")
+_KIND_AT = 12
+_SIZE = struct.Struct("<I")
+_SIZES: dict[int, int] = {Taped.ASKED: 8, Taped.ANSWERED: 24}
+"""How long the content of a kind is, where it is always the same."""
 _PACKETS = (1, 1, 1, 2)
 """How many packets each kind stands for."""
 
@@ -137,30 +153,38 @@ _PACKETS = (1, 1, 1, 2)
 class Polls:
     """The STATUS questions of a link: when the next is due, which are open, how long answers take."""
 
-    __slots__ = ("_last", "_sum", "_times", "due", "lost", "open", "sent")
+    __slots__ = ("_last", "_open", "_sum", "_times", "due", "lost", "sent")
 
     def __init__(self) -> None:
-        self.open: dict[int, Seconds] = {}
+        self._open: tuple[tuple[int, Seconds], ...] = ()
         self.due = Seconds(0.0)
         self.sent = self.lost = self._times = 0
         self._last = self._sum = 0.0
 
+    def __contains__(self, cmd_id: int) -> bool:
+        """Whether the question with this CMD_ID is open."""
+        return any(each == cmd_id for each, _ in self._open)
+
+    def __len__(self) -> int:
+        return len(self._open)
+
+    def oldest(self, otherwise: int) -> int:
+        """Return the CMD_ID of the oldest open question."""
+        return self._open[0][0] if self._open else otherwise
+
     def asked(self, cmd_id: int, now: Seconds, answer: Seconds) -> None:
         """Note a question; the next one is due when its answer is late."""
-        if self.open and now >= self.due:
+        if self._open and now >= self.due:
             self.lost += 1
-        if len(self.open) >= POLLS_KEPT:
-            del self.open[next(iter(self.open))]
-        self.open[cmd_id] = now
+        self._open = (*self._open[1 - POLLS_KEPT :], (cmd_id, now))
         self.sent += 1
         self.due = Seconds(now + answer)
 
     def answered(self, cmd_id: int, now: Seconds, interval: Seconds) -> Seconds:
         """Note the answer to an open question; earlier ones are forgotten. Return when it was asked."""
-        asked = self.open[cmd_id]
-        for earlier in [each for each, when in self.open.items() if when < asked or each == cmd_id]:
-            del self.open[earlier]
-        if not self.open:
+        asked = self._moment(cmd_id)
+        self._open = tuple([entry for entry in self._open if entry[1] >= asked and entry[0] != cmd_id])
+        if not self._open:
             self.due = Seconds(max(asked + interval, now))
         self._last = (now - asked) * 1000.0
         self._sum += self._last
@@ -169,9 +193,17 @@ class Polls:
 
     def refused(self, cmd_id: int, interval: Seconds) -> None:
         """Note a NAK: the question is asked anew, under another CMD_ID, at the next turn."""
-        asked = self.open.pop(cmd_id)
+        asked = self._moment(cmd_id)
+        self._open = tuple([entry for entry in self._open if entry[0] != cmd_id])
         self.lost += 1
         self.due = min(self.due, Seconds(asked + interval))
+
+    def forget(self) -> None:
+        """Forget the open questions: the connection is gone."""
+        self._open = ()
+
+    def _moment(self, cmd_id: int) -> Seconds:
+        return next(when for each, when in self._open if each == cmd_id)
 
     @property
     def round_trip_last(self) -> float | None:

@@ -38,7 +38,7 @@ class Orders:
 
     def __init__(self) -> None:
         self.open: dict[int, Order] = {}
-        self._late: dict[int, Order] = {}
+        self._late: dict[int, Order] | None = None
 
     @property
     def due(self) -> Seconds | None:
@@ -52,11 +52,14 @@ class Orders:
     def close(self, order: Order) -> None:
         """Forget an order that ended."""
         self.open.pop(order.cmd_id, None)
-        self._late.pop(order.cmd_id, None)
+        if self._late:
+            self._late.pop(order.cmd_id, None)
 
     def give_up(self, order: Order) -> None:
         """Take an order as unanswered; an answer may still come."""
         del self.open[order.cmd_id]
+        if self._late is None:
+            self._late = {}
         self._late[order.cmd_id] = order
         if len(self._late) > LATE_KEPT:
             del self._late[next(iter(self._late))]
@@ -65,12 +68,12 @@ class Orders:
         """Return the open orders and forget all: the connection is gone."""
         lost = list(self.open.values())
         self.open.clear()
-        self._late.clear()
+        self._late = None
         return lost
 
     def named(self, cmd_id: int) -> Order | None:
         """Return the order, open or given up, that has this CMD_ID."""
-        return self.open.get(cmd_id) or self._late.get(cmd_id)
+        return self.open.get(cmd_id) or (self._late.get(cmd_id) if self._late else None)
 
     def oldest(self, code: int) -> Order | None:
         """Return the oldest open order with this code: for answers that do not repeat the CMD_ID (I23)."""

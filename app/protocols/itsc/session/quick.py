@@ -35,15 +35,16 @@ ABOVE_ALL_IDS = b"\xff" * 9
 
 _CCITT = 0x1021
 _STATUS = 0x7030
+_STATUS_CODE = _STATUS.to_bytes(2, "big")
 _LONG = struct.Struct(">HQHIH").unpack
 _SHORT = struct.Struct(">HQIHH").unpack
-_ENTRY = struct.Struct("<d26s")
+_ENTRY = struct.Struct("<d8s16s")
 _made = tuple.__new__
 pack_ack = struct.Struct(">B12sH").pack
 """Pack an ACK: 6, both ids as they came, CRC."""
 
 write_entry = _ENTRY.pack_into
-"""Write (buffer, offset, when, packet from CMD_ID up to its CRC) at the place of an entry of a ring."""
+"""Write (buffer, offset, when, CMD_ID, data) at the place of an entry of a ring."""
 ENTRY_SIZE = _ENTRY.size
 RING_SIZE = RING_KEPT * ENTRY_SIZE
 
@@ -70,19 +71,21 @@ def new_ring() -> bytearray:
     return bytearray(RING_SIZE)
 
 
-def entries(ring: bytearray, count: int, most: int) -> Iterator[tuple[int, Seconds, bytes]]:
-    """Give number, moment and content of the newest entries of a ring that ``count`` have been written to, oldest first.
+def content_of(packet: bytes) -> bytes:
+    """Return what tells a STATUS from all others of its vehicle, CMD_ID and data; empty for any other packet."""
+    return packet[ID_AT:CODE_AT] + packet[BODY_AT:BODY_END] if packet[CODE_AT:BODY_AT] == _STATUS_CODE else b""
 
-    The content is a packet's from CMD_ID up to its CRC: the rest is the same for all, or follows from it.
-    """
+
+def entries(ring: bytearray, count: int, most: int) -> Iterator[tuple[int, Seconds, bytes]]:
+    """Give number, moment and ``content_of`` of the newest entries of a ring, oldest first; ``count`` have been written to it."""
     for number in range(max(count - min(most, RING_KEPT), 0), count):
-        when, content = _ENTRY.unpack_from(ring, number * ENTRY_SIZE % RING_SIZE)
-        yield number, Seconds(when), content
+        when, ids, data = _ENTRY.unpack_from(ring, number * ENTRY_SIZE % RING_SIZE)
+        yield number, Seconds(when), ids + data
 
 
 def packet_of(prefix: bytes, content: bytes, init: int) -> bytes:
-    """Return the whole packet of an entry; ``prefix`` is what stands before CMD_ID."""
-    packet = prefix + content
+    """Return the whole STATUS with this ``content_of``; ``prefix`` is what stands before CMD_ID."""
+    packet = prefix + content[:8] + _STATUS_CODE + content[8:]
     return packet + crc_hqx(packet, init).to_bytes(2, "big")
 
 

@@ -25,6 +25,7 @@ from app.protocols.itsc.session.quick import (
     ID_AT,
     RING_KEPT,
     ack_of,
+    content_of,
     pack_ack,
     status_reader,
     write_entry,
@@ -71,7 +72,7 @@ class Session(Exchange):
         self._read = status_reader(dialect)
         self._told = b""
         self._receipt = 0
-        self._unstored: dict[int, tuple[bytes, Enq]] = {}
+        self._unstored: dict[int, tuple[bytes, Enq]] | None = None
 
     def connected(self, now: Seconds) -> None:
         """The line is up: ask STATUS at once, and nothing else until it is answered (PROTOCOLS 6.2)."""
@@ -110,7 +111,7 @@ class Session(Exchange):
         self._heard = self.status_at = now
         self._newest = data
         at = self._at
-        write_entry(self._ring, at * ENTRY_SIZE, now, data[ID_AT:BODY_END])
+        write_entry(self._ring, at * ENTRY_SIZE, now, data[ID_AT:CODE_AT], data[BODY_AT:BODY_END])
         if at == RING_KEPT - 1:
             self._laps += 1
             at = -1
@@ -133,14 +134,14 @@ class Session(Exchange):
         if not self._quick or len(data) != ENQ_SIZE or not data.startswith(self._prefix):
             return False
         cmd_id = int.from_bytes(data[ID_AT:CODE_AT], "big")
-        if cmd_id not in self._polls.open or crc_hqx(data, self._crc_init):
+        if cmd_id not in self._polls or crc_hqx(data, self._crc_init):
             return False
         status = self._read(data[CODE_AT:BODY_END])
         if status is None:
             return False
         self._heard = now
         self._frames_in += 1
-        self._frames.append(self._quicks, now, Taped.ANSWERED, data[ID_AT:BODY_END])
+        self._frames.append(self._quicks, now, Taped.ANSWERED, content_of(data))
         self._seen.add(data)
         self._out += ack_of(data, self._after_ack)
         self._frames_out += 1
@@ -166,14 +167,14 @@ class Session(Exchange):
 
     def stored(self, receipt: int, now: Seconds) -> None:
         """Acknowledge the teaching event that was given with this receipt: it is durable. An old receipt does nothing."""
-        packet, frame = self._unstored.pop(receipt, (b"", None))
+        packet, frame = (self._unstored or {}).pop(receipt, (b"", None))
         if frame is not None:
             self._remember(packet)
             self._ack(frame, now)
 
     def _leave(self, reason: str, link: Link) -> None:
         self._lose(reason)
-        self._unstored.clear()
+        self._unstored = None
         self._told = b""
         self._link, self.wants_close = link, link is Link.CLOSING
 
@@ -224,7 +225,7 @@ class Session(Exchange):
 
     def _take_nak(self, nak: Nak, now: Seconds) -> None:
         order = self._orders.open.get(nak.cmd_id)
-        if nak.cmd_id in self._polls.open:
+        if nak.cmd_id in self._polls:
             self._polls.refused(nak.cmd_id, self.timing.poll)
         elif order is not None and not order.acked and order.code is not Code.STATUS:
             self._send_again(order, now)
@@ -255,6 +256,8 @@ class Session(Exchange):
             self._emit(self._codec.ack(frame.dev_id, frame.cmd_id), now)
 
     def _take_teaching(self, frame: Enq, packet: bytes, content: Teach, kind: TeachingKind | None) -> None:
+        if self._unstored is None:
+            self._unstored = {}
         waiting = [known for known, _ in self._unstored.values()]
         if packet in waiting or len(waiting) >= UNSTORED_KEPT:
             self._duplicates += packet in waiting
@@ -280,10 +283,10 @@ class Session(Exchange):
         status = VehicleStatus(state, barcode_text(body.barcode), body.seq, dist)
         order = self._orders.named(frame.cmd_id)
         poll = frame.cmd_id
-        if origin is Origin.ODD and poll not in self._polls.open:
+        if origin is Origin.ODD and poll not in self._polls:
             # A vehicle that does not repeat our CMD_ID: the oldest question (I23).
-            poll = next(iter(self._polls.open), poll)
-        if poll in self._polls.open:
+            poll = self._polls.oldest(poll)
+        if poll in self._polls:
             asked = self._polls.answered(poll, now, self.timing.poll)
             self._first_contact(status, packet)
             self._learn(status, packet, now, asked)

@@ -1,0 +1,40 @@
+"""Periods in queries: from, to, both ISO 8601 with a zone."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import Query
+from pydantic import AwareDatetime
+
+from app.api.problems import Problem
+from app.domain.units import Timestamp
+
+Begin = Annotated[AwareDatetime | None, Query(alias="from", description="First moment; ISO 8601 with a zone.")]
+End = Annotated[AwareDatetime | None, Query(alias="to", description="Where it ends; by default now.")]
+DAY = 86_400.0
+LONGEST = 400 * DAY
+"""Our choice."""
+
+
+@dataclass(frozen=True, slots=True)
+class Period:
+    """Two moments in UTC seconds; the second is not part of it."""
+
+    begin: float
+    end: float
+
+    @property
+    def seconds(self) -> float:
+        """How long it is."""
+        return self.end - self.begin
+
+
+def period(begin: AwareDatetime | None, end: AwareDatetime | None, now: Timestamp, usual: float = 7 * DAY) -> Period:
+    """Return what is asked about; without a begin so many seconds until its end. Raises Problem: it is none, or too long."""
+    last = now if end is None else end.timestamp()
+    first = last - usual if begin is None else begin.timestamp()
+    if first >= last:
+        raise Problem("invalid", "from lies after to.", "Exchange them.", "from")
+    if last - first > LONGEST:
+        raise Problem("invalid", f"At most {LONGEST / DAY:.0f} days at a time.", "Ask for less.", "from")
+    return Period(first, last)

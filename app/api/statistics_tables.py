@@ -1,0 +1,126 @@
+"""Statistics as tables: what CSV and Parquet files hold, and the printable report shows."""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+from app.api.problems import Problem
+from app.domain.statistics import Phase, Transfer
+from app.fleet.statistics import Statistics, Times
+from app.runtime.showing import iso
+
+Cell = str | int | float | None
+NAMES = ("phases", "intervals", "vehicles", "waits", "transfers")
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Columns by name, and rows. Moments are text in ISO 8601, durations seconds."""
+
+    columns: tuple[str, ...]
+    rows: Sequence[tuple[Cell, ...]]
+
+
+def table_of(name: str, found: Statistics, transfers: Sequence[Transfer]) -> Table:
+    """Return one of the tables by name. Raises KeyError: there is none."""
+    return {"phases": _phases, "intervals": _intervals, "vehicles": _vehicles, "waits": _waits}.get(
+        name, lambda _found: _transfers(transfers)
+    )(found)
+
+
+def _cells(times: Times) -> tuple[Cell, ...]:
+    return (times.count, *(_round(value) for value in (times.mean, times.p50, times.p95, times.longest)))
+
+
+def _round(value: float | None) -> float | None:
+    return None if value is None else round(value, 3)
+
+
+_TIMES = ("count", "mean", "p50", "p95", "longest")
+
+
+def _phases(found: Statistics) -> Table:
+    return Table(("phase", *_TIMES), [(phase.value, *_cells(times)) for phase, times in found.phases.items()])
+
+
+def _intervals(found: Statistics) -> Table:
+    rows = [
+        (iso(one.begin), one.ordered, one.completed, one.unfinished, one.queue, *_cells(one.times)[1:])
+        for one in found.intervals
+    ]
+    return Table(("begin", "ordered", "completed", "unfinished", "queue", *_TIMES[1:]), rows)
+
+
+def _vehicles(found: Statistics) -> Table:
+    columns = ("vehicle", "completed", "fetching", "acquiring", "carrying", "depositing", "busy")
+    more = ("failures", "down", "mtbf", "mttr")
+    rows = [
+        (
+            one.vehicle,
+            one.completed,
+            one.fetching,
+            one.acquiring,
+            one.carrying,
+            one.depositing,
+            one.busy,
+            one.held_out.failures,
+            _round(one.held_out.down),
+            _round(one.held_out.between),
+            _round(one.held_out.to_repair),
+        )
+        for one in found.vehicles
+    ]
+    return Table((*columns, *more), rows)
+
+
+def _waits(found: Statistics) -> Table:
+    return Table(("cause", "times", "seconds"), [(one.cause, one.times, one.seconds) for one in found.waits])
+
+
+def _transfers(transfers: Sequence[Transfer]) -> Table:
+    columns = ("job", "state", "carrier", "source", "destination", "priority", "vehicle", "created", "ended")
+    rows = [
+        (
+            one.job,
+            one.state,
+            one.carrier,
+            one.source,
+            one.destination,
+            one.priority,
+            one.vehicle,
+            iso(one.created),
+            iso(one.ended),
+            *(_round(one.seconds(phase)) for phase in Phase),
+        )
+        for one in transfers
+    ]
+    return Table((*columns, *(phase.value for phase in Phase)), rows)
+
+
+def as_csv(table: Table) -> bytes:
+    """Return a table as CSV (RFC 4180) in UTF-8; text that a spreadsheet would take for a formula begins with a quote."""
+    out = io.StringIO()
+    writer = csv.writer(out)
+    writer.writerow(table.columns)
+    writer.writerows([_harmless(cell) for cell in row] for row in table.rows)
+    return out.getvalue().encode()
+
+
+def _harmless(cell: Cell) -> Cell:
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(("=", "+", "-", "@", "\t")) else cell
+
+
+def as_parquet(table: Table) -> bytes:
+    """Return a table as a Parquet file. Raises Problem: what writes them is not installed."""
+    if find_spec("pyarrow") is None:
+        raise Problem("not-now", "Parquet needs pyarrow.", "pip install 'hoistway[parquet]', or ask for CSV.")
+    arrow: Any = import_module("pyarrow")
+    parquet: Any = import_module("pyarrow.parquet")
+    columns = list(zip(*table.rows, strict=True)) or [()] * len(table.columns)
+    out = io.BytesIO()
+    parquet.write_table(arrow.table({n: list(c) for n, c in zip(table.columns, columns, strict=True)}), out)
+    return out.getvalue()

@@ -1,0 +1,107 @@
+"""``hoistway layout check`` and ``diff``: what is wrong, tight or different."""
+
+from __future__ import annotations
+
+import json as jsons
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import CannotStart, text_of
+
+if TYPE_CHECKING:
+    from app.domain.layout import Plant
+    from app.plant.difference import Difference
+    from app.plant.findings import Finding
+    from app.plant.survey import Survey
+
+
+def check(
+    plant: Annotated[Path, typer.Argument(help="a plant file, YAML")],
+    json: Annotated[bool, typer.Option("--json", help="print findings, remarks and figures as JSON")] = False,
+) -> None:
+    """Say what `hoistway check` says, and beyond: tight or doubled places, ways without another, figures. Exit 1: errors."""
+    from app.plant.survey import survey
+
+    found, findings = _read(plant)
+    seen = survey(found) if found is not None and found.points else None
+    if json:
+        told = [{**asdict(finding), "severity": finding.severity.value} for finding in findings]
+        remarks = [asdict(remark) for remark in seen.remarks] if seen else []
+        figures = seen.figures if seen else None
+        print(
+            jsons.dumps(
+                {"file": str(plant), "findings": told, "remarks": remarks, "figures": figures}, ensure_ascii=False
+            )
+        )
+    else:
+        for finding in findings:
+            print(f"{plant}:{finding}")
+            if finding.remedy:
+                print(f"    {finding.remedy}")
+        if seen is not None:
+            _show(seen)
+    if found is None:
+        raise typer.Exit(1)
+
+
+def _read(file: Path) -> tuple[Plant | None, list[Finding]]:
+    """Return a file's plant, None if it is unusable, and the findings; what cannot be read ends the command with 2."""
+    from app.plant import UnusablePlant, read
+
+    try:
+        return read(text_of(file), str(file))
+    except CannotStart as wrong:
+        print(wrong.message)
+        raise typer.Exit(2) from None
+    except UnusablePlant as unusable:
+        return None, unusable.findings
+
+
+def _show(seen: Survey) -> None:
+    for remark in seen.remarks:
+        more = f" and {remark.count - len(remark.barcodes)} more" if remark.count > len(remark.barcodes) else ""
+        print(f"{remark.topic}: {', '.join(remark.barcodes)}{more}: {remark.message}")
+        if remark.remedy:
+            print(f"    {remark.remedy}")
+    wide = max(len(name) for name in seen.figures) + 2
+    for name, value in seen.figures.items():
+        print(f"{name:<{wide}}{value:,}" if isinstance(value, int) else f"{name:<{wide}}{value}")
+
+
+def diff(
+    old: Annotated[Path, typer.Argument(help="the plant file as it was")],
+    new: Annotated[Path, typer.Argument(help="the plant file as it is to be")],
+    json: Annotated[bool, typer.Option("--json", help="print the changes and what they break as JSON")] = False,
+) -> None:
+    """Say what differs between two plant files, and what that breaks in a plant that has run. Exit 1: something breaks."""
+    from app.plant.difference import difference
+
+    plants = []
+    for file in (old, new):
+        found, findings = _read(file)
+        if found is None:
+            print(f"{file}:{next(finding for finding in findings if finding.is_error)}")
+            print(f"    see all: hoistway check {file}")
+            raise typer.Exit(2)
+        plants.append(found)
+    made = difference(*plants)
+    if json:
+        changes = [asdict(change) for change in made.changes]
+        print(jsons.dumps({"changes": changes, "breaks": [asdict(item) for item in made.broken]}, ensure_ascii=False))
+    else:
+        _show_difference(made)
+    if made.broken:
+        raise typer.Exit(1)
+
+
+def _show_difference(made: Difference) -> None:
+    for change in made.changes:
+        print(f"{change.what} {change.name} {change.how}" + (f": {change.text}" if change.text else ""))
+    for item in made.broken:
+        print(f"breaks: {item.what} {item.name}: {item.text}")
+        print(f"    {item.remedy} (may refer to it: {', '.join(item.touches)})")
+    if not made.changes:
+        print("no difference")

@@ -1,0 +1,79 @@
+"""What transfers came to: the moments of each that ended, from E82's events (DOMAIN sections 1 and 2)."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Phase(StrEnum):
+    """Parts of a transfer's life, in order; ``total`` is all of it."""
+
+    QUEUED = "queued"
+    """From its acceptance until a vehicle is assigned, the last one if several were."""
+    FETCHING = "fetching"
+    """The vehicle comes empty to the source."""
+    ACQUIRING = "acquiring"
+    CARRYING = "carrying"
+    DEPOSITING = "depositing"
+    TOTAL = "total"
+
+
+@dataclass(frozen=True, slots=True)
+class Transfer:
+    """A transfer that ended: UTC seconds of what happened to it, None for what did not, or is not kept any more."""
+
+    job: str
+    state: str
+    carrier: str | None
+    source: str
+    destination: str
+    priority: int
+    vehicle: str | None
+    created: float
+    assigned: float | None
+    acquire_started: float | None
+    acquired: float | None
+    deposit_started: float | None
+    deposited: float | None
+    ended: float
+
+    def seconds(self, phase: Phase) -> float | None:
+        """Return how long a phase took; None if it did not come to its end."""
+        marks: dict[Phase, tuple[float | None, float | None]] = {
+            Phase.QUEUED: (self.created, self.assigned),
+            Phase.FETCHING: (self.assigned, self.acquire_started),
+            Phase.ACQUIRING: (self.acquire_started, self.acquired),
+            Phase.CARRYING: (self.acquired, self.deposit_started),
+            Phase.DEPOSITING: (self.deposit_started, self.deposited),
+            Phase.TOTAL: (self.created, self.ended),
+        }
+        begin, end = marks[phase]
+        return None if begin is None or end is None or end < begin else end - begin
+
+
+@dataclass(frozen=True, slots=True)
+class Queued:
+    """When a job was accepted, and when it got its first vehicle or ended without one (None: it waits)."""
+
+    created: float
+    until: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Waited:
+    """A wait of a job: since, until (None: it still waits), and why."""
+
+    since: float
+    until: float | None
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """All that is kept of a period. ``waits`` are those of the newest ``waits_of`` jobs that ended in it."""
+
+    transfers: Sequence[Transfer]
+    queued: Sequence[Queued]
+    waits: Sequence[Waited]
+    waits_of: int
+    failures: Mapping[str, Sequence[tuple[float, float | None]]]

@@ -1,0 +1,74 @@
+"""The stations that nobody can reach any more because of what is closed: named as an alarm, and in the view."""
+
+from collections import defaultdict
+
+from app.domain.ids import StationId
+from app.domain.job import JobEvent
+from app.domain.units import Barcode, Seconds
+from app.fleet.books import Books
+from app.fleet.breakdowns import Breakdowns
+from app.fleet.vehicle import VehicleNow
+
+LOOK_EVERY = Seconds(5.0)
+"""While anything is closed: vehicles may drive out of a piece that is cut off, or into it (our choice)."""
+NAMED = 12
+"""So many stations are named in one alarm; the others are counted (our choice)."""
+
+
+class CutOff:
+    """Keeps ``books.traffic_state.cut_off`` true."""
+
+    def __init__(self, books: Books, breakdowns: Breakdowns) -> None:
+        self._books = books
+        self._breakdowns = breakdowns
+        self._seen = books.closed.version
+        self._next_look = books.now
+
+    def look(self) -> None:
+        """Look which stations can be reached, if that can be otherwise than it was."""
+        books = self._books
+        changed = books.closed.version != self._seen
+        if not changed and (not len(books.closed) or books.now < self._next_look):
+            return
+        self._seen, self._next_look = books.closed.version, Seconds(books.now + LOOK_EVERY)
+        before, now = books.traffic_state.cut_off, self._found()
+        if now == before:
+            return
+        books.traffic_state.cut_off = now
+        books.jobs_changed = True
+        self._tell({name: why for name, why in now.items() if name not in before}, JobEvent.ALARM_SET)
+        self._tell({name: why for name, why in before.items() if name not in now}, JobEvent.ALARM_CLEARED)
+
+    def _found(self) -> dict[StationId, str]:
+        """Return the stations that cannot be reached by anybody for what is closed, and why."""
+        books = self._books
+        starts = [at for vehicle in books.vehicles.values() if (at := self._sets_out_from(vehicle)) is not None]
+        areas = {books.track.area(start) for start in starts}
+        stations = [
+            s for s in books.specs.values() if s.barcode in books.track and books.track.area(s.barcode) in areas
+        ]
+        goals = [station.barcode for station in stations]
+        if not len(books.closed) or not goals:
+            return {}
+        now = books.router.reached(starts, goals)
+        lost = [station for station, there in zip(stations, now, strict=True) if not there]
+        ever = books.router.reached(starts, [station.barcode for station in lost], anyway=True)
+        return {s.id: books.no_way.cause(s.barcode) for s, once in zip(lost, ever, strict=True) if once}
+
+    def _sets_out_from(self, vehicle: VehicleNow) -> Barcode | None:
+        """Return where a vehicle that can go on can turn to another goal; None: it cannot go on, or is nobody knows where."""
+        at = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
+        broken = vehicle.id in self._breakdowns or vehicle.barred or not vehicle.linked
+        return None if broken or at not in self._books.track else at
+
+    def _tell(self, stations: dict[StationId, str], name: JobEvent) -> None:
+        """Tell of stations that are cut off now, or no more: together where the cause is the same."""
+        by_cause: defaultdict[str, list[StationId]] = defaultdict(list)
+        for station, why in stations.items():
+            by_cause[why].append(station)
+        for why, names in by_cause.items():
+            more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+            told = f"{', '.join(names[:NAMED])}{more}"
+            over = name is JobEvent.ALARM_CLEARED
+            detail = f"{told} can be reached again" if over else f"{told} cannot be reached: {why}"
+            self._books.event(name, source=names[0], detail=detail)

@@ -1,0 +1,72 @@
+"""XML that others wrote: read without entities, document types or anything from outside the file."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from app.plant.exchange.numbers import number
+from app.plant.exchange.report import Report, UnreadableLayout, shown
+
+_ENTITY = re.compile(rb"<!\s*(ENTITY|DOCTYPE)", re.IGNORECASE)
+_DEEPEST = 64
+Element = Any
+
+
+def parsed(data: bytes, name: str) -> Element:
+    """Return the root of an XML file. Raises: UnreadableLayout: it is none, with line and column, or it declares entities."""
+    from lxml import etree
+
+    if _ENTITY.search(data) or _ENTITY.search(data.replace(b"\0", b"")):
+        what = f"{name} declares a document type or entities, which layouts have no need of: refused"
+        raise UnreadableLayout(what, remedy="export it anew without a DOCTYPE")
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
+    )
+    try:
+        return etree.fromstring(data, parser)
+    except etree.XMLSyntaxError as wrong:
+        line, column = wrong.position
+        cut = "premature end" in str(wrong.msg).casefold() or "EndTag" in str(wrong.msg)
+        remedy = "the file ends in the middle: was it copied whole?" if cut else "correct it there"
+        raise UnreadableLayout(
+            f"{name} is no XML: line {line}, column {column}: {shown(wrong.msg)}", remedy=remedy
+        ) from None
+    except (ValueError, LookupError) as wrong:
+        raise UnreadableLayout(f"{name} is no XML that can be read: {shown(wrong)}") from None
+
+
+def local(element: Element) -> str:
+    """Return an element's name without its namespace; empty for what is no element."""
+    return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
+
+
+def children(element: Element, name: str) -> Iterator[Element]:
+    """Give the children of this name, whatever their namespace."""
+    return (child for child in element if local(child) == name)
+
+
+def child(element: Element, name: str) -> Element | None:
+    """Return the first child of this name."""
+    return next(children(element, name), None)
+
+
+def place(element: Element, name: str) -> str:
+    """Return where an element stands: its kind, its name, its line."""
+    return f"{local(element)} {shown(name)} (line {element.sourceline})"
+
+
+def numeral(element: Element, names: tuple[str, ...], where: str, report: Report) -> float | None:
+    """Return the first of these attributes as a number; None if there is none, or NaN, or with a note if it is no number."""
+    given = next((element.get(name) for name in names if element.get(name) is not None), None)
+    if given is None or not given.strip():
+        return None
+    try:
+        return number(given)
+    except ValueError as wrong:
+        report.wrong(where, f"{names[0]}: {shown(wrong)}", "correct it")
+        return None

@@ -1,0 +1,62 @@
+"""All families of one scrape."""
+
+import platform
+import sys
+from collections.abc import Iterator
+
+from prometheus_client import CollectorRegistry, GCCollector, ProcessCollector
+from prometheus_client.metrics_core import Metric
+
+from app.domain.units import Timestamp
+from app.runtime.metrics import lines, plant
+from app.runtime.metrics.figures import Measured
+from app.runtime.metrics.shapes import counter, gauge, gauges, histogram
+
+_PROCESS = CollectorRegistry()
+ProcessCollector(registry=_PROCESS)
+GCCollector(registry=_PROCESS)
+
+
+def families(controller: Measured, version: str, now: Timestamp) -> Iterator[Metric]:
+    """Give the families of ``/metrics``: everything but what is per line. ``now`` is UTC."""
+    model, figures = controller.hub.model, controller.figures
+    built = {(version, platform.python_version(), sys.platform): 1.0}
+    yield gauges("build_info", "The version that runs.", ["version", "python", "system"], built)
+    yield from plant.controller(model, controller.trouble)
+    yield from plant.vehicles(model, controller.waits())
+    yield from plant.jobs(model, figures.jobs, now)
+    yield from plant.alarms(model, figures.jobs)
+    yield from plant.equipment(model)
+    yield from lines.by_wire(lines.qualities(model, controller.named_quality(), controller.links()))
+    yield from _service(controller)
+    yield from _PROCESS.collect()
+
+
+def line_families(controller: Measured) -> Iterator[Metric]:
+    """Give the families of ``/metrics/lines``: one series a line."""
+    found = lines.qualities(controller.hub.model, controller.named_quality(), controller.links())
+    yield from lines.by_line(found)
+
+
+def _service(controller: Measured) -> Iterator[Metric]:
+    """Give how the process is doing: loop, writer, planner, watchers."""
+    figures, hub = controller.figures, controller.hub
+    waiting, uncommitted = controller.backlog
+    yield histogram("loop_late_seconds", "How late the event loop was, four times a second.", figures.lateness)
+    yield histogram("commit_seconds", "How long commits took.", figures.commit_seconds)
+    yield histogram("commit_records", "Records in one commit.", figures.commit_records)
+    yield counter(
+        "commit_failures", "Commits that the database did not take; each is tried again.", figures.commit_failures
+    )
+    yield gauge("writer_waiting", "Batches that wait for the writer.", waiting)
+    yield gauge("decisions_uncommitted", "Decisions that are not durable yet.", uncommitted)
+    yield histogram(
+        "tables_seconds", "From the wish for new routing tables until they were there.", figures.table_seconds
+    )
+    yield counter("tables_failures", "Planner processes that were lost.", figures.table_failures)
+    yield gauge("watchers", "Live streams that are open.", hub.watchers)
+    yield counter(
+        "live_frames_dropped", "Frames of state that slow watchers got the newest state for.", hub.frames_dropped
+    )
+    yield counter("live_resyncs", "Resync marks given to watchers.", hub.resyncs)
+    yield counter("live_catch_ups", "Watchers whose events were read from the store again.", hub.catch_ups)

@@ -1,0 +1,75 @@
+"""Statistics over REST: JSON, files, and the report of a shift."""
+
+import csv
+import io
+from importlib.util import find_spec
+
+import httpx
+import pytest
+
+from app.domain.statistics import Transfer
+from tests.api.scripted import NOW, Scripted
+
+pytestmark = pytest.mark.anyio
+ODD = "=1+1"
+
+
+@pytest.fixture
+def controller() -> Scripted:
+    controller = Scripted()
+    marks = (NOW - 590, NOW - 560, NOW - 550, NOW - 510, NOW - 500)
+    row = Transfer("LOT-1", "completed", ODD, "P1", "P2", 50, "V001", NOW - 600, *marks, NOW - 500)
+    controller.reader.done.append(row)
+    return controller
+
+
+async def test_a_period_is_shown_in_intervals_with_every_vehicle(client: httpx.AsyncClient) -> None:
+    asked: dict[str, str | int] = {"from": "2025-12-31T22:00:00Z", "to": "2026-01-01T00:00:00Z", "interval": 1800}
+    found = (await client.get("/statistics", params=asked)).json()
+    assert (found["from"], found["jobs"]["completed"]) == ("2025-12-31T22:00:00.000Z", 1)
+    assert found["phases"]["total"] == {"count": 1, "mean": 100.0, "p50": 100.0, "p95": 100.0, "longest": 100.0}
+    assert [one["completed"] for one in found["intervals"]] == [0, 0, 0, 1]
+    assert [one["vehicle"] for one in found["vehicles"]] == ["V001", "V002"]
+    assert found["vehicles"][0]["failures"] == 1
+    assert found["waits"] == [{"cause": "- is occupied by -", "times": 1, "seconds": 60.0}]
+
+
+@pytest.mark.parametrize("table", ["phases", "intervals", "vehicles", "waits", "transfers"])
+async def test_every_table_is_a_csv_file_with_a_head(client: httpx.AsyncClient, table: str) -> None:
+    answer = await client.get(f"/statistics/{table}.csv")
+    assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+    assert answer.headers["content-disposition"] == f'attachment; filename="{table}-2025-12-31.csv"'
+    head, *rows = csv.reader(io.StringIO(answer.text))
+    assert rows
+    assert {len(row) for row in rows} == {len(head)}
+
+
+async def test_text_that_a_spreadsheet_would_reckon_is_made_harmless(client: httpx.AsyncClient) -> None:
+    head, row = csv.reader(io.StringIO((await client.get("/statistics/transfers.csv")).text))
+    assert dict(zip(head, row, strict=True))["carrier"] == "'=1+1"
+    assert dict(zip(head, row, strict=True))["carrying"] == "40.0"
+
+
+async def test_a_parquet_file_is_written_where_its_writer_is_installed(client: httpx.AsyncClient) -> None:
+    answer = await client.get("/statistics/transfers.parquet")
+    if find_spec("pyarrow") is None:
+        assert (answer.status_code, answer.json()["detail"]) == (409, "Parquet needs pyarrow.")
+    else:
+        assert answer.content[:4] == answer.content[-4:] == b"PAR1"
+
+
+async def test_the_report_of_a_shift_is_one_page_in_two_languages(client: httpx.AsyncClient) -> None:
+    answer = await client.get("/statistics/report")
+    assert answer.headers["content-type"] == "text/html; charset=utf-8"
+    assert "Shift report: tiny" in answer.text
+    assert "<td>V001</td>" in answer.text
+    assert "http" not in answer.text
+    assert "교대 보고서" in (await client.get("/statistics/report", params={"lang": "ko"})).text
+
+
+async def test_what_would_take_too_long_is_refused(client: httpx.AsyncClient, controller: Scripted) -> None:
+    asked: dict[str, str | int] = {"from": "2025-01-01T00:00:00Z", "interval": 60}
+    assert (await client.get("/statistics", params=asked)).json()["field"] == "interval"
+    controller.reader.events_between = 4_000_000
+    assert (await client.get("/statistics")).json()["field"] == "from"
+    assert (await client.get("/statistics/other.csv")).status_code == 422

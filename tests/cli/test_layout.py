@@ -1,0 +1,134 @@
+"""``hoistway layout``."""
+
+import json
+from pathlib import Path
+
+from typer.testing import CliRunner, Result
+
+from app.cli import app
+from app.plant import read
+from tests.plant.exchange.layouts import OPENTCS, RING
+
+
+def run(*words: str | Path) -> Result:
+    return CliRunner().invoke(app, ["layout", *map(str, words)])
+
+
+def written(tmp_path: Path, name: str, text: str) -> Path:
+    file = tmp_path / name
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def test_an_import_writes_a_plant_file_and_reports(tmp_path: Path) -> None:
+    source, target = written(tmp_path, "ring.csv", RING), tmp_path / "plant.yaml"
+    result = run("import", source, "-o", target, "--vehicles", "2", "--name", "ring")
+    assert result.exit_code == 0, result.output
+    plant, findings = read(target.read_text(encoding="utf-8"), "plant")
+    assert (plant.name, len(plant.vehicles), [f.message for f in findings if f.is_error]) == ("ring", 2, [])
+    assert "read: 6 barcodes, 6 pieces of track, 3 stations, 0 vehicles" in result.stdout
+    assert "to supply: V001, V002: an address at this machine, for simulation" in result.stdout
+    assert CliRunner().invoke(app, ["check", str(target)]).exit_code == 0
+
+
+def test_what_needs_a_person_ends_with_one_and_is_written(tmp_path: Path) -> None:
+    source, target = written(tmp_path, "ring.csv", RING.replace(",6,", ",66,")), tmp_path / "plant.yaml"
+    result = run("import", source, "-o", target)
+    assert result.exit_code == 1
+    assert "wrong: row 6: leads to 66, which is nowhere given: left out" in result.stdout
+    assert f"{target}:" in result.stdout
+    assert "dead end: track leads to 5, but none leads on" in result.stdout
+    assert target.exists()
+
+
+def test_what_cannot_be_read_ends_with_two_and_nothing_is_written(tmp_path: Path) -> None:
+    target = tmp_path / "plant.yaml"
+    for source in (written(tmp_path, "cut.xml", OPENTCS[:700]), tmp_path / "missing.csv"):
+        result = run("import", source, "-o", target)
+        assert result.exit_code == 2
+        assert source.name in result.stdout
+        assert not target.exists()
+
+
+def test_the_report_is_json_where_it_is_asked_for(tmp_path: Path) -> None:
+    result = run("import", written(tmp_path, "hall.xml", OPENTCS), "--json")
+    told = json.loads(result.stdout)
+    assert told["read"]["points"] == 5
+    assert told["plant"]["barcodes"] == 5
+    renamed = next(note for note in told["notes"] if note["what"].startswith("renamed: AGVs"))
+    assert (renamed["kind"], renamed["times"], renamed["where"][0]) == ("repaired", 5, "P-1 → 0001")
+
+
+def test_names_of_a_persons_own_are_read_from_a_file(tmp_path: Path) -> None:
+    names = written(tmp_path, "names.csv", "name,barcode\nP-1,0042\n")
+    target = tmp_path / "plant.yaml"
+    assert run("import", written(tmp_path, "hall.xml", OPENTCS), "-o", target, "--names", names).exit_code == 0
+    assert '"0042": [0, 0]  # P-1' in target.read_text(encoding="utf-8")
+    refused = run("import", tmp_path / "hall.xml", "--names", written(tmp_path, "bad.csv", "P-1,\n"))
+    assert refused.exit_code == 1
+    assert "row 1: write a name and a barcode" in refused.output
+
+
+def test_a_wrong_format_is_said(tmp_path: Path) -> None:
+    result = run("import", written(tmp_path, "ring.csv", RING), "--format", "lif")
+    assert result.exit_code == 2
+    assert "is no JSON" in result.stdout
+    result = run("import", written(tmp_path, "hall.xml", OPENTCS), "--format", "lif")
+    assert "this is no lif: it looks like xml" in result.stdout
+
+
+def test_several_files_must_be_tables(tmp_path: Path) -> None:
+    result = run("import", written(tmp_path, "ring.csv", RING), written(tmp_path, "hall.xml", OPENTCS))
+    assert result.exit_code == 2
+    assert "several files make one layout only where all are tables" in result.stdout
+
+
+SMALL = Path(__file__).parents[2] / "plants" / "small.yaml"
+
+
+def test_a_plant_is_exported_and_what_is_lost_said(tmp_path: Path) -> None:
+    for name, form in (("a.geojson", "geojson"), ("a.graphml", "graphml"), ("a.lif.json", "lif")):
+        result = run("export", SMALL, "-o", tmp_path / name)
+        assert result.exit_code == 0, result.output
+        assert f"{name}: {form}, 18 barcodes, 18 edges, 5 stations" in result.stdout
+        assert "left out: 2 vehicles" in result.stdout
+    result = run("export", SMALL, "-o", tmp_path / "b.json", "--format", "node-link", "--links")
+    assert result.exit_code == 0
+    assert "links" in json.loads((tmp_path / "b.json").read_text(encoding="utf-8"))
+    assert run("export", SMALL, "-o", tmp_path / "b.json").exit_code == 1
+    assert "is no place" in run("export", SMALL, "-o", tmp_path / "a.geojson", "--origin", "Seoul").output
+
+
+def test_a_plant_is_drawn(tmp_path: Path) -> None:
+    for name in ("a.svg", "a.png"):
+        result = run("render", SMALL, "-o", tmp_path / name, "--width", "700", "--dark")
+        assert result.exit_code == 0, result.output
+        assert "700 x " in result.stdout
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    assert "neither .svg nor .png" in run("render", SMALL, "-o", tmp_path / "a.gif").output
+    assert "cannot be written" in run("render", SMALL, "-o", tmp_path / "no" / "a.svg").output
+
+
+def test_a_layout_is_checked_beyond_its_mistakes(tmp_path: Path) -> None:
+    result = run("check", SMALL)
+    assert result.exit_code == 0
+    assert "dense barcodes: 101, 102, 103, 104, 105 and 3 more" in result.stdout
+    told = json.loads(run("check", SMALL, "--json").stdout)
+    assert told["figures"]["barcodes"] == 18
+    bad = written(tmp_path, "bad.yaml", "barcodes: {1: [0, 0], 2: [1000, 0]}\ntrack: [{through: [1, 2]}]\n")
+    assert run("check", bad).exit_code == 1
+    assert run("check", tmp_path / "none.yaml").exit_code == 2
+
+
+def test_two_plants_are_compared(tmp_path: Path) -> None:
+    text = SMALL.read_text(encoding="utf-8")
+    new = written(tmp_path, "new.yaml", text.replace("at: 106", "at: 107"))
+    result = run("diff", SMALL, new)
+    assert result.exit_code == 1
+    assert "station P2 changed: barcode 106 → 107" in result.stdout
+    assert "breaks: station P2: it is served from 107 instead of 106" in result.stdout
+    told = json.loads(run("diff", SMALL, new, "--json").stdout)
+    assert told["changes"][0]["name"] == told["breaks"][0]["name"] == "P2"
+    assert run("diff", SMALL, SMALL).stdout == "no difference\n"
+    bad = written(tmp_path, "bad.yaml", "barcodes: {}\n")
+    assert run("diff", SMALL, bad).exit_code == 2

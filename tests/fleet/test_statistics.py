@@ -1,0 +1,97 @@
+"""Figures of a period, reckoned from what is kept of it."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from app.domain.statistics import Kept, Phase, Queued, Transfer, Waited
+from app.fleet.statistics import Cause, cause_of, mean_level, statistics, times
+
+
+def transfer(created: float, *marks: float, state: str = "completed", vehicle: str = "V1") -> Transfer:
+    """Return a transfer: assigned, acquire started, acquired, deposit started, deposited (and ended) at these moments."""
+    given: list[float | None] = [*marks, *[None] * (5 - len(marks))]
+    assigned, start, acquired, deposit, deposited = given
+    ended = marks[-1] if len(marks) == 5 else created + 1
+    return Transfer(
+        "J", state, None, "A", "B", 50, vehicle, created, assigned, start, acquired, deposit, deposited, ended
+    )
+
+
+ONE = transfer(100, 110, 140, 150, 190, 200)
+TWO = transfer(120, 130, 180, 190, 270, 280, vehicle="V2")
+
+
+def test_each_phase_is_between_two_events() -> None:
+    found = statistics(Kept([ONE, TWO], [], [], 0, {}), 0, 400, 200, ["V1", "V2"])
+    assert {phase.value: one.mean for phase, one in found.phases.items()} == {
+        "queued": 10,
+        "fetching": 40,
+        "acquiring": 10,
+        "carrying": 60,
+        "depositing": 10,
+        "total": 130,
+    }
+    assert found.empty == pytest.approx(80 / 200)
+    assert found.states == {"completed": 2, "failed": 0, "cancelled": 0, "aborted": 0}
+
+
+def test_what_did_not_come_to_its_end_counts_for_no_phase() -> None:
+    lost = transfer(100, 110, state="failed")
+    found = statistics(Kept([lost], [], [], 0, {}), 0, 200, 200, ["V1"])
+    assert found.phases[Phase.TOTAL].count == 0
+    assert found.intervals[0].unfinished == 1
+    assert found.empty is None
+    assert lost.seconds(Phase.FETCHING) is None
+
+
+def test_median_and_95th_percentile_of_a_hundred_times() -> None:
+    found = times(float(n) for n in range(1, 101))
+    assert (found.count, found.p50, found.longest) == (100, 50.5, 100)
+    assert found.p95 == pytest.approx(95.05)
+    assert times([None]) == times([])
+
+
+def test_jobs_are_counted_in_the_interval_in_which_they_ended() -> None:
+    queued = [Queued(100, 110), Queued(120, 130), Queued(250, None)]
+    found = statistics(Kept([ONE, TWO], queued, [], 0, {}), 0, 350, 100, [])
+    assert [(one.begin, one.ordered, one.completed) for one in found.intervals] == [
+        (0, 0, 0),
+        (100, 2, 0),
+        (200, 1, 2),
+        (300, 0, 0),
+    ]
+    assert [one.queue for one in found.intervals] == [0, 0.2, 0.5, 1.0]
+
+
+def test_the_mean_queue_is_what_a_count_at_every_moment_gives() -> None:
+    dice = np.random.default_rng(3)
+    begins = dice.uniform(0, 1000, 200)
+    queued = [Queued(begin, begin + wait) for begin, wait in zip(begins, dice.exponential(50, 200), strict=True)]
+    edges = np.array([100.0, 300.0, 310.0, 900.0])
+    steps = [np.linspace(a, b, 20_001) for a, b in pairwise(edges)]
+    counted = [
+        np.mean([sum(one.created <= at < (one.until or 0) for one in queued) for at in step[::200]]) for step in steps
+    ]
+    assert mean_level(queued, edges) == pytest.approx(counted, rel=0.1)
+
+
+def test_a_vehicle_is_busy_with_what_lies_in_the_period() -> None:
+    found = statistics(Kept([ONE], [], [], 0, {"V1": [(160.0, 170.0)]}), 120, 220, 100, ["V1", "V9"])
+    first, second = found.vehicles
+    assert (first.fetching, first.carrying, first.busy) == (20, 40, 0.8)
+    assert (first.held_out.failures, first.held_out.to_repair) == (1, 10)
+    assert (second.completed, second.busy, second.held_out.failures) == (0, 0, 0)
+
+
+def test_waits_are_added_up_by_cause_without_names_and_within_the_period() -> None:
+    waits = [
+        Waited(0, 110, "P3 is occupied by FOUP0001"),
+        Waited(100, 130, "STK01-P02 is occupied by FOUP2"),
+        Waited(150, None, "no vehicle is free"),
+        Waited(300, 400, "no vehicle is free"),
+    ]
+    found = statistics(Kept([], [], waits, 4, {}), 100, 200, 100, [])
+    assert found.waits == (Cause("no vehicle is free", 1, 50.0), Cause("- is occupied by -", 2, 40.0))
+    assert cause_of("P3 is closed by kim: x (closure 7)") == "- is closed by kim: x (closure -)"

@@ -1,0 +1,57 @@
+/** Sentences of the server in another language: by their patterns, since they come with names and numbers filled in. Pure. */
+
+interface Saying {
+  pattern: RegExp;
+  other: string;
+  /** Letters that are no slot: the pattern with most of them is tried first. */
+  weight: number;
+}
+
+/** Sentences within sentences are translated too, so deep. */
+const DEPTH = 4;
+const KEPT = 2000;
+
+export class Sayings {
+  private readonly list: Saying[];
+  private readonly known = new Map<string, string>();
+
+  /** Two catalogues of the same keys; {0}, {1} … are slots. */
+  constructor(from: Record<string, string>, to: Record<string, string>) {
+    this.list = Object.entries(from).map(([key, text]) => ({
+      pattern: patternOf(text),
+      other: to[key] ?? text,
+      weight: text.replace(/\{\d\}/g, "").length,
+    }));
+    this.list.sort((a, b) => b.weight - a.weight);
+  }
+
+  translate(sentence: string): string {
+    if (!sentence) return sentence;
+    const known = this.known.get(sentence);
+    if (known !== undefined) return known;
+    const found = this.retold(sentence, DEPTH);
+    if (this.known.size >= KEPT) this.known.clear();
+    this.known.set(sentence, found);
+    return found;
+  }
+
+  private retold(sentence: string, depth: number): string {
+    for (const { pattern, other } of this.list) {
+      const match = pattern.exec(sentence);
+      if (!match) continue;
+      return other.replace(/\{(\d)\}/g, (_, slot: string) => {
+        const part = match.groups?.[`s${slot}`] ?? "";
+        return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
+      });
+    }
+    return sentence;
+  }
+}
+
+function patternOf(text: string): RegExp {
+  const parts = text.split(/(\{\d\})/).map((part) => {
+    const slot = /^\{(\d)\}$/.exec(part);
+    return slot ? `(?<s${slot[1]}>.+?)` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+  });
+  return new RegExp(`^${parts.join("")}$`, "s");
+}
