@@ -21,6 +21,7 @@ from app.api import (
     drives,
     emergency,
     events,
+    history,
     jobs,
     links,
     live,
@@ -35,6 +36,7 @@ from app.api import (
     teaching,
     vehicles,
     walks,
+    webhooks,
     zones,
 )
 from app.api.callers import Callers
@@ -140,6 +142,7 @@ def described(settings: Settings) -> FastAPI:
         devices.router,
         emergency.router,
         closures.router,
+        history.router,
         statistics.router,
         walks.router,
         alarms.router,
@@ -149,6 +152,7 @@ def described(settings: Settings) -> FastAPI:
         plant.audit,
         plant.problems,
         live.router,
+        webhooks.router,
     ):
         api.include_router(router)
     app.include_router(api)

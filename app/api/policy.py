@@ -154,6 +154,10 @@ ROUTES: Mapping[str, Scope] = {
     "GET /statistics": Scope.READ,
     "GET /statistics/report": Scope.READ,
     "GET /statistics/{table}.{kind}": Scope.READ,
+    "GET /history": Scope.READ,
+    "GET /history/span": Scope.READ,
+    "GET /history/changes": Scope.READ,
+    "GET /history/export": Scope.READ_AUDIT,
     "GET /layout": Scope.READ,
     "GET /layout/routes": Scope.READ,
     "GET /audit": Scope.READ_AUDIT,
@@ -161,6 +165,15 @@ ROUTES: Mapping[str, Scope] = {
     "GET /problems/{code}": Scope.PUBLIC,
     "POST /live/ticket": Scope.READ,
     "LIVE /live": Scope.READ,
+    "GET /webhooks": Scope.WEBHOOKS,
+    "POST /webhooks": Scope.WEBHOOKS,
+    "GET /webhooks/{webhook}": Scope.WEBHOOKS,
+    "PATCH /webhooks/{webhook}": Scope.WEBHOOKS,
+    "DELETE /webhooks/{webhook}": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/secret": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/replay": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/ping": Scope.WEBHOOKS,
+    "GET /webhooks/{webhook}/deliveries": Scope.WEBHOOKS,
 }
 """Method and path under ``/api/v1`` -> what it is about. Every route has its row."""
 

@@ -15,12 +15,15 @@ from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.fleet.closure_preview import Survey
 from app.planning.routing import Route
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
+from app.runtime.webhooks import Targets
 
 
 class Reader(TeachingReader, RoomReader, Protocol):
@@ -66,6 +69,10 @@ class Reader(TeachingReader, RoomReader, Protocol):
         self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
     ) -> Sequence[HistoryEvent]:
         """Return events numbered above ``after``, oldest first."""
+        ...
+
+    def webhook_tries(self, webhook: int, after: int | None = None, limit: int = 100) -> Sequence[WebhookTry]:
+        """Return a webhook's deliveries numbered below ``after``, newest first."""
         ...
 
     def intent(self, cmd_id: CmdId) -> Intent | None:
@@ -118,6 +125,19 @@ class Controller(Protocol):
         ...
 
     @property
+    def targets(self) -> Targets:
+        """Where webhooks may lead."""
+        ...
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        """Return all webhooks, and how far each has been told."""
+        ...
+
+    async def ping_webhook(self, number: int) -> WebhookTry | None:
+        """Deliver a test; None: there is no such webhook."""
+        ...
+
+    @property
     def backlog(self) -> tuple[int, int]:
         """Batches that wait for the writer, and decisions that are not durable yet."""
         ...
@@ -167,6 +187,11 @@ class Controller(Protocol):
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
+        ...
+
+    @property
+    def playback(self) -> Playback | None:
+        """What was recorded for playback; None: nothing is."""
         ...
 
     def survey(self) -> Survey:

@@ -15,6 +15,7 @@ from app.cli import (
     fuzz,
     layout,
     openapi,
+    replay,
     schema,
     serve,
     sim,
@@ -43,6 +44,7 @@ for command in (
     decode.decode,
     detect.detect,
     vectors.vectors,
+    replay.replay,
     openapi.openapi,
 ):
     app.command()(command)

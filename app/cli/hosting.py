@@ -2,6 +2,7 @@
 
 import asyncio
 import gc
+import os
 import resource
 import socket
 from collections.abc import Callable, Iterator
@@ -11,13 +12,18 @@ from typing import Any
 import uvicorn
 
 from app.api import application
+from app.api.application import VERSION
 from app.api.connections import bounded
+from app.api.port import Controller as Shown
 from app.api.streams import Stream
 from app.cli.plainly import CannotStart, said
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
+from app.runtime.recording import Limits
 from app.runtime.telemetry import logger
+from app.runtime.tracing import Traces, provider
+from app.runtime.webhooks import Sender, Targets
 from app.settings import Settings
 
 COLLECTED = (10_000, 20, 50)
@@ -65,10 +71,23 @@ async def serve(
 
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
     there is one to ``notify``, and it is fed as long as the controller lives.
-    Raises CannotStart, PlantHeld, StoreError.
+    Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     log = logger(plant=plant.name)
-    controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
+    days, size = settings.playback_days, settings.playback_megabytes
+    playback = Limits(days * 86_400.0, size * 1_000_000) if days else None
+    traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
+    sender = _sender(settings)
+    controller = Controller(
+        plant,
+        settings.database,
+        restored=restored,
+        keep_events=settings.keep_events,
+        playback=playback,
+        webhooks=lambda: sender,
+    )
+    if traces is not None:
+        controller.figures.jobs.told = traces.take
     try:
         await controller.start()
     except OSError as wrong:
@@ -96,7 +115,36 @@ async def serve(
         stopping.cancel()
     finally:
         await controller.stop()
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
     return 1 if controller.lost.done() else 0
+
+
+async def serve_only(
+    controller: Shown,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+) -> int:
+    """Serve what cannot change any more until ``stop``; return the exit code."""
+    server = _Server(_configured(controller, settings))
+    serving = asyncio.create_task(server.serve([listening]))
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.01)
+    ready(url_of(settings.host, listening.getsockname()[1]))
+    await stop.wait()
+    server.should_exit = True
+    await serving
+    return 0
+
+
+def _sender(settings: Settings) -> Sender:
+    """Return what delivers to webhooks. Raises TargetsError, CannotStart."""
+    try:
+        return Sender(Targets(settings.webhook_targets), VERSION, settings.webhook_authorities)
+    except (OSError, ValueError) as wrong:
+        raise CannotStart(f"webhook_authorities {settings.webhook_authorities} cannot be read: {wrong}") from None
 
 
 def _files() -> int:
@@ -114,7 +162,7 @@ def url_of(host: str, port: int) -> str:
     return f"http://{shown}:{port}"
 
 
-def _configured(controller: Controller, settings: Settings) -> uvicorn.Config:
+def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
     return uvicorn.Config(
         application(controller, settings),
         loop="none",
