@@ -12,6 +12,7 @@ LONG = {
     "tests/e2e/test_curl_teaching.py": 67,
     "tests/e2e/test_drive_scripts.py::test_a_maintenance_person": 45,
     "tests/e2e/test_tutorial.py::test_every_command": 60,
+    "tests/e2e/test_changed_plant.py": 25,
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
     "tests/runtime/test_serial_hall.py": 20,
     "tests/e2e/test_demo_plant.py": 25,

@@ -13,7 +13,9 @@ import uvicorn
 from app.api import application
 from app.api.connections import bounded
 from app.api.streams import Stream
+from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
+from app.domain.errors import PlantError
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
@@ -60,43 +62,83 @@ async def serve(
     restored: bool = False,
     notify: Notifier | None = None,
     seen: Callable[[Controller], None] = lambda controller: None,
+    changes: Changes | None = None,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
-    there is one to ``notify``, and it is fed as long as the controller lives.
+    there is one to ``notify``, and it is fed as long as the controller lives. When ``changes`` give another plant, the
+    controller stops and starts anew with it: requests that come meanwhile wait for their answer.
     Raises CannotStart, PlantHeld, StoreError.
     """
-    log = logger(plant=plant.name)
+    notify = notify or Notifier({})
+    while True:
+        controller = await _started(plant, settings, changes, restored=restored)
+        plant, restored = controller.plant, False
+        try:
+            seen(controller)
+            following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes)
+        finally:
+            await controller.stop()
+        if controller.lost.done():
+            return 1
+        if following is None or stop.is_set():
+            return 0
+        # What came between the look and the stop counts too: then everything stays as it was.
+        plant = following if changes is None or await changes.fits(plant, following) else plant
+
+
+async def _started(plant: Plant, settings: Settings, changes: Changes | None, *, restored: bool) -> Controller:
+    """Return a controller that runs: with the plant, or, if that cannot begin after a change, with the one before."""
     controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
     try:
         await controller.start()
-    except OSError as wrong:
+    except (OSError, PlantError) as wrong:
+        if changes is not None and changes.last is not None and changes.last is not plant:
+            logger(plant=plant.name).error("the plant cannot be changed", reason=str(wrong), goes_on="as before")
+            return await _started(changes.last, settings, changes, restored=restored)
+        if isinstance(wrong, PlantError):
+            raise
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
-    try:
-        seen(controller)
-        server = _Server(_configured(controller, settings))
-        serving = asyncio.create_task(server.serve([listening]))
-        stopping = asyncio.create_task(stop.wait())
-        while not server.started and not serving.done():
-            await asyncio.sleep(0.01)
-        gc.collect()
-        gc.freeze()
-        gc.set_threshold(*COLLECTED)
-        url = url_of(settings.host, listening.getsockname()[1])
-        ready(url)
-        notify = notify or Notifier({})
-        notify.ready(f"controls {plant.name} at {url}")
-        notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
-        ends: set[asyncio.Future[Any]] = {serving, stopping, controller.lost}
-        await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+    if changes is not None:
+        changes.last = plant
+    return controller
+
+
+async def _serve(
+    controller: Controller,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+    notify: Notifier,
+    changes: Changes | None,
+) -> Plant | None:
+    """Serve requests until something ends that; return the plant to go on with, None if there is none."""
+    log = logger(plant=controller.plant.name)
+    server = _Server(_configured(controller, settings))
+    serving = asyncio.create_task(server.serve([listening]))
+    stopping = asyncio.create_task(stop.wait())
+    changing = asyncio.create_task(changes.next(controller.plant) if changes else asyncio.Event().wait())
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.01)
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(*COLLECTED)
+    url = url_of(settings.host, listening.getsockname()[1])
+    ready(url)
+    notify.ready(f"controls {controller.plant.name} at {url}")
+    notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
+    ends: set[asyncio.Future[Any]] = {serving, stopping, changing, controller.lost}
+    await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+    following = changing.result() if changing.done() and not stop.is_set() and not controller.lost.done() else None
+    if not isinstance(following, Plant):
         notify.stopping()
-        server.should_exit = True
-        await serving
-        stopping.cancel()
-    finally:
-        await controller.stop()
-    return 1 if controller.lost.done() else 0
+    server.should_exit = True
+    await serving
+    stopping.cancel()
+    changing.cancel()
+    return following if isinstance(following, Plant) else None
 
 
 def _files() -> int:

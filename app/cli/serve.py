@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
-from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.running import again_signal, on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
     from app.settings import Settings
@@ -24,7 +24,7 @@ def serve(
     *,
     restored: Annotated[bool, typer.Option(help="the database is a backup put back: hold every vehicle")] = False,
 ) -> None:
-    """Control a plant and serve REST, live stream and page, until Ctrl-C."""
+    """Control a plant and serve REST, live stream and page, until Ctrl-C. SIGHUP: read the plant file again, and change over."""
     from app.settings import load
 
     with plainly():
@@ -41,13 +41,17 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant = plant_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
+    from app.cli.changes import Changes
     from app.runtime.notify import Notifier
 
     listening = hosting.bound(settings.host, settings.port)
 
     async def run() -> int:
         manager = Notifier(os.environ)
-        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored, notify=manager)
+        changes = Changes(file, settings.database, again_signal())
+        return await hosting.serve(
+            plant, settings, listening, stop_signal(), ready, restored=restored, notify=manager, changes=changes
+        )
 
     def ready(url: str) -> None:
         print(f"hoistway controls {plant.name}: {url}", flush=True)
