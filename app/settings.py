@@ -62,8 +62,14 @@ class Settings(BaseSettings):
     """Most live streams at the same time."""
     history_days: Annotated[int, Field(ge=0)] = 90
     """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
+    webhook_targets: tuple[str, ...] = ()
+    """Where webhooks may lead: hosts, ``*.domain``, addresses, networks; by default nowhere (docs/webhooks.md)."""
+    webhook_authorities: Path | None = None
+    """A file of certificates (PEM) that webhooks trust instead of the system's."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
     log_format: Literal["console", "json"] = "console"
+    traces: bool = False
+    """Whether a trace of each job is sent by OTLP, where OTEL_EXPORTER_OTLP_ENDPOINT says; needs ``hoistway[otel]``."""
 
     @property
     def keep_events(self) -> Seconds:
@@ -126,7 +132,7 @@ def _environment(environ: Mapping[str, str]) -> dict[str, object]:
         if name.startswith(PREFIX) and not name.startswith(NOT_SETTINGS) and text
     }
     _refuse_unknown(found, lambda name: f"environment variable {PREFIX}{name.upper()}")
-    lists = {"allowed_hosts", "allowed_origins"}
+    lists = {"allowed_hosts", "allowed_origins", "webhook_targets"}
     return {
         name: tuple(part.strip() for part in text.split(",")) if name in lists else text for name, text in found.items()
     }

@@ -35,6 +35,7 @@ from app.api import (
     teaching,
     vehicles,
     walks,
+    webhooks,
     zones,
 )
 from app.api.callers import Callers
@@ -149,6 +150,7 @@ def described(settings: Settings) -> FastAPI:
         plant.audit,
         plant.problems,
         live.router,
+        webhooks.router,
     ):
         api.include_router(router)
     app.include_router(api)

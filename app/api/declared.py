@@ -11,6 +11,7 @@ from app.api.policy import API, OUTSIDE, ROUTES
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
 from app.api.room_declared import ROOM
 from app.api.teaching_declared import TEACHING
+from app.api.webhook_declared import WEBHOOKS
 from app.domain.access import Scope, who_may
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
@@ -353,7 +354,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS | TEACHING | ROOM)
+    schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM)
     components["schemas"] = dict(sorted(schemas.items()))
     components["securitySchemes"] = SECURITY
     components["responses"] = {

@@ -161,6 +161,15 @@ ROUTES: Mapping[str, Scope] = {
     "GET /problems/{code}": Scope.PUBLIC,
     "POST /live/ticket": Scope.READ,
     "LIVE /live": Scope.READ,
+    "GET /webhooks": Scope.WEBHOOKS,
+    "POST /webhooks": Scope.WEBHOOKS,
+    "GET /webhooks/{webhook}": Scope.WEBHOOKS,
+    "PATCH /webhooks/{webhook}": Scope.WEBHOOKS,
+    "DELETE /webhooks/{webhook}": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/secret": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/replay": Scope.WEBHOOKS,
+    "POST /webhooks/{webhook}/ping": Scope.WEBHOOKS,
+    "GET /webhooks/{webhook}/deliveries": Scope.WEBHOOKS,
 }
 """Method and path under ``/api/v1`` -> what it is about. Every route has its row."""
 

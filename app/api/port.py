@@ -15,12 +15,14 @@ from app.domain.records import AuditRow, HistoryEvent, Intent
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import LineView
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.fleet.closure_preview import Survey
 from app.planning.routing import Route
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.webhooks import Targets
 
 
 class Reader(TeachingReader, RoomReader, Protocol):
@@ -66,6 +68,10 @@ class Reader(TeachingReader, RoomReader, Protocol):
         self, after: int = 0, limit: int = 100, *, job: str | None = None, vehicle: str | None = None
     ) -> Sequence[HistoryEvent]:
         """Return events numbered above ``after``, oldest first."""
+        ...
+
+    def webhook_tries(self, webhook: int, after: int | None = None, limit: int = 100) -> Sequence[WebhookTry]:
+        """Return a webhook's deliveries numbered below ``after``, newest first."""
         ...
 
     def intent(self, cmd_id: CmdId) -> Intent | None:
@@ -115,6 +121,19 @@ class Controller(Protocol):
     @property
     def figures(self) -> Figures:
         """What is counted as it happens."""
+        ...
+
+    @property
+    def targets(self) -> Targets:
+        """Where webhooks may lead."""
+        ...
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        """Return all webhooks, and how far each has been told."""
+        ...
+
+    async def ping_webhook(self, number: int) -> WebhookTry | None:
+        """Deliver a test; None: there is no such webhook."""
         ...
 
     @property

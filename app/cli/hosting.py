@@ -2,6 +2,7 @@
 
 import asyncio
 import gc
+import os
 import resource
 import socket
 from collections.abc import Callable, Iterator
@@ -11,6 +12,7 @@ from typing import Any
 import uvicorn
 
 from app.api import application
+from app.api.application import VERSION
 from app.api.connections import bounded
 from app.api.streams import Stream
 from app.cli.changes import Changes
@@ -20,6 +22,8 @@ from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
 from app.runtime.telemetry import logger
+from app.runtime.tracing import Traces, provider
+from app.runtime.webhooks import Sender, Targets
 from app.settings import Settings
 
 COLLECTED = (10_000, 20, 50)
@@ -69,34 +73,46 @@ async def serve(
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
     there is one to ``notify``, and it is fed as long as the controller lives. When ``changes`` give another plant, the
     controller stops and starts anew with it: requests that come meanwhile wait for their answer.
-    Raises CannotStart, PlantHeld, StoreError.
+    Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     notify = notify or Notifier({})
-    while True:
-        controller = await _started(plant, settings, changes, restored=restored)
-        plant, restored = controller.plant, False
-        try:
-            seen(controller)
-            following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes)
-        finally:
-            await controller.stop()
-        if controller.lost.done():
-            return 1
-        if following is None or stop.is_set():
-            return 0
-        # What came between the look and the stop counts too: then everything stays as it was.
-        plant = following if changes is None or await changes.fits(plant, following) else plant
+    traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
+    try:
+        while True:
+            controller = await _started(plant, settings, traces, changes, restored=restored)
+            plant, restored = controller.plant, False
+            try:
+                seen(controller)
+                following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes)
+            finally:
+                await controller.stop()
+            if controller.lost.done():
+                return 1
+            if following is None or stop.is_set():
+                return 0
+            # What came between the look and the stop counts too: then everything stays as it was.
+            plant = following if changes is None or await changes.fits(plant, following) else plant
+    finally:
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
 
 
-async def _started(plant: Plant, settings: Settings, changes: Changes | None, *, restored: bool) -> Controller:
+async def _started(
+    plant: Plant, settings: Settings, traces: Traces | None, changes: Changes | None, *, restored: bool
+) -> Controller:
     """Return a controller that runs: with the plant, or, if that cannot begin after a change, with the one before."""
-    controller = Controller(plant, settings.database, restored=restored, keep_events=settings.keep_events)
+    sender = _sender(settings)
+    controller = Controller(
+        plant, settings.database, restored=restored, keep_events=settings.keep_events, webhooks=lambda: sender
+    )
+    if traces is not None:
+        controller.figures.jobs.told = traces.take
     try:
         await controller.start()
     except (OSError, PlantError) as wrong:
         if changes is not None and changes.last is not None and changes.last is not plant:
             logger(plant=plant.name).error("the plant cannot be changed", reason=str(wrong), goes_on="as before")
-            return await _started(changes.last, settings, changes, restored=restored)
+            return await _started(changes.last, settings, traces, changes, restored=restored)
         if isinstance(wrong, PlantError):
             raise
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
@@ -119,7 +135,7 @@ async def _serve(
     server = _Server(_configured(controller, settings))
     serving = asyncio.create_task(server.serve([listening]))
     stopping = asyncio.create_task(stop.wait())
-    changing = asyncio.create_task(changes.next(controller.plant) if changes else asyncio.Event().wait())
+    changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
     while not server.started and not serving.done():
         await asyncio.sleep(0.01)
     gc.collect()
@@ -131,14 +147,33 @@ async def _serve(
     notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
     ends: set[asyncio.Future[Any]] = {serving, stopping, changing, controller.lost}
     await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
-    following = changing.result() if changing.done() and not stop.is_set() and not controller.lost.done() else None
-    if not isinstance(following, Plant):
+    if changing.done() and (defect := changing.exception()) is not None:
+        # A plant that runs does not end because its new file cannot be looked at.
+        log.critical("the plant file is not looked at any more", reason=repr(defect))
+        await asyncio.wait(ends - {changing}, return_when=asyncio.FIRST_COMPLETED)
+    over = stop.is_set() or controller.lost.done() or serving.done() or not changing.done() or changing.exception()
+    following = None if over else changing.result()
+    if following is None:
         notify.stopping()
     server.should_exit = True
     await serving
     stopping.cancel()
     changing.cancel()
-    return following if isinstance(following, Plant) else None
+    return following
+
+
+async def _never() -> Plant:
+    """Wait for a plant where none can come."""
+    never: asyncio.Future[Plant] = asyncio.get_running_loop().create_future()
+    return await never
+
+
+def _sender(settings: Settings) -> Sender:
+    """Return what delivers to webhooks. Raises TargetsError, CannotStart."""
+    try:
+        return Sender(Targets(settings.webhook_targets), VERSION, settings.webhook_authorities)
+    except (OSError, ValueError) as wrong:
+        raise CannotStart(f"webhook_authorities {settings.webhook_authorities} cannot be read: {wrong}") from None
 
 
 def _files() -> int:

@@ -5,7 +5,7 @@ its update a screen. A session's own packets (ACK, STATUS) need no commit and le
 """
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from app.control.agv import Agv
@@ -23,6 +23,7 @@ from app.domain.records import Kept, Record
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
 from app.domain.view import LineView, LinkView, Topic, Update, View
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.fleet import Effects, Fleet
 from app.fleet.vehicle import VehicleNow
 from app.fleet.waits import waits
@@ -233,6 +234,18 @@ class Control:
     def tick(self, now: Seconds) -> None:
         """The fleet's deadline has passed."""
         self.fleet.tick(now)
+        self._decide()
+
+    # -- webhooks -----------------------------------------------------------------------------------------------------
+
+    def webhooks(self) -> list[tuple[Webhook, WebhookProgress]]:
+        """Return all webhooks, and how far each has been told."""
+        known = self.fleet.webhooks
+        return [(webhook, known.progress[number]) for number, webhook in known.all.items()]
+
+    def webhook_told(self, progress: WebhookProgress, tries: Sequence[WebhookTry], failed: str = "") -> None:
+        """The shell has told a webhook of events, or tried to; ``failed``: it gives up, and why."""
+        self.fleet.webhooks.told(progress, tries, failed)
         self._decide()
 
     # -- routes -------------------------------------------------------------------------------------------------------

@@ -46,6 +46,8 @@ class Scope(StrEnum):
     DRIVES = "drives"
     STOP_DRIVES = "stop_drives"
     """Stop whatever turns on a line: whoever sees the danger."""
+    WEBHOOKS = "webhooks"
+    """Who is told of events by HTTP."""
     METRICS = "metrics"
     """Figures for Prometheus."""
     ADMIN = "admin"
@@ -59,7 +61,7 @@ _AT_THE_PLANT = _EVERYBODY | {
 
 GRANTS: Mapping[Role, frozenset[Scope]] = {
     Role.VIEWER: _EVERYBODY,
-    Role.MES: _EVERYBODY | {Scope.JOBS, Scope.PLACES, Scope.SIGNAL},
+    Role.MES: _EVERYBODY | {Scope.JOBS, Scope.PLACES, Scope.SIGNAL, Scope.WEBHOOKS},
     Role.OPERATOR: _AT_THE_PLANT | {Scope.JOBS, Scope.PLACES, Scope.CONTROL},
     Role.MAINTENANCE: _AT_THE_PLANT | {Scope.UPKEEP, Scope.TEACHING, Scope.DRIVES},
     Role.ADMIN: frozenset(Scope),

@@ -16,6 +16,7 @@ from app.domain.pulses import AxisPulses
 from app.domain.teaching import Basis, Proposal, TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
 from app.domain.walks import Walk, WalkPlace
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 
 
@@ -357,6 +358,9 @@ Record = (
     | DeviceRecord
     | Why
     | Closure
+    | Webhook
+    | WebhookProgress
+    | WebhookTry
     | Alarm
     | Walk
     | WalkPlace
@@ -399,6 +403,10 @@ class Kept:
     next_session: int = 1
     closures: tuple[Closure, ...] = ()
     next_closure: int = 1
+    webhooks: tuple[Webhook, ...] = ()
+    """All but those removed, with their progress."""
+    webhook_progress: tuple[WebhookProgress, ...] = ()
+    next_webhook: int = 1
     alarms: tuple[Alarm, ...] = ()
     """Those that had not ended."""
     next_alarm: int = 1

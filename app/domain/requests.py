@@ -16,6 +16,7 @@ from app.domain.teaching import RowFate
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.units import Barcode
 from app.domain.walks import WalkRequest
+from app.domain.webhooks import WebhookRequest
 
 
 @dataclass(frozen=True, slots=True)
@@ -295,7 +296,16 @@ RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency
 """About doors, buffers and chargers, and the signals that stop all."""
 
-Request = VehicleRequest | JobRequest | PlantRequest | DriveOrder | TeachingRequest | HallRequest | RoomRequest
+Request = (
+    VehicleRequest
+    | JobRequest
+    | PlantRequest
+    | DriveOrder
+    | TeachingRequest
+    | HallRequest
+    | RoomRequest
+    | WebhookRequest
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -266,6 +266,11 @@ class Books:
         self.effects.records.append(event)
         self.show(Topic.EVENTS, str(event.seq), view_of_event(event))
 
+    @property
+    def last_event(self) -> int:
+        """The number of the last event."""
+        return self._next_event - 1
+
     def audit(self, actor: Actor, action: str, target: str, detail: str, *, accepted: bool) -> None:
         """Record that somebody asked for something."""
         self.effects.records.append(AuditRow(self.utc, actor, action, target, detail, accepted))

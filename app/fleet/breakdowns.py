@@ -47,11 +47,13 @@ class Breakdowns:
 
     def mind(self, vehicle: VehicleNow) -> None:
         """A vehicle is different now: it may have come to stand, or to go on."""
+        stand = self._standing.get(vehicle.id)
+        if stand is None and vehicle.fit and vehicle.oper is not Oper.PAUSE:  # nearly all
+            return
         why, grace = self._stands(vehicle)
         if not why:
             self.goes_on(vehicle)
             return
-        stand = self._standing.get(vehicle.id)
         if stand is None:
             self._standing[vehicle.id] = Stand(self._books.now, grace, why)
             return

@@ -57,6 +57,7 @@ from app.fleet.teaching_views import view_of_proposal, view_of_session
 from app.fleet.vehicle import VehicleNow
 from app.fleet.views import view_of_alarm, view_of_job, view_of_vehicle
 from app.fleet.walks import Walks
+from app.fleet.webhooks import Webhooks
 from app.planning.tables import Tables
 
 SHOW_EVERY = Seconds(0.1)
@@ -119,6 +120,7 @@ class Fleet:
         teaching = TeachingDesk(self.books, self.teaching, sessions)
         device_orders = DeviceOrders(self.books, self.devices, passages, self.doors, self.buffers)
         emergency = EmergencyDesk(self.books, self._plant_orders, self.alarms, self.drives)
+        self.webhooks = Webhooks(self.books, kept.webhooks, kept.webhook_progress, kept.next_webhook)
         self._desk = Desk(
             self.books,
             self._jobs,
@@ -131,6 +133,7 @@ class Fleet:
             emergency,
             self._closures,
             Standstills(self.books, self._plant_orders, self.alarms),
+            self.webhooks,
             Walks(self.books, self._plant_orders),
         )
         self._link = link

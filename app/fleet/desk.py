@@ -41,6 +41,7 @@ from app.domain.requests import (
 )
 from app.domain.teaching_requests import TeachingRequest
 from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, StartWalk
+from app.domain.webhooks import WebhookRequest
 from app.fleet.agv_orders import AgvOrders
 from app.fleet.books import Books
 from app.fleet.closures import Closures
@@ -55,6 +56,7 @@ from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
 from app.fleet.walks import Walks
+from app.fleet.webhooks import Webhooks
 
 TARGETS = (
     "job",
@@ -72,10 +74,12 @@ TARGETS = (
     "zone",
     "alarm",
     "walk",
+    "webhook",
+    "url",
 )
 """Parts of a request that name what it is about, the first that is there."""
 
-UNSAID = frozenset({"actor", "fingerprint", "values", "known", "sights"})
+UNSAID = frozenset({"actor", "fingerprint", "values", "known", "sights", "secret"})
 """Parts of a request that the audit does not repeat: who asked stands in a column of its own, values may be many."""
 
 EMPTY: tuple[object, ...] = ("", (), frozenset())
@@ -98,6 +102,7 @@ class Desk:
         emergency: EmergencyDesk,
         closures: Closures,
         standstills: Standstills,
+        webhooks: Webhooks,
         walks: Walks,
     ) -> None:
         self._books = books
@@ -111,6 +116,7 @@ class Desk:
         self._emergency = emergency
         self._closures = closures
         self._standstills = standstills
+        self._webhooks = webhooks
         self._walks = walks
 
     def answer(self, request: Request) -> Reply:
@@ -138,6 +144,8 @@ class Desk:
             return self._answer_about_hall(request)
         if isinstance(request, RoomRequest):
             return self._answer_about_room(request)
+        if isinstance(request, WebhookRequest):
+            return self._webhooks.answer(request)
         return self._answer_about_plant(request)
 
     def _answer_about_room(self, request: RoomRequest) -> Reply:

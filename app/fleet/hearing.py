@@ -53,14 +53,14 @@ class Hearing:
     def take(self, vehicle: VehicleNow, event: Event) -> None:
         """Take one event of a session."""
         match event:
+            case Reported():  # nearly all
+                self._reported(vehicle, event)
             case LinkUp():
                 self._link_up(vehicle)
             case LinkDown(reason=reason):
                 self._alarms.link_lost(vehicle)
                 self._teaching.lost(vehicle, reason)
                 self._recovery.link_lost(vehicle, reason)
-            case Reported():
-                self._reported(vehicle, event)
             case Acknowledged():
                 self._acknowledged(vehicle, event)
             case Answered():

@@ -195,10 +195,12 @@ class VehicleNow:
     kept: str = ""
     trips: int = 0
 
-    @property
-    def id(self) -> VehicleId:
-        """The vehicle's name."""
-        return self.spec.id
+    id: VehicleId = field(init=False, repr=False)
+    """The vehicle's name, here since each event asks for it some times."""
+
+    def __post_init__(self) -> None:
+        """Take the name from the plant's row."""
+        self.id = self.spec.id
 
     @property
     def is_agv(self) -> bool:
@@ -261,11 +263,13 @@ class VehicleNow:
     @property
     def fit(self) -> bool:
         """Whether it can be given motion and handling: settled, in AUTO, without alarm, not barred."""
+        status, record = self.status, self.record
         return (
             self.stage is Stage.READY
-            and self.mode is Mode.AUTO
-            and self.oper is not Oper.ALARM
-            and not self.barred
+            and status is not None
+            and status.condition.mode is Mode.AUTO
+            and status.condition.oper is not Oper.ALARM
+            and not (record.off_rail or record.lockout or record.hold or record.out_of_service)
             and self.recovery is None
         )
 

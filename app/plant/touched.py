@@ -18,6 +18,7 @@ def touched(old: Plant, new: Plant, kept: Kept) -> list[Broken]:
     ``kept`` is what the database of the running plant has.
     """
     return [
+        *_listening(old, new),
         *_jobs(new, kept),
         *_carriers(new, kept),
         *_vehicles(new, kept),
@@ -26,6 +27,14 @@ def touched(old: Plant, new: Plant, kept: Kept) -> list[Broken]:
         *_operations(new, kept),
         *_people(new, kept),
     ]
+
+
+def _listening(old: Plant, new: Plant) -> Iterator[Broken]:
+    """Another address to listen at may be taken, which would be found out too late to go back in order."""
+    before, after = (plant.listen if any(v.listen for v in plant.hoists) else None for plant in (old, new))
+    if after is not None and after != before:
+        text = f"vehicles are to connect to {after[0]}:{after[1]}, where the controller does not listen"
+        yield Broken("plant", "listen", text, "stop the controller, and start it with the new file", ("vehicles",))
 
 
 def _jobs(new: Plant, kept: Kept) -> Iterator[Broken]:

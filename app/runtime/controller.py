@@ -16,12 +16,12 @@ from app.control import Control, Transaction
 from app.domain.drive_requests import Word
 from app.domain.errors import Refusal
 from app.domain.ids import LinkId, VehicleId
-from app.domain.job import JobEvent
 from app.domain.layout import Plant
-from app.domain.records import Kept
+from app.domain.records import HistoryEvent, Kept
 from app.domain.requests import Reply, Request
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.view import EventView, LineView, Topic, Update
+from app.domain.view import LineView, Topic
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.fleet.closure_preview import Survey, survey
 from app.fleet.takeover import check_nobody_is_forgotten
 from app.planning.routing import Route
@@ -31,6 +31,7 @@ from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
+from app.runtime.journal import Journal
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
 from app.runtime.metrics import Figures
@@ -38,28 +39,12 @@ from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
+from app.runtime.webhooks import Courier, Sender, Targets
 from app.runtime.writer import Writer
 from app.store.ledger import FOR_EVER, SqlLedger
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
-NOTEWORTHY = frozenset(
-    {
-        JobEvent.VEHICLE_HELD,
-        JobEvent.VEHICLE_RELEASED,
-        JobEvent.ALARM_SET,
-        JobEvent.ALARM_CLEARED,
-        JobEvent.DRIVE_OFFLINE,
-        JobEvent.DRIVE_ONLINE,
-        JobEvent.DRIVE_ERROR_SET,
-        JobEvent.DRIVE_ERROR_CLEARED,
-        JobEvent.EMERGENCY_SET,
-        JobEvent.EMERGENCY_RELEASED,
-        JobEvent.PLACE_CLOSING,
-        JobEvent.PLACE_OPENED,
-    }
-)
-"""Events that the log has too, for a person on duty without the page."""
 ANSWER_WITHIN = 30.0
 """Seconds until who asks is told that there is no answer (a database in trouble). Our choice."""
 SWEEP = 1.0
@@ -98,7 +83,9 @@ class Controller:
         *,
         restored: bool = False,
         keep_events: Seconds = FOR_EVER,
+        webhooks: Callable[[], Sender] = lambda: Sender(Targets(()), "0"),
     ) -> None:
+        """``webhooks`` makes what delivers to them: where they may lead is for the settings to say."""
         self.plant = plant
         self.trouble = ""
         """Why nothing can be made durable just now; empty if all is well."""
@@ -106,7 +93,9 @@ class Controller:
         self._database = database
         self._restored = restored
         self._keep_events = keep_events
+        self._sender_made = webhooks
         self._log: FilteringBoundLogger = logger(plant=plant.name)
+        self._journal = Journal(self._log)
         self.figures = Figures(plant)
         """What is counted for /metrics."""
         self._in_flight: deque[Transaction] = deque()
@@ -147,6 +136,9 @@ class Controller:
         self.hub.publish(self._control.snapshot())
         self.figures.jobs.begin(self.model.all(Topic.JOBS))
         self.figures.start()
+        self._sender = self._sender_made()
+        self._courier = Courier(self, self._sender, tried=self.figures.webhook_tries)
+        self._courier.stir()
         leased = math.isfinite(self._writer.held_until)
         for name in self._control.lines:
             end = self._control.endpoint(name)
@@ -167,6 +159,8 @@ class Controller:
         for line in self._lines.values():
             line.stop()
             await line.disconnected()
+        await self._courier.stop()
+        await self._sender.close()
         if not self._over:
             self._pump()
         await asyncio.to_thread(self._writer.close)
@@ -239,6 +233,30 @@ class Controller:
     def backlog(self) -> tuple[int, int]:
         """Batches that wait for the writer, and decisions that are not durable yet."""
         return self._writer.waiting, len(self._in_flight)
+
+    @property
+    def targets(self) -> Targets:
+        """Where webhooks may lead."""
+        return self._sender.targets
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        """Return all webhooks, and how far each has been told."""
+        return self._control.webhooks()
+
+    def webhook_told(self, progress: WebhookProgress, tries: Sequence[WebhookTry], failed: str = "") -> None:
+        """Keep how far a webhook has been told; ``failed``: it is given up, and why."""
+        if not self._over:
+            with self._whole:
+                self._control.webhook_told(progress, tries, failed)
+                self._kick()
+
+    async def ping_webhook(self, number: int) -> WebhookTry | None:
+        """Deliver a test; None: there is no such webhook."""
+        return await self._courier.ping(number)
+
+    async def events_after(self, after: int, limit: int) -> Sequence[HistoryEvent]:
+        """Return durable events above a number, in order. Raises StoreError."""
+        return await asyncio.to_thread(self.reader.events, after, limit)
 
     def silent_for(self) -> Seconds:
         """Return for how long nothing was made durable or tried; for ever once the controller may not go on."""
@@ -313,8 +331,11 @@ class Controller:
             if updates:
                 self.hub.publish(updates)
                 self.figures.jobs.take(updates)
-                self._note(updates)
-            for ticket, reply in self._control.replies():
+                self._journal.take(updates)
+            replies = self._control.replies()
+            if updates or replies:
+                self._courier.stir()
+            for ticket, reply in replies:
                 asked = self._asked.pop(ticket, None)
                 if asked is not None and not asked[0].done():
                     asked[0].set_result(reply)
@@ -327,14 +348,6 @@ class Controller:
             with self._whole:
                 self._control.replanned(tables, self._clock.now())
             self._kick()
-
-    def _note(self, updates: Sequence[Update]) -> None:
-        """Write into the log what a person on duty should see without the page."""
-        for update in updates:
-            event = update.value
-            if isinstance(event, EventView) and event.event in NOTEWORTHY:
-                about = {"vehicle": event.vehicle} if event.vehicle else {"drive": event.source}
-                self._log.warning(event.event, **about, job=event.job, detail=event.detail)
 
     def _defect(self) -> None:
         self._log.exception("defect")

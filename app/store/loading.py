@@ -4,7 +4,8 @@ import sqlalchemy as sa
 
 from app.domain.ids import Epoch
 from app.domain.records import ControllerRecord, ControllerState, Kept
-from app.store import drive_rows, rows, teaching, why_rows
+from app.domain.webhooks import WebhookState
+from app.store import drive_rows, rows, teaching, webhook_rows, why_rows
 from app.store.alarm_rows import alarm
 from app.store.closure_rows import closure
 from app.store.device_rows import device
@@ -38,6 +39,8 @@ from app.store.tables import (
     vehicles,
     walk_places,
     walks,
+    webhook_progress,
+    webhooks,
 )
 from app.store.walk_rows import walk, walk_place
 
@@ -86,6 +89,13 @@ def kept(connection: sa.Connection, epoch: Epoch, *, fresh: bool) -> Kept:
         walk_places=tuple(map(walk_place, _places(connection))),
         next_walk=_next(connection, walks.c.number),
         next_closure=_next(connection, closures.c.number),
+        webhooks=tuple(
+            map(webhook_rows.webhook, _those(connection, webhooks, webhooks.c.state != WebhookState.REMOVED.value))
+        ),
+        webhook_progress=tuple(
+            sorted(map(webhook_rows.progress, _all(connection, webhook_progress)), key=lambda one: one.webhook)
+        ),
+        next_webhook=_next(connection, webhooks.c.number),
         fresh=fresh,
     )
 

@@ -11,14 +11,15 @@ from app.domain.errors import StoreError
 from app.domain.ids import CmdId, JobId, VehicleId
 from app.domain.job import Job
 from app.domain.records import AuditRow, HistoryEvent, Intent
+from app.domain.webhooks import WebhookTry
 from app.domain.why import Why
-from app.store import drive_rows, rows, why_rows
+from app.store import drive_rows, rows, webhook_rows, why_rows
 from app.store.alarm_reading import AlarmReader
 from app.store.columns import Found, signed
 from app.store.engine import MEMORY, parsed, reading, told
 from app.store.room_reading import RoomReader
 from app.store.statistics_reading import StatisticsReader
-from app.store.tables import audit, drive_backups, events, intents, job_whys, jobs, operations
+from app.store.tables import audit, drive_backups, events, intents, job_whys, jobs, operations, webhook_tries
 from app.store.teaching_reading import TeachingReader, where
 
 T = TypeVar("T")
@@ -133,6 +134,13 @@ class Reader(TeachingReader, RoomReader, AlarmReader, StatisticsReader):
         if after is not None:
             query = query.where(drive_backups.c.number < after)
         return self._list(query.order_by(drive_backups.c.number.desc()).limit(limit), drive_rows.backup)
+
+    def webhook_tries(self, webhook: int, after: int | None = None, limit: int = 100) -> list[WebhookTry]:
+        """Return a webhook's deliveries that are kept, newest first; ``after`` is the number of the last one seen."""
+        query = sa.select(webhook_tries).where(webhook_tries.c.webhook == webhook)
+        if after is not None:
+            query = query.where(webhook_tries.c.number < after)
+        return self._list(query.order_by(webhook_tries.c.number.desc()).limit(limit), webhook_rows.made_try)
 
     def _list(self, query: sa.Select[Any], made: Callable[[Found], T]) -> list[T]:
         with told("the database cannot be read"), self._engine.connect() as connection:

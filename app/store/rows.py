@@ -30,6 +30,7 @@ from app.domain.records import (
 )
 from app.domain.units import Timestamp
 from app.domain.walks import Walk, WalkPlace
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.store import drive_rows, teaching
 from app.store.alarm_rows import alarm_row
@@ -37,6 +38,7 @@ from app.store.closure_rows import closure_row
 from app.store.columns import Found, Row, as_json, as_names, lockout_of, lockout_text, signed, unsigned
 from app.store.device_rows import device_row, emergencies, emergencies_text, pauses, pauses_text
 from app.store.walk_rows import walk_place_row, walk_row
+from app.store.webhook_rows import progress_row, try_row, webhook_row
 from app.store.why_rows import why_row
 
 
@@ -266,6 +268,9 @@ ROW_OF: dict[type, Callable[[Any], Row]] = {
     DeviceRecord: device_row,
     Why: why_row,
     Closure: closure_row,
+    Webhook: webhook_row,
+    WebhookProgress: progress_row,
+    WebhookTry: try_row,
     Alarm: alarm_row,
     Walk: walk_row,
     WalkPlace: walk_place_row,

@@ -28,6 +28,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import Proposal, TeachingSession
 from app.domain.walks import Walk, WalkPlace
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.domain.why import Why
 from app.store import tables
 from app.store.columns import Row
@@ -48,6 +49,9 @@ REPLACED: dict[type, sa.Table] = {
     DeviceRecord: tables.devices,
     Why: tables.job_whys,
     Closure: tables.closures,
+    Webhook: tables.webhooks,
+    WebhookProgress: tables.webhook_progress,
+    WebhookTry: tables.webhook_tries,
     Alarm: tables.alarms,
     Walk: tables.walks,
     WalkPlace: tables.walk_places,

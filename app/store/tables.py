@@ -379,6 +379,52 @@ in_force = closures.c.state.not_in([sa.literal_column(f"'{state}'") for state in
 """Closures that a restart must take up again."""
 sa.Index("ix_closures_in_force", closures.c.number, sqlite_where=in_force, postgresql_where=in_force)
 
+webhooks = sa.Table(
+    "webhooks",
+    metadata,
+    _key("number", BIG),
+    _text("url"),
+    sa.Column("events", JSON, nullable=False),
+    _text("secret"),
+    _text("actor"),
+    _at("created"),
+    _text("note"),
+    _text("state"),
+    _text("reason"),
+    _big("replays"),
+    _text("old_secret"),
+    sa.Column("old_until", UTC),
+)
+
+webhook_progress = sa.Table(
+    "webhook_progress",
+    metadata,
+    _key("webhook", BIG),
+    _big("position"),
+    _big("replays"),
+    _big("tries"),
+    _big("delivered"),
+    sa.Column("last", UTC),
+    sa.Column("failing", UTC),
+    _big("attempts"),
+    _text("error"),
+)
+
+webhook_tries = sa.Table(
+    "webhook_tries",
+    metadata,
+    _key("webhook", BIG),
+    _key("slot", BIG),
+    _big("number"),
+    _at("at"),
+    sa.Column("seq", BIG),
+    _text("event"),
+    _big("attempt"),
+    sa.Column("status", BIG),
+    sa.Column("seconds", UTC, nullable=False),
+    _text("error"),
+)
+"""The newest deliveries of each webhook, in turn: ``slot`` is the number of the delivery modulo how many are kept."""
 alarms = sa.Table(
     "alarms",
     metadata,

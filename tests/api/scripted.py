@@ -50,6 +50,16 @@ from app.domain.view import (
     VehicleView,
 )
 from app.domain.walks import AcceptWalk, EnterSights, StartWalk, Walk, WalkPlace, WalkRequest, WalkState
+from app.domain.webhooks import (
+    AddWebhook,
+    ChangeWebhook,
+    RemoveWebhook,
+    ReplayWebhook,
+    Webhook,
+    WebhookProgress,
+    WebhookRequest,
+    WebhookTry,
+)
 from app.domain.why import Why
 from app.fleet.closure_preview import SeenJob, SeenVehicle, Survey
 from app.fleet.teaching_views import view_of_proposal, view_of_session
@@ -59,6 +69,7 @@ from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.webhooks import Targets
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
@@ -216,6 +227,9 @@ class MemoryReader:
         found = [e for e in self.past if e.seq > after and job in (None, e.job) and vehicle in (None, e.vehicle)]
         return found[:limit]
 
+    def webhook_tries(self, webhook: int, after: int | None = None, limit: int = 100) -> Sequence[WebhookTry]:
+        return [WebhookTry(webhook, 1, NOW, 7, "TransferCompleted", 1, None, 5.0, "no answer within 10 s")]
+
     def intent(self, cmd_id: CmdId) -> Intent | None:
         return self.commands.get(cmd_id)
 
@@ -284,6 +298,8 @@ class Scripted:
         self.reader = MemoryReader()
         self.figures = Figures(plant)
         self.backlog = (0, 0)
+        self.targets = Targets(["mes.fab", "10.0.0.0/8"])
+        self.subscribed: dict[int, tuple[Webhook, WebhookProgress]] = {}
         self.trouble = ""
         self.refusal: Refusal | Exception | None = None
         self.seen: list[r.Request] = []
@@ -310,6 +326,34 @@ class Scripted:
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         return Router(Track(self.plant)).alternatives(start, goal, most)
 
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        return list(self.subscribed.values())
+
+    async def ping_webhook(self, number: int) -> WebhookTry | None:
+        if number not in self.subscribed:
+            return None
+        return WebhookTry(number, 1, NOW, None, "Ping", 1, 200, 0.012, "")
+
+    def _webhook(self, request: WebhookRequest) -> r.Reply:
+        if isinstance(request, AddWebhook):
+            number = len(self.subscribed) + 1
+            made = Webhook(number, request.url, request.events, request.secret, request.actor, NOW, request.note)
+            self.subscribed[number] = made, WebhookProgress(number, request.after or 0)
+            return r.Accepted("webhooks", str(number), created=True)
+        if request.webhook not in self.subscribed:
+            return Refusal("not-found", f"there is no webhook {request.webhook}")
+        webhook, progress = self.subscribed[request.webhook]
+        match request:
+            case RemoveWebhook():
+                del self.subscribed[request.webhook]
+            case ChangeWebhook():
+                self.subscribed[request.webhook] = replace(webhook, url=request.url or webhook.url), progress
+            case ReplayWebhook():
+                self.subscribed[request.webhook] = webhook, replace(progress, position=request.after)
+            case _:
+                pass
+        return r.Accepted("webhooks", str(request.webhook))
+
     def waits(self) -> dict[str, int]:
         return {"held": 0}
 
@@ -334,7 +378,7 @@ class Scripted:
         refusal, self.refusal = self.refusal, None
         if isinstance(refusal, Exception):
             raise refusal
-        reply = refusal or self._reply(request)
+        reply = refusal or (self._webhook(request) if isinstance(request, WebhookRequest) else self._reply(request))
         accepted = isinstance(reply, r.Accepted)
         self.reader.asked.append(AuditRow(NOW, request.actor, type(request).__name__, "", "", accepted))
         return reply

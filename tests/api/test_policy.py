@@ -25,6 +25,7 @@ PLANT = "operator maintenance admin"
 ORDERS = "operator mes admin"
 DESK = "operator admin"
 UPKEEP = "maintenance admin"
+HOSTS = "mes admin"
 SIGNAL = "operator maintenance mes admin"
 
 MAY: dict[str, str] = {
@@ -36,6 +37,15 @@ MAY: dict[str, str] = {
     "GET /healthz": OPEN,
     "GET /readyz": OPEN,
     "GET /metrics": ALL,
+    "GET /webhooks": HOSTS,
+    "POST /webhooks": HOSTS,
+    "GET /webhooks/{webhook}": HOSTS,
+    "PATCH /webhooks/{webhook}": HOSTS,
+    "DELETE /webhooks/{webhook}": HOSTS,
+    "POST /webhooks/{webhook}/secret": HOSTS,
+    "POST /webhooks/{webhook}/replay": HOSTS,
+    "POST /webhooks/{webhook}/ping": HOSTS,
+    "GET /webhooks/{webhook}/deliveries": HOSTS,
     "GET /metrics/lines": ALL,
     "LIVE /{path:path}": OPEN,
     "GET /problems": OPEN,

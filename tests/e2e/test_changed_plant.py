@@ -1,8 +1,6 @@
 """A plant that changes while it runs: jobs go on, what would break keeps the old plant, and back again."""
 
-import re
 import signal
-import socket
 import subprocess
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -82,14 +80,3 @@ def test_a_plant_changes_under_a_job_without_losing_it_and_changes_back(plant: P
     wait_until(lambda: answers(plant.url) and "P9" not in plant.stations(), "the plant as it was", plant.log)
     assert plant.process.poll() is None
     assert not plant.said("Traceback")
-
-
-def test_a_plant_that_cannot_begin_leaves_the_one_before_at_work(plant: Plant) -> None:
-    (taken,) = free_ports(1)
-    with socket.create_server(("127.0.0.1", taken)):
-        text = re.sub(r'(V002: .*?)address: "127.0.0.1:\d+"', r'\1listen: true, address: "127.0.0.1"', plant.text)
-        plant.change(f"listen: 127.0.0.1:{taken}\n{text}")
-        wait_until(lambda: plant.said("the plant cannot be changed"), "the refusal", plant.log)
-        wait_until(lambda: answers(plant.url) and plant.idle(), "the plant as it was", plant.log)
-    plant.order("J1", "P1", "P2")
-    wait_until(lambda: plant.get("/jobs/J1")["state"] == "completed", "the job", plant.log)

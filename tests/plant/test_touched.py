@@ -154,3 +154,14 @@ def test_a_lockout_does_not_go_with_its_machine() -> None:
     assert [one.name for one in touched(hall, bare, locked)] == ["DOOR1", "AX1"]
     free = replace(locked, devices=(DeviceRecord(DeviceId("DOOR1")),), drives=(DriveRecord(DriveId("AX1")),))
     assert touched(hall, bare, free) == []
+
+
+def test_another_address_to_listen_at_needs_a_restart() -> None:
+    dialling = replace(plant(), listen=("127.0.0.1", 9000))
+    listening = replace(dialling, vehicles=tuple(replace(v, listen=True, port=0) for v in plant().vehicles))
+    moved = replace(listening, listen=("127.0.0.1", 9001))
+    assert told(dialling) == []
+    assert told(listening) == [("plant", "listen")]
+    assert touched(listening, listening, Kept(epoch=Epoch(1))) == []
+    assert touched(listening, plant(), Kept(epoch=Epoch(1))) == []
+    assert [one.name for one in touched(listening, moved, Kept(epoch=Epoch(1)))] == ["listen"]

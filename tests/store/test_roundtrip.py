@@ -51,6 +51,7 @@ from app.domain.records import (
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
 from app.domain.walks import Walk, WalkPlace, WalkState
+from app.domain.webhooks import Webhook, WebhookProgress, WebhookState, WebhookTry
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
 from app.store.reading import Reader
@@ -360,6 +361,45 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         ended=st.none() | TIME,
         ended_by=MAYBE,
     ),
+    Webhook: st.builds(
+        Webhook,
+        number=NUMBER,
+        url=TEXT,
+        events=NAMES,
+        secret=TEXT,
+        actor=TEXT,
+        created=TIME,
+        note=TEXT,
+        state=st.sampled_from(WebhookState),
+        reason=TEXT,
+        replays=NUMBER,
+        old_secret=TEXT,
+        old_until=st.none() | TIME,
+    ),
+    WebhookProgress: st.builds(
+        WebhookProgress,
+        webhook=NUMBER,
+        position=NUMBER,
+        replays=NUMBER,
+        tries=NUMBER,
+        delivered=NUMBER,
+        last=st.none() | TIME,
+        failing=st.none() | TIME,
+        attempts=NUMBER,
+        error=TEXT,
+    ),
+    WebhookTry: st.builds(
+        WebhookTry,
+        webhook=NUMBER,
+        number=NUMBER,
+        at=TIME,
+        seq=st.none() | NUMBER,
+        event=TEXT,
+        attempt=NUMBER,
+        status=st.none() | NUMBER,
+        seconds=TIME,
+        error=TEXT,
+    ),
 }
 
 
@@ -407,6 +447,9 @@ FOUND: dict[type, Callable[[Any, Kept, Reader], list[object]]] = {
         *reader.closures(),
         *([] if one.state.over else [kept.closures[0]]),
     ],
+    Webhook: lambda one, kept, reader: [one, *kept.webhooks],
+    WebhookProgress: lambda one, kept, reader: list(kept.webhook_progress),
+    WebhookTry: lambda one, kept, reader: list(reader.webhook_tries(one.webhook)),
 }
 """What the database says where it should say the record that was written, in every place where it can be asked."""
 TABLE = {kind: table.name for kind, table in {**REPLACED, **APPENDED, CarrierGone: tables.carriers}.items()}

@@ -2,15 +2,17 @@
 
 import platform
 import sys
+from collections import Counter
 from collections.abc import Iterator
 
 from prometheus_client import CollectorRegistry, GCCollector, ProcessCollector
 from prometheus_client.metrics_core import Metric
 
 from app.domain.units import Timestamp
+from app.domain.webhooks import WebhookState
 from app.runtime.metrics import lines, plant
 from app.runtime.metrics.figures import Measured
-from app.runtime.metrics.shapes import counter, gauge, gauges, histogram
+from app.runtime.metrics.shapes import alone, counter, counters, gauge, gauges, histogram
 
 _PROCESS = CollectorRegistry()
 ProcessCollector(registry=_PROCESS)
@@ -29,7 +31,27 @@ def families(controller: Measured, version: str, now: Timestamp) -> Iterator[Met
     yield from plant.equipment(model)
     yield from lines.by_wire(lines.qualities(model, controller.named_quality(), controller.links()))
     yield from _service(controller)
+    yield from _webhooks(controller, now)
     yield from _PROCESS.collect()
+
+
+def _webhooks(controller: Measured, now: Timestamp) -> Iterator[Metric]:
+    """Give how far those are told that want to be told by HTTP."""
+    known, last = controller.webhooks(), controller.hub.model.last_event
+    states = Counter(webhook.state for webhook, _ in known)
+    shown = {state.value: float(states[state]) for state in WebhookState if state is not WebhookState.REMOVED}
+    yield gauges("webhooks", "Webhooks, by their state.", ["state"], alone(shown))
+    active = [progress for webhook, progress in known if webhook.state is WebhookState.ACTIVE]
+    behind = max((last - progress.position for progress in active), default=0)
+    yield gauge("webhook_behind_events", "Events that the active webhook farthest behind has not been told of.", behind)
+    failing = max(
+        ((0.0 if progress.failing is None else max(now - progress.failing, 0.0)) for progress in active), default=0.0
+    )
+    yield gauge("webhook_failing_seconds", "Since when the active webhook worst off takes nothing.", failing)
+    tried = {name: float(controller.figures.webhook_tries[name]) for name in ("taken", "refused", "unreachable")}
+    yield counters(
+        "webhook_deliveries", "Deliveries that were tried, by what became of them.", ["outcome"], alone(tried)
+    )
 
 
 def line_families(controller: Measured) -> Iterator[Metric]:

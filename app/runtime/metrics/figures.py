@@ -1,12 +1,14 @@
 """What is counted as it happens: spreads of durations and sizes, and how often something was."""
 
 import asyncio
+from collections import Counter
 from collections.abc import Sequence
 from typing import Protocol
 
 from app.domain.ids import VehicleId
 from app.domain.layout import Plant
 from app.domain.view import LineView
+from app.domain.webhooks import Webhook, WebhookProgress
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub
 from app.runtime.metrics.jobs import JobFigures
@@ -35,6 +37,8 @@ class Figures:
         self.lateness = Spread(LATE)
         self.table_seconds = Spread(TABLES)
         self.table_failures = 0
+        self.webhook_tries: Counter[str] = Counter()
+        """Deliveries to webhooks, by what became of them: taken, refused, unreachable."""
         self._timer: asyncio.TimerHandle | None = None
         self._due = 0.0
 
@@ -86,6 +90,10 @@ class Measured(Protocol):
 
     def waits(self) -> dict[str, int]:
         """Return how many vehicles wait for what, by cause."""
+        ...
+
+    def webhooks(self) -> Sequence[tuple[Webhook, WebhookProgress]]:
+        """Return all webhooks, and how far each has been told."""
         ...
 
     def links(self) -> Sequence[LineView]:

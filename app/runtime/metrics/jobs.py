@@ -1,9 +1,10 @@
 """What becomes of jobs, counted from the durable events as they are published (DOMAIN section 2)."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 
-from app.domain.job import TERMINAL, JobEvent
+from app.domain.job import TERMINAL, JobEvent, JobState
 from app.domain.layout import Plant
 from app.domain.view import EventView, JobView, Topic, Update
 from app.fleet.circles import IN_A_CIRCLE
@@ -35,6 +36,15 @@ _ENDS = frozenset(
 _SETS = {JobEvent.ALARM_SET.value: 1, JobEvent.ALARM_CLEARED.value: -1}
 
 
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """A job that ended, by which event, and when (UTC) each event that marks a phase came last."""
+
+    job: str
+    event: EventView
+    marks: Mapping[str, float]
+
+
 class JobFigures:
     """Counts ends, phases, events and alarms. What it keeps of a job goes with the job's end."""
 
@@ -45,6 +55,8 @@ class JobFigures:
         self.alarms: Counter[str] = Counter()
         """Alarms that began, by the kind of what has them."""
         self.phases = {name: Spread(SECONDS) for name in PHASES}
+        self.told: Callable[[Finished], None] | None = None
+        """Hears of each job that ends."""
         self._marks: dict[str, dict[str, float]] = {}
         self._kinds = {str(vehicle.id): vehicle.kind.value for vehicle in plant.vehicles}
         self._kinds |= {str(door.id): "door" for door in plant.doors}
@@ -83,17 +95,19 @@ class JobFigures:
         if event.event in _MARKS:
             self._marks.setdefault(event.job, {})[event.event] = event.at
         if event.event in _ENDS and event.result in TERMINAL:
-            self._ended(event.job, event.result)
+            self._ended(event.job, event)
 
     def _alarm(self, event: EventView) -> None:
         if _SETS[event.event] > 0:
             kind = "circle" if IN_A_CIRCLE in event.detail else self._kinds.get(event.vehicle or "", "other")
             self.alarms[kind] += 1
 
-    def _ended(self, job: str, state: str) -> None:
-        self.ended[state] += 1
+    def _ended(self, job: str, event: EventView) -> None:
+        self.ended[event.result] += 1
         marks = self._marks.pop(job, {})
-        if state != "completed":
+        if self.told is not None:
+            self.told(Finished(job, event, marks))
+        if event.result != JobState.COMPLETED:
             return
         for name, (first, last) in PHASES.items():
             if first in marks and last in marks:
