@@ -62,6 +62,10 @@ class Settings(BaseSettings):
     """Most live streams at the same time."""
     history_days: Annotated[int, Field(ge=0)] = 90
     """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
+    playback_days: Annotated[float, Field(ge=0)] = 7.0
+    """Days that positions and states are kept for playback; older ones are deleted. 0: nothing is recorded."""
+    playback_megabytes: Annotated[int, Field(ge=10)] = 2000
+    """And so much at most, whichever is less."""
     webhook_targets: tuple[str, ...] = ()
     """Where webhooks may lead: hosts, ``*.domain``, addresses, networks; by default nowhere (docs/webhooks.md)."""
     webhook_authorities: Path | None = None

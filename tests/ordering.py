@@ -16,6 +16,8 @@ LONG = {
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
     "tests/runtime/test_serial_hall.py": 20,
     "tests/e2e/test_demo_plant.py": 25,
+    "tests/e2e/test_mes.py": 12,
+    "tests/e2e/test_webhooks.py::test_no_event": 8,
     "tests/e2e/test_command_line.py::test_the_demo": 15,
     "tests/sim/test_whole_plant.py::test_a_controller_killed": 6,
     "tests/sim/test_whole_plant.py::test_an_hour": 6,

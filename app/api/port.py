@@ -22,6 +22,7 @@ from app.planning.routing import Route
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
 from app.runtime.webhooks import Targets
 
 
@@ -186,6 +187,11 @@ class Controller(Protocol):
 
     def routes(self, start: Barcode, goal: Barcode, most: int) -> Sequence[Route]:
         """Return the quickest routes as they would be planned now, quickest first. Raises NoRoute."""
+        ...
+
+    @property
+    def playback(self) -> Playback | None:
+        """What was recorded for playback; None: nothing is."""
         ...
 
     def survey(self) -> Survey:

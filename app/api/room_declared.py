@@ -90,6 +90,29 @@ ROOM: Json = {
             "waits_of": {**_WHOLE, "description": "Waits are those of so many jobs: all, or the newest."},
         }
     ),
+    "Moment": _object(
+        {
+            "at": _TIME,
+            "objects": {
+                "type": "object",
+                "description": "Topic, then key, to object. Of vehicles what a map shows: barcode, state, activity, job ...",
+                "additionalProperties": {"type": "object", "additionalProperties": {"type": "object"}},
+            },
+        },
+        "The plant as it was.",
+    ),
+    "Span": _object({"from": _nullable(_TIME), "to": _nullable(_TIME), "bytes": _WHOLE}, "What playback there is."),
+    "PlaybackChange": _object(
+        {
+            "at": _TIME,
+            "topic": _TEXT,
+            "key": _TEXT,
+            "value": {
+                "type": ["object", "null"],
+                "description": "The whole object, of a vehicle the fields that are other than before; null: it is gone.",
+            },
+        }
+    ),
     "WalkPlace": _object(
         {
             "station": _TEXT,

@@ -60,6 +60,10 @@ class RoomReader(Protocol):
         """Return the places of an audit walk, by station."""
         ...
 
+    def first_event(self, moment: float) -> int:
+        """Return the number of the first event that is not before a moment."""
+        ...
+
     def event_count(self, begin: float, end: float) -> int:
         """Return how many events lie between two moments."""
         ...

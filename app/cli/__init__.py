@@ -14,6 +14,7 @@ from app.cli import (
     fab,
     layout,
     openapi,
+    replay,
     schema,
     serve,
     sim,
@@ -41,6 +42,7 @@ for command in (
     decode.decode,
     detect.detect,
     vectors.vectors,
+    replay.replay,
     openapi.openapi,
 ):
     app.command()(command)

@@ -14,6 +14,7 @@ import uvicorn
 from app.api import application
 from app.api.application import VERSION
 from app.api.connections import bounded
+from app.api.port import Controller as Shown
 from app.api.streams import Stream
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
@@ -21,6 +22,7 @@ from app.domain.errors import PlantError
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
+from app.runtime.recording import Limits
 from app.runtime.telemetry import logger
 from app.runtime.tracing import Traces, provider
 from app.runtime.webhooks import Sender, Targets
@@ -101,9 +103,16 @@ async def _started(
     plant: Plant, settings: Settings, traces: Traces | None, changes: Changes | None, *, restored: bool
 ) -> Controller:
     """Return a controller that runs: with the plant, or, if that cannot begin after a change, with the one before."""
+    days, size = settings.playback_days, settings.playback_megabytes
+    playback = Limits(days * 86_400.0, size * 1_000_000) if days else None
     sender = _sender(settings)
     controller = Controller(
-        plant, settings.database, restored=restored, keep_events=settings.keep_events, webhooks=lambda: sender
+        plant,
+        settings.database,
+        restored=restored,
+        keep_events=settings.keep_events,
+        playback=playback,
+        webhooks=lambda: sender,
     )
     if traces is not None:
         controller.figures.jobs.told = traces.take
@@ -168,6 +177,25 @@ async def _never() -> Plant:
     return await never
 
 
+async def serve_only(
+    controller: Shown,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+) -> int:
+    """Serve what cannot change any more until ``stop``; return the exit code."""
+    server = _Server(_configured(controller, settings))
+    serving = asyncio.create_task(server.serve([listening]))
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.01)
+    ready(url_of(settings.host, listening.getsockname()[1]))
+    await stop.wait()
+    server.should_exit = True
+    await serving
+    return 0
+
+
 def _sender(settings: Settings) -> Sender:
     """Return what delivers to webhooks. Raises TargetsError, CannotStart."""
     try:
@@ -191,7 +219,7 @@ def url_of(host: str, port: int) -> str:
     return f"http://{shown}:{port}"
 
 
-def _configured(controller: Controller, settings: Settings) -> uvicorn.Config:
+def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
     return uvicorn.Config(
         application(controller, settings),
         loop="none",

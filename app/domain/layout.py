@@ -353,6 +353,8 @@ class Plant:
     charging: ChargingRules = ChargingRules()
     restrain: bool = False
     """Whether no more vehicles set out with jobs than the track carries."""
+    congestion: bool | None = None
+    """Whether routes keep off track that is slow by the traffic on it; None: unless the fleet is kept back (docs/traffic.md)."""
     idle: IdleRules = IdleRules()
     drives: tuple[DriveUnit, ...] = ()
     catalogues: tuple[Catalogue, ...] = ()

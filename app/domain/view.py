@@ -218,7 +218,8 @@ class ControllerView:
     ``circles``: vehicles that wait for each other now, in words; how many were found, and are over, since the start.
     ``kept_off``: what routes keep off, and why, a line for each reason; ``closed_places`` counts the places. ``cut_off``: the
     stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
-    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker.
+    ``led_round`` what is closed, ``led_quicker`` because another way had become quicker. ``slow_track``: pieces of track that
+    take twice as long as usual for the traffic on them; ``weighed``: how often ways were weighed anew by that.
     ``pauses``: zones that are paused or stopped.
     """
 
@@ -238,6 +239,8 @@ class ControllerView:
     cut_off: tuple[str, ...] = ()
     led_round: int = 0
     led_quicker: int = 0
+    slow_track: int = 0
+    weighed: int = 0
     pauses: tuple[PauseView, ...] = ()
 
 

@@ -22,13 +22,10 @@ from app.fleet.agv_orders import AgvOrders
 from app.fleet.alarm_watch import AlarmWatch
 from app.fleet.alarms import Alarms
 from app.fleet.books import Books
-from app.fleet.breakdowns import Breakdowns
 from app.fleet.buffers import Buffers
 from app.fleet.charging import Charging
-from app.fleet.circles import Circles
 from app.fleet.closures import Closures
 from app.fleet.courtesy import Courtesy
-from app.fleet.cutoff import CutOff
 from app.fleet.desk import Desk
 from app.fleet.device_orders import DeviceOrders
 from app.fleet.devices import Devices
@@ -37,6 +34,7 @@ from app.fleet.doors import Doors
 from app.fleet.drives import Drives
 from app.fleet.effects import Effects
 from app.fleet.emergency import EmergencyDesk
+from app.fleet.flow import Flow
 from app.fleet.hearing import Hearing
 from app.fleet.jobs import Jobs
 from app.fleet.looks import LOOKS_AT_ONCE, Looks
@@ -48,7 +46,6 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
-from app.fleet.reroutes import Reroutes
 from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
@@ -101,11 +98,8 @@ class Fleet:
         self.drives = Drives(self.books, kept)
         self._dispatch = Dispatch(self.books, self.missions)
         self._courtesy = Courtesy(self.books, self.motion)
-        self._breakdowns = Breakdowns(self.books)
-        self._cut_off = CutOff(self.books, self._breakdowns)
-        self._reroutes = Reroutes(self.books, self.motion)
         self._closures = Closures(self.books, self.motion, self._courtesy)
-        self._circles = Circles(self.books, self.motion)
+        self._flow = Flow(self.books, self.motion)
         self._charging = Charging(self.books, self.motion, self.devices)
         self._parking = Parking(self.books, self.motion)
         self._jobs = Jobs(self.books, self.missions)
@@ -143,7 +137,6 @@ class Fleet:
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
         self._watch = AlarmWatch(self.books)
-        self._told: tuple[object, ...] = (0, (), 0, 0)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -192,8 +185,7 @@ class Fleet:
     @property
     def deadline(self) -> Seconds:
         """When ``tick`` wants to be called next."""
-        pending = self._dispatch.pending or self._reroutes.pending
-        at_once = self.books.now if pending else Seconds(inf)
+        at_once = self.books.now if self._dispatch.pending or self._flow.pending else Seconds(inf)
         return min(self._next_thought, self._looks.deadline, self.drives.deadline, self._show_at, at_once)
 
     def tick(self, now: Seconds) -> None:
@@ -203,8 +195,8 @@ class Fleet:
         all_seen = self._look()
         if all_seen and self._dispatch.pending:
             self._dispatch.go_on()  # to the end: a new thought before would begin anew for ever under load
-        elif self._reroutes.pending:
-            self._reroutes.go_on()
+        elif self._flow.pending:
+            self._flow.go_on()
         elif all_seen and now >= self._next_thought:
             self._think()
             return
@@ -219,24 +211,12 @@ class Fleet:
         self.devices.tick()
         self._charging.run()
         self._parking.run(self._free)
-        self._breakdowns.run()
-        self._cut_off.look()
+        self._flow.before_dispatch()
         self._closures.tick()
         self._watch.tick()
         self._dispatch.run()
-        self._circles.look()
-        self._reroutes.run()
-        self._show_traffic()
+        self._flow.after_dispatch()
         self._go_on(all_devices=True)
-
-    def _show_traffic(self) -> None:
-        """Show what is told of the traffic as a whole, if it is other than it was."""
-        books = self.books
-        state = books.traffic_state
-        told = (books.closed.edition, tuple(state.cut_off), state.led_round, state.led_quicker)
-        if told != self._told:
-            self._told = told
-            books.show_controller()
 
     def _look(self) -> bool:
         """Look at the vehicles whose time has come, though nothing was heard of them; return whether that was all of them."""
@@ -337,7 +317,7 @@ class Fleet:
                 name = next(iter(books.woken))
                 del books.woken[name]
                 vehicle = books.vehicles[name]
-                self._breakdowns.goes_on(vehicle)
+                self._flow.goes_on(vehicle)
                 self.missions.proceed(vehicle)
                 if vehicle.errand:
                     self._courtesy.explain(vehicle, self.motion.advance(vehicle))
@@ -361,7 +341,7 @@ class Fleet:
         for name in changed:
             vehicle = books.vehicles[name]
             self._note_fitness(vehicle)
-            self._breakdowns.mind(vehicle)
+            self._flow.mind(vehicle)
             self._looks.mind(vehicle, books.now)
             if not vehicle.available:
                 self._free.discard(name)

@@ -9,7 +9,8 @@ from app.domain.ids import StationId
 class TrafficState:
     """Circles of vehicles that wait for each other, in words, and how many were found and are over since the start; the
     stations that nobody can reach for what is closed, with why; how many vehicles were led another way since the start: around
-    what is closed, and because it was quicker.
+    what is closed, and because it was quicker; how many pieces of track are slow by the traffic on them, and how often ways were
+    weighed anew by it.
     """
 
     circles: tuple[str, ...] = ()
@@ -18,3 +19,5 @@ class TrafficState:
     cut_off: dict[StationId, str] = field(default_factory=dict)
     led_round: int = 0
     led_quicker: int = 0
+    slow: int = 0
+    weighed: int = 0

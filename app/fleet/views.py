@@ -219,6 +219,8 @@ def with_traffic(view: ControllerView, state: TrafficState, closed: Closed) -> C
         cut_off=tuple(f"{station}: {why}" for station, why in state.cut_off.items()),
         led_round=state.led_round,
         led_quicker=state.led_quicker,
+        slow_track=state.slow,
+        weighed=state.weighed,
     )
 
 

@@ -116,6 +116,16 @@ class Router:
             self._seconds[places] = values
             self._change()
 
+    def slow(self, factors: Floats) -> None:
+        """Let each edge, by its number in ``edges``, take so many times as long as on an empty track from now on; at least once.
+
+        Nor more than ``LONGEST``, unless the empty track takes more.
+        """
+        values = np.minimum(np.fmax(factors, 1.0) * self._free, np.maximum(LONGEST, self._free))
+        if not np.array_equal(values, self._seconds):
+            self._seconds = values
+            self._change()
+
     @property
     def edges(self) -> Mapping[EdgeKey, int]:
         """The number of each edge, for ``seconds``."""

@@ -204,9 +204,12 @@ class Traffic(Strict, frozen=True):
 
     `restrain`: no more vehicles are given jobs at once than the track carries, found by how many of them stand: for a fleet of
     hundreds that may be larger than its track. The others stay idle, and give way.
+    `congestion`: routes keep off track that is slow by the traffic on it; left out, they do unless `restrain` is given: a fleet
+    that is kept back delivers more by ways that do not change.
     """
 
     restrain: bool = False
+    congestion: bool | UnsetType = UNSET
 
 
 class Idle(Strict, frozen=True):

@@ -62,7 +62,9 @@ def _codes(plant: Plant) -> Iterator[list[str]]:
 
 def _rules(plant: Plant) -> list[str]:
     idle = plant.idle
-    lines = ["traffic: {restrain: true}"] if plant.restrain else []
+    traffic = ["restrain: true"] if plant.restrain else []
+    traffic += [] if plant.congestion is None else [f"congestion: {str(plant.congestion).lower()}"]
+    lines = [f"traffic: {{{', '.join(traffic)}}}"] if traffic else []
     if idle.park:
         lines.append(f"idle: {{park: true, after: {idle.after:.0f}, farthest: {idle.farthest:.0f}}}")
     return lines

@@ -14,7 +14,7 @@ from structlog.typing import FilteringBoundLogger
 
 from app.control import Control, Transaction
 from app.domain.drive_requests import Word
-from app.domain.errors import Refusal
+from app.domain.errors import Refusal, StoreError
 from app.domain.ids import LinkId, VehicleId
 from app.domain.layout import Plant
 from app.domain.records import HistoryEvent, Kept
@@ -35,6 +35,8 @@ from app.runtime.journal import Journal
 from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
+from app.runtime.recording import PIECE_SECONDS, Limits, Recorder
 from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
 from app.runtime.telemetry import logger
@@ -42,6 +44,7 @@ from app.runtime.transports import Dialler, Tcp
 from app.runtime.webhooks import Courier, Sender, Targets
 from app.runtime.writer import Writer
 from app.store.ledger import FOR_EVER, SqlLedger
+from app.store.playback import PlaybackStore
 from app.store.reading import Reader
 
 Value = TypeVar("Value")
@@ -83,6 +86,7 @@ class Controller:
         *,
         restored: bool = False,
         keep_events: Seconds = FOR_EVER,
+        playback: Limits | None = None,
         webhooks: Callable[[], Sender] = lambda: Sender(Targets(()), "0"),
     ) -> None:
         """``webhooks`` makes what delivers to them: where they may lead is for the settings to say."""
@@ -93,6 +97,10 @@ class Controller:
         self._database = database
         self._restored = restored
         self._keep_events = keep_events
+        self._limits = playback
+        self._recorder: Recorder | None = None
+        self.playback: Playback | None = None
+        """What was recorded, if anything is."""
         self._sender_made = webhooks
         self._log: FilteringBoundLogger = logger(plant=plant.name)
         self._journal = Journal(self._log)
@@ -121,6 +129,7 @@ class Controller:
         """Done, with the reason, when this controller may not go on."""
         kept = await asyncio.to_thread(self._take_plant)
         self.reader = Reader(self._database)
+        await self._record()
         self._control = Control(self.plant, kept, self._clock.now(), self._clock.utc())
         self.model = ReadModel(last_event=kept.next_event - 1)
         self.hub = Hub(self.model)
@@ -133,7 +142,10 @@ class Controller:
         )
         self._writer.start()
         self._replanner = Replanner(self._replanned, figures=self.figures)
-        self.hub.publish(self._control.snapshot())
+        snapshot = self._control.snapshot()
+        self.hub.publish(snapshot)
+        if self._recorder is not None:
+            self._recorder.note(snapshot)
         self.figures.jobs.begin(self.model.all(Topic.JOBS))
         self.figures.start()
         self._sender = self._sender_made()
@@ -169,7 +181,29 @@ class Controller:
         await self._replanner.stop()
         await asyncio.to_thread(self._ledger.close)
         self.reader.close()
+        if self._recorder is not None:
+            await asyncio.to_thread(self._recorder.close)
+        if self.playback is not None:
+            self.playback.close()
         self._log.info("stopped")
+
+    async def _record(self) -> None:
+        """Begin to record for playback; a plant is controlled without it all the same."""
+        if self._limits is None:
+            return
+        try:
+            store = await asyncio.to_thread(PlaybackStore, self._database)
+            self._recorder = Recorder(store, self._limits, self._clock.utc, self._log)
+            self.playback = Playback(self._database)
+        except StoreError as wrong:
+            self._log.warning("playback is not recorded", reason=wrong.message)
+            return
+        self._loop.call_later(PIECE_SECONDS, self._flush_recorder)
+
+    def _flush_recorder(self) -> None:
+        if self._recorder is not None and not self._over:
+            self._recorder.flush()
+            self._loop.call_later(PIECE_SECONDS, self._flush_recorder)
 
     def ask(self, request: Request) -> asyncio.Future[Reply]:
         """Put a request to the controller; the answer is durable. The future raises TimeoutError: there is none in time."""
@@ -330,6 +364,8 @@ class Controller:
             updates = self._control.updates()
             if updates:
                 self.hub.publish(updates)
+                if self._recorder is not None:
+                    self._recorder.note(updates)
                 self.figures.jobs.take(updates)
                 self._journal.take(updates)
             replies = self._control.replies()

@@ -109,7 +109,8 @@ _REMEDIES = {
 }
 
 
-def _execute(connection: Any, *statements: str) -> None:
+def execute(connection: Any, *statements: str) -> None:
+    """Give statements to a new connection of the driver."""
     cursor = connection.cursor()
     for statement in statements:
         cursor.execute(statement)
@@ -119,7 +120,7 @@ def _execute(connection: Any, *statements: str) -> None:
 def _durable_sqlite(connection: Any, _record: object) -> None:
     # The driver's own BEGIN comes too late for DDL: we begin ourselves, so that a migration is whole or not at all.
     connection.isolation_level = None
-    _execute(
+    execute(
         connection,
         f"PRAGMA busy_timeout = {BUSY_MS}",
         "PRAGMA journal_mode = WAL",
@@ -134,12 +135,12 @@ def _begin_immediate(connection: sa.Connection) -> None:
 
 
 def _reading_sqlite(connection: Any, _record: object) -> None:
-    _execute(connection, f"PRAGMA busy_timeout = {BUSY_MS}", "PRAGMA query_only = ON")
+    execute(connection, f"PRAGMA busy_timeout = {BUSY_MS}", "PRAGMA query_only = ON")
 
 
 def _durable_postgresql(connection: Any, _record: object) -> None:
     # A stopped controller must not hold the lease's row for ever: the server ends its transaction.
-    _execute(
+    execute(
         connection,
         "SET synchronous_commit TO on",
         f"SET lock_timeout TO {BUSY_MS}",
@@ -149,4 +150,4 @@ def _durable_postgresql(connection: Any, _record: object) -> None:
 
 
 def _reading_postgresql(connection: Any, _record: object) -> None:
-    _execute(connection, "SET default_transaction_read_only TO on")
+    execute(connection, "SET default_transaction_read_only TO on")

@@ -38,6 +38,10 @@ class StatisticsReader(ABC):
     @abstractmethod
     def _list(self, query: sa.Select[Any], made: Callable[[Found], T]) -> list[T]: ...
 
+    def first_event(self, moment: float) -> int:
+        """Return the number of the first event that is not before a moment, one above the last if none is."""
+        return self._first_since(events.c.seq, moment)
+
     def event_count(self, begin: float, end: float) -> int:
         """Return how many events lie between two moments."""
         return self._first_since(events.c.seq, end) - self._first_since(events.c.seq, begin)

@@ -69,6 +69,7 @@ from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
+from app.runtime.playback import Playback
 from app.runtime.webhooks import Targets
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
@@ -118,6 +119,9 @@ class MemoryReader:
         self.done: list[Transfer] = []
         self.walked: dict[int, Walk] = {}
         self.along: list[WalkPlace] = []
+
+    def first_event(self, moment: float) -> int:
+        return 1
 
     def event_count(self, begin: float, end: float) -> int:
         return self.events_between
@@ -315,6 +319,8 @@ class Scripted:
 
     def utc(self) -> Timestamp:
         return NOW
+
+    playback: Playback | None = None
 
     def survey(self) -> Survey:
         track = Track(self.plant)

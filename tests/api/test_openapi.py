@@ -15,9 +15,11 @@ from referencing.jsonschema import DRAFT202012
 from typer import Typer
 from typer.testing import CliRunner
 
+from app.api.commands import COMMANDS
 from app.cli.openapi import document, openapi
 from app.domain import requests as r
 from app.domain.view import Topic
+from tests.api.recordings import recorded
 from tests.api.scripted import ACTOR, NOW, Scripted
 from tests.api.sockets import Socket
 
@@ -78,8 +80,19 @@ def test_the_live_description_names_every_topic() -> None:
     assert objects == changed == set(Topic) - {Topic.EVENTS}
 
 
+def test_the_live_description_names_every_command_and_every_frame() -> None:
+    command = ASYNC["components"]["messages"]["words"]["payload"]["properties"]["command"]["properties"]
+    assert command["name"]["enum"] == list(COMMANDS)
+    assert set(ASYNC["channels"]["live"]["messages"]) == set(ASYNC["components"]["messages"])
+    operations = [ref["$ref"] for one in ASYNC["operations"].values() for ref in one["messages"]]
+    assert {ref.rpartition("/")[2] for ref in operations} == set(ASYNC["components"]["messages"])
+
+
 @pytest.mark.anyio
-async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClient, controller: Scripted) -> None:
+async def test_every_answer_is_what_the_description_says(
+    client: httpx.AsyncClient, controller: Scripted, tmp_path: Path
+) -> None:
+    controller.playback = recorded(tmp_path)
     controller.traffic = [(NOW, "in", b"\x06")]
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     await client.post("/jobs", json=ORDER)
@@ -106,10 +119,11 @@ async def test_every_answer_is_what_the_description_says(client: httpx.AsyncClie
     known["webhook"] = "1"
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
-        if "get" not in operations or path.endswith(("/stream", "/report", "{kind}")):
+        if "get" not in operations or path.endswith(("/stream", "/report", "{kind}", "/export")):
             continue
         named = known | ({"device": "DOOR1", "command": opened} if "{device}" in path else {})
         asked = {"from": "P1", "to": "P2"} if path.endswith("/routes") else {}
+        asked |= {"at": "2026-01-01T00:00:00Z"} if path.endswith("/history") else {}
         answer = await client.get("http://localhost" + path.format(**named), params=asked)
         assert answer.status_code == 200, path
         pointer = path.replace("~", "~0").replace("/", "~1").replace("{", "%7B").replace("}", "%7D")

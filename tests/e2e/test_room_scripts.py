@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.e2e.processes import GENEROUS, HTTP, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 from tests.e2e.test_killed_server import Server
 
 SCRIPTS = Path(__file__).parents[2] / "examples/curl"
@@ -111,9 +111,26 @@ def test_a_walk_is_begun_entered_and_accepted_over_a_kill(room: Room) -> None:
     assert (carrier["place"], carrier["provenance"], carrier["verified"]) == ("B2", "verified", True)
 
 
+def test_an_incident_is_exported_and_opened_elsewhere(room: Room, tmp_path: Path) -> None:
+    wait_until(lambda: room.get("/history/span")["from"] is not None, "the recording")
+    span = room.get("/history/span")
+    file = tmp_path / "incident.hoistway.gz"
+    room.run("incident-export.sh", span["from"], span["to"], str(file))
+    (port,) = free_ports(1)
+    url, log = f"http://127.0.0.1:{port}", tmp_path / "replay.log"
+    with running("replay", str(file), "--port", str(port), log=log):
+        wait_until(lambda: answers(url), "the replay", log)
+        moment = HTTP.get(f"{url}/api/v1/history", params={"at": span["to"]}, timeout=GENEROUS).json()
+        assert set(moment["objects"]["vehicles"]) == {"V001", "V002"}
+        assert HTTP.get(f"{url}/api/v1/layout", timeout=GENEROUS).json()["name"] == "small"
+        refused = HTTP.post(f"{url}/api/v1/controller/pause", json={"reason": "x"}, timeout=GENEROUS)
+        assert refused.json()["detail"] == "This is a recording."
+    assert "plant small" in log.read_text(encoding="utf-8")
+
+
 def test_every_script_of_the_control_room_is_run_here() -> None:
     text = Path(__file__).read_text(encoding="utf-8")
-    scripts = {file.name for kind in ("closure", "alarm", "walk") for file in SCRIPTS.glob(f"{kind}-*.sh")}
+    scripts = {file.name for kind in ("closure", "alarm", "walk", "incident") for file in SCRIPTS.glob(f"{kind}-*.sh")}
     helpers = {"closure-place.sh"}
     assert scripts >= helpers
     assert {name for name in scripts - helpers if f'run("{name}"' not in text} == set()

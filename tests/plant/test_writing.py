@@ -50,6 +50,13 @@ def test_reference_vehicles_and_those_that_connect_to_us_read_back() -> None:
     assert read(write(given), "small")[0] == given
 
 
+@pytest.mark.parametrize("restrain", [False, True])
+@pytest.mark.parametrize("congestion", [None, False, True])
+def test_the_rules_of_traffic_read_back(restrain: bool, congestion: bool | None) -> None:
+    given = replace(plant("small"), restrain=restrain, congestion=congestion)
+    assert read(write(given), "small") == (given, [])
+
+
 def test_a_note_stands_behind_its_barcode_and_cannot_break_out_of_the_comment() -> None:
     text = write(plant("small"), ["first\nline"], {Barcode("103"): "Point 3\nvehicles: {}"})
     assert "  103: [3000, 0]  # Point 3 vehicles: {}\n" in text

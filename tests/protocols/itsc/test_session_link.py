@@ -27,6 +27,7 @@ from app.protocols.itsc.messages import (
     status2,
 )
 from app.protocols.itsc.session import Session
+from app.protocols.itsc.session.link import Tape, Taped
 from tests.protocols.itsc.session_peer import (
     AUTO_IDLE,
     DRIVING1,
@@ -263,6 +264,26 @@ def test_the_same_id_with_another_payload_is_no_duplicate() -> None:
     event = bench.status(barcode=1202)
     bench.status(barcode=1203, cmd_id=event)
     assert [told.status.barcode for told in reported(bench)] == ["1202", "1203"]
+
+
+def test_the_same_id_and_data_under_another_code_are_no_duplicate() -> None:
+    bench = Bench()
+    bench.connect()
+    body = Resp2(status1(STANDING1), status2(AUTO_IDLE), 7, 0)
+    status = bench.codec.encode(Enq(12, TOP + 9, Code.STATUS, body))
+    bench.session.received(status, bench.now)
+    bench.session.received(bench.codec.encode(Enq(12, TOP + 9, 0x6F99, Raw(status[15:31])), strict=False), bench.now)
+    assert bench.session.link.duplicates == 0
+    assert [event.reason for event in garbled(bench)] == ["unfit packet"]
+
+
+def test_a_tape_tells_numbers_and_contents_beyond_what_it_keeps_of_them() -> None:
+    tape, number = Tape(), (1 << 32) - 1
+    kinds = [(Taped.OUT, b"\x05" * 40), (Taped.ASKED, b"\x01" * 8), (Taped.ANSWERED, b"\x02" * 24), (Taped.IN, b"\x06")]
+    for n, (kind, content) in enumerate(kinds):
+        tape.append(number + n, Seconds(float(n)), kind, content)
+    told = [(number + n, Seconds(float(n)), kind, content) for n, (kind, content) in enumerate(kinds)]
+    assert list(tape.packets(number + 7)) == told
 
 
 def test_the_same_packet_on_another_connection_is_no_duplicate() -> None:

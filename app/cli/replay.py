@@ -1,0 +1,73 @@
+"""``hoistway replay``: look at a recorded incident elsewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.plainly import plainly, refuse
+from app.cli.running import on_loop, stop_signal
+
+if TYPE_CHECKING:
+    from app.runtime.incident import Incident
+
+
+def replay(
+    file: Annotated[Path, typer.Argument(help="what GET /api/v1/history/export gave")],
+    port: Annotated[int, typer.Option(help="port to listen at")] = 8090,
+    *,
+    summary: Annotated[bool, typer.Option("--summary", help="say what is in it, and serve nothing")] = False,
+) -> None:
+    """Serve a recorded incident, its page and its API on this machine, until Ctrl-C. It takes no commands."""
+    with plainly():
+        incident = _read(file)
+        for line in told(incident):
+            print(line, flush=True)
+        code = 0 if summary else _serve(incident, port)
+    raise typer.Exit(code)
+
+
+def _read(file: Path) -> Incident:
+    from app.runtime.incident import read
+
+    try:
+        return read(file.read_bytes())
+    except OSError as wrong:
+        refuse(f"{file} cannot be read: {wrong.strerror}", "Name the file that was exported.")
+
+
+def told(incident: Incident) -> list[str]:
+    """Return what is in an incident, for people."""
+    from app.runtime.showing import iso
+
+    vehicles = len(incident.state.get("vehicles", {}))
+    return [
+        f"plant {incident.plant.name}, {iso(incident.begin)} to {iso(incident.end)}",
+        f"recorded by {incident.actor}, {iso(incident.made)}",
+        f"{vehicles} vehicles, {len(incident.changes)} changes, {len(incident.events)} events",
+    ]
+
+
+def _serve(incident: Incident, port: int) -> int:
+    from tempfile import TemporaryDirectory
+
+    from app.cli import hosting
+    from app.runtime.recorded import Recorded
+    from app.settings import Settings
+
+    settings = Settings(port=port)
+    listening = hosting.bound(settings.host, port)
+
+    async def run(recorded: Recorded) -> int:
+        return await hosting.serve_only(
+            recorded, settings, listening, stop_signal(), lambda url: print(f"look at it: {url}", flush=True)
+        )
+
+    with TemporaryDirectory(prefix="hoistway-replay-") as directory:
+        recorded = Recorded(incident, Path(directory))
+        try:
+            return on_loop(run(recorded))
+        finally:
+            recorded.close()

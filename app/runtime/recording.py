@@ -1,0 +1,185 @@
+"""Records what is shown, for playback: beside the controller, bounded, and never in its way.
+
+Of vehicles only what a map shows is recorded, and only where it is other than before; a second thread makes differences,
+compresses and writes. What it cannot write in time is left out but for the newest; what failed, a whole state makes good.
+"""
+
+import queue
+import threading
+import zlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
+
+from structlog.typing import FilteringBoundLogger
+
+from app.domain.errors import StoreError
+from app.domain.units import Timestamp
+from app.domain.view import Topic, Update, VehicleView
+from app.runtime.showing import encode, shown
+from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
+
+RECORDED = frozenset(
+    {
+        Topic.CONTROLLER,
+        Topic.VEHICLES,
+        Topic.JOBS,
+        Topic.STATIONS,
+        Topic.CARRIERS,
+        Topic.DEVICES,
+        Topic.CLOSURES,
+        Topic.ALARMS,
+    }
+)
+_SEEN = (
+    "state",
+    "activity",
+    "service",
+    "mode",
+    "oper",
+    "code",
+    "loaded",
+    "carrier",
+    "barcode",
+    "job",
+    "goal",
+    "parked",
+)
+VEHICLE_FIELDS = (*_SEEN, "waiting", "granted")
+"""What is recorded of a vehicle. A change of the last two alone is no change: they follow the others."""
+_compared = attrgetter(*_SEEN)
+PIECE_SECONDS = 2.0
+"""Changes of so many seconds are one piece. Our choice."""
+STATE_SECONDS = 60.0
+"""So often the whole state is kept: what is behind a moment is at most so many seconds of changes. Our choice."""
+WAITING = 30
+"""So many pieces may wait for the disk; then only the newest of each object is kept. Our choice."""
+LEVEL = 1
+
+Change = tuple[float, str, str, Any]
+"""When, topic, key, and the object; of a vehicle what has changed. None: it is gone."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How long playback is kept, seconds, and how large it may become, bytes."""
+
+    seconds: float
+    size: int
+
+
+def packed(value: object) -> bytes:
+    """Return a value as a piece has it."""
+    return zlib.compress(encode(value), LEVEL)
+
+
+class Recorder:
+    """Takes published updates on the loop (``note``), and gives a piece to its thread when ``flush`` is called."""
+
+    def __init__(
+        self, store: PlaybackStore, limits: Limits, utc: Callable[[], Timestamp], log: FilteringBoundLogger
+    ) -> None:
+        self._store, self._limits, self._utc, self._log = store, limits, utc, log
+        self._seen: dict[str, tuple[object, ...]] = {}
+        self._some: list[tuple[float, Update]] = []
+        self._waiting: queue.Queue[list[tuple[float, Update]] | None] = queue.Queue()
+        self._left_out = False
+        self._writes = _Writes(store, limits)
+        self._thread = threading.Thread(target=self._run, name="playback", daemon=True)
+        self._thread.start()
+
+    def note(self, updates: Sequence[Update]) -> None:
+        """Take what has just been published."""
+        at, some = self._utc(), self._some
+        for update in updates:
+            if update.topic is Topic.VEHICLES and isinstance(update.value, VehicleView):
+                now = _compared(update.value)
+                if self._seen.get(update.key) == now:
+                    continue
+                self._seen[update.key] = now
+            elif update.topic not in RECORDED:
+                continue
+            some.append((at, update))
+
+    def flush(self) -> None:
+        """Give what was noted to the thread; while that is far behind, keep the newest of each object alone."""
+        some = self._some
+        if self._waiting.qsize() >= WAITING:
+            self._some = list({(update.topic, update.key): (at, update) for at, update in some}.values())
+            self._some.sort(key=lambda one: one[0])
+            if not self._left_out:
+                self._log.warning("playback fell behind the disk: changes are left out")
+            self._left_out = True
+            return
+        self._some, self._left_out = [], False
+        if some:
+            self._waiting.put(some)
+
+    def close(self) -> None:
+        """Write what waits, and end. Blocking."""
+        if self._some:
+            self._waiting.put(self._some)
+        self._waiting.put(None)
+        self._thread.join()
+        self._store.close()
+
+    def _run(self) -> None:
+        failed = False
+        while (some := self._waiting.get()) is not None:
+            try:
+                self._writes.write(some)
+                failed = False
+            except StoreError as wrong:
+                if not failed:
+                    self._log.warning("playback is not recorded", reason=wrong.message)
+                failed = True
+                self._writes.forget()
+
+
+class _Writes:
+    """The thread's side: knows the whole state, makes pieces and keeps them."""
+
+    def __init__(self, store: PlaybackStore, limits: Limits) -> None:
+        self._store, self._limits = store, limits
+        self._state: dict[str, dict[str, Any]] = {}
+        self._next_state = 0.0
+
+    def write(self, some: list[tuple[float, Update]]) -> None:
+        """Keep some updates as a piece of changes, with the whole state before them if it is time."""
+        begin, end = some[0][0], some[-1][0]
+        made: list[Piece] = []
+        whole = begin >= self._next_state
+        if whole and self._state:
+            made.append(Piece(STATE, begin, begin, 1, packed(self._state)))
+        changes = [change for at, update in some if (change := self._change(at, update)) is not None]
+        if whole and not made:
+            made.append(Piece(STATE, end, end, 1, packed(self._state)))
+        elif changes:
+            made.append(Piece(CHANGES, begin, end, len(changes), packed(changes)))
+        if made:
+            self._store.append(made)
+        if whole:
+            self._next_state = begin + STATE_SECONDS
+            self._store.prune(end - self._limits.seconds, self._limits.size)
+
+    def forget(self) -> None:
+        """Something was not kept: the next piece begins with the whole state."""
+        self._next_state = 0.0
+
+    def _change(self, at: float, update: Update) -> Change | None:
+        topic, key, view = update.topic.value, update.key, update.value
+        of_topic = self._state.setdefault(topic, {})
+        if view is None:
+            return (at, topic, key, None) if of_topic.pop(key, None) is not None else None
+        if not isinstance(view, VehicleView):
+            of_topic[key] = value = shown(view)
+            return at, topic, key, value
+        before, now = of_topic.get(key, {}), {name: getattr(view, name) for name in VEHICLE_FIELDS}
+        of_topic[key] = now
+        return (
+            at,
+            topic,
+            key,
+            {name: value for name, value in now.items() if name not in before or before[name] != value},
+        )

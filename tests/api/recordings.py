@@ -1,0 +1,27 @@
+"""A recording of some seconds: V001 drives from 1001 to 1003, and a job comes and goes."""
+
+from pathlib import Path
+
+from app.runtime.playback import Playback
+from app.runtime.recording import packed
+from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
+from tests.api.scripted import NOW
+
+STATE_AT_START = {"vehicles": {"V001": {"barcode": "1001", "activity": "idle", "job": None}}}
+
+
+def recorded(directory: Path) -> Playback:
+    """Return the playback of a plant whose database lies in a directory."""
+    url = f"sqlite:///{directory}/plant.db"
+    store = PlaybackStore(url)
+    job = {"id": "J1", "state": "queued"}
+    first = [
+        [NOW - 50, "vehicles", "V001", {"barcode": "1002", "activity": "moving"}],
+        [NOW - 49, "jobs", "J1", job],
+    ]
+    second = [[NOW - 40, "vehicles", "V001", {"barcode": "1003"}], [NOW - 39, "jobs", "J1", None]]
+    store.append([Piece(STATE, NOW - 60, NOW - 60, 1, packed(STATE_AT_START))])
+    store.append([Piece(CHANGES, NOW - 50, NOW - 49, 2, packed(first))])
+    store.append([Piece(CHANGES, NOW - 40, NOW - 39, 2, packed(second))])
+    store.close()
+    return Playback(url)

@@ -1,0 +1,107 @@
+"""Playback over REST: a moment, a period, an incident as a file, and the file opened again."""
+
+from pathlib import Path
+
+import httpx
+import pytest
+from fastapi import FastAPI
+
+from app.api.application import application
+from app.runtime.incident import NoIncident, read
+from app.runtime.recorded import Recorded
+from app.settings import Settings
+from tests.api.recordings import recorded
+from tests.api.scripted import PLANT, Scripted
+
+pytestmark = pytest.mark.anyio
+KIM = {"X-Actor": "kim"}
+
+
+@pytest.fixture
+def controller(tmp_path: Path) -> Scripted:
+    controller = Scripted()
+    controller.playback = recorded(tmp_path)
+    controller.happen("VehicleDeparted", vehicle="V001")
+    return controller
+
+
+async def test_a_moment_is_the_state_before_it_with_what_changed_since(client: httpx.AsyncClient) -> None:
+    async def at(moment: str) -> dict[str, object]:
+        answer = await client.get("/history", params={"at": moment})
+        assert answer.status_code == 200, answer.text
+        found: dict[str, object] = answer.json()["objects"]
+        return found
+
+    assert await at("2025-12-31T23:59:05Z") == {
+        "vehicles": {"V001": {"barcode": "1001", "activity": "idle", "job": None}}
+    }
+    moved = {"barcode": "1002", "activity": "moving", "job": None}
+    assert (await at("2025-12-31T23:59:10Z"))["vehicles"] == {"V001": moved}
+    assert (await at("2025-12-31T23:59:11Z"))["jobs"] == {"J1": {"id": "J1", "state": "queued"}}
+    assert (await at("2026-01-01T00:00:00Z")) == {"vehicles": {"V001": {**moved, "barcode": "1003"}}, "jobs": {}}
+    early = await client.get("/history", params={"at": "2025-12-31T23:58:00Z"})
+    assert (early.status_code, early.json()["detail"]) == (404, "Nothing was recorded by then.")
+
+
+async def test_changes_of_a_period_come_in_pages(client: httpx.AsyncClient) -> None:
+    asked: dict[str, str | int] = {"from": "2025-12-31T23:59:10Z", "to": "2025-12-31T23:59:20Z", "limit": 1}
+    seen = []
+    while True:
+        page = (await client.get("/history/changes", params=asked)).json()
+        seen += page["items"]
+        if page["next"] is None:
+            break
+        asked["after"] = page["next"]
+    assert [(one["topic"], one["value"]) for one in seen] == [
+        ("jobs", {"id": "J1", "state": "queued"}),
+        ("vehicles", {"barcode": "1003"}),
+    ]
+
+
+async def test_the_span_says_from_when_to_when_there_is_playback(client: httpx.AsyncClient) -> None:
+    span = (await client.get("/history/span")).json()
+    assert (span["from"], span["to"]) == ("2025-12-31T23:59:00.000Z", "2025-12-31T23:59:21.000Z")
+    assert span["bytes"] > 50
+
+
+async def test_without_a_recording_that_is_said(client: httpx.AsyncClient, controller: Scripted) -> None:
+    controller.playback = None
+    answer = await client.get("/history/span")
+    assert (answer.status_code, answer.json()["detail"]) == (409, "Nothing is recorded for playback.")
+
+
+async def test_an_exported_incident_is_opened_elsewhere_and_shows_the_same(
+    client: httpx.AsyncClient, tmp_path: Path
+) -> None:
+    asked = {"from": "2025-12-31T23:58:00Z", "to": "2026-01-01T00:00:01Z"}
+    answer = await client.get("/history/export", params=asked, headers=KIM)
+    assert answer.headers["content-type"] == "application/gzip"
+    assert answer.headers["content-disposition"].endswith('2025-12-31T235800Z.hoistway.gz"')
+    incident = read(answer.content)
+    assert incident.plant == PLANT
+    assert (incident.actor, len(incident.changes), len(incident.events)) == ("kim", 4, 1)
+    directory = tmp_path / "elsewhere"
+    directory.mkdir()
+    replayed = Recorded(incident, directory)
+    app = application(replayed, Settings())
+    try:
+        await compare(client, app)
+    finally:
+        replayed.close()
+
+
+async def compare(client: httpx.AsyncClient, app: FastAPI) -> None:
+    transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+    async with httpx.AsyncClient(transport=transport, base_url="http://localhost/api/v1") as other:
+        for path in ("/history?at=2025-12-31T23:59:11Z", "/layout", "/history/changes?from=2025-12-31T23:00:00Z"):
+            assert (await other.get(path)).json() == (await client.get(path)).json(), path
+        (event,) = (await other.get("/events")).json()["items"]
+        assert (event["event"], event["vehicle"]) == ("VehicleDeparted", "V001")
+        refused = await other.post("/controller/pause", json={"reason": "x"})
+        assert (refused.status_code, refused.json()["detail"]) == (409, "This is a recording.")
+
+
+def test_a_file_that_is_no_incident_is_said_to_be_none() -> None:
+    for body in (b"", b"PK", b"\x1f\x8b"):
+        with pytest.raises(NoIncident, match="no recorded incident"):
+            read(body)

@@ -1,0 +1,149 @@
+"""The recorder: what is shown is played back as it was, and only what is other than before is kept."""
+
+import threading
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from app.domain.errors import StoreError
+from app.domain.units import Timestamp
+from app.domain.view import CarrierView, LinkView, Topic, Update, VehicleView
+from app.runtime.playback import Playback
+from app.runtime.recording import WAITING, Limits, Recorder
+from app.runtime.telemetry import logger
+from app.store.playback import Piece, PlaybackStore
+
+LINK = LinkView(up=True, since=0.0)
+VEHICLE = VehicleView("V1", 1, "default", "a", "not_assigned", "idle", "in_service", LINK, barcode="101")
+
+
+class Watched(PlaybackStore):
+    """Says when it has been asked to keep something; fails, or waits to be let go, while it is told to."""
+
+    failing = False
+    held: threading.Event | None = None
+
+    def __init__(self, url: str) -> None:
+        super().__init__(url)
+        self._asked = threading.Semaphore(0)
+
+    def append(self, some: Any) -> None:
+        if self.held is not None:
+            assert self.held.wait(60)
+        try:
+            if self.failing:
+                raise StoreError("the disk is full")
+            super().append(some)
+        finally:
+            self._asked.release()
+
+    def wait(self) -> None:
+        assert self._asked.acquire(timeout=60)
+
+
+class Scene:
+    """A recorder on a clock of its own."""
+
+    def __init__(self, directory: Path, store: Watched | None = None) -> None:
+        self.url, self.now = f"sqlite:///{directory}/plant.db", 1000.0
+        self.store = store or Watched(self.url)
+        self.recorder = Recorder(self.store, Limits(1e9, 10**9), lambda: Timestamp(self.now), logger(part="test"))
+
+    def show(self, at: float, **changes: Any) -> None:
+        self.now = at
+        self.recorder.note([Update(Topic.VEHICLES, "V1", replace(VEHICLE, **changes))])
+
+    def ended(self) -> Playback:
+        self.recorder.close()
+        return Playback(self.url)
+
+
+def barcode(playback: Playback, at: float) -> object:
+    found = playback.state(at)
+    return None if found is None else found.objects["vehicles"]["V1"]["barcode"]
+
+
+def test_every_moment_between_two_whole_states_can_be_seen(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    for n in range(200):
+        scene.show(1000.0 + n, barcode=str(n))
+        if n % 3 == 2:
+            scene.recorder.flush()
+            scene.store.wait()
+    playback = scene.ended()
+    assert [barcode(playback, 1000.0 + n + 0.5) for n in range(3, 200)] == [str(n) for n in range(3, 200)]
+    changes = list(playback.changes(1000, 1300))
+    assert all(change[3] == {"barcode": change[3]["barcode"]} for _, change in changes)
+    playback.close()
+
+
+def test_what_looks_the_same_on_a_map_is_not_kept(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    scene.show(1000)
+    scene.recorder.flush()
+    for n in range(50):
+        scene.show(1001.0 + n, dist=n, waiting=f"{n} s", seen=float(n))
+    scene.show(1060, barcode="102", waiting="for V2")
+    playback = scene.ended()
+    assert [change[3] for _, change in playback.changes(1000, 2000)] == [{"barcode": "102", "waiting": "for V2"}]
+    playback.close()
+
+
+def test_objects_that_go_are_gone_and_topics_without_a_place_are_left_out(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    scene.show(1000)
+    scene.recorder.flush()
+    scene.now = 1001.0
+    carrier = CarrierView("F1", "P1", "host", verified=True, at=1.0)
+    scene.recorder.note([Update(Topic.CARRIERS, "F1", carrier), Update(Topic.EVENTS, "1", None)])
+    scene.now = 1002.0
+    scene.recorder.note([Update(Topic.CARRIERS, "F1", None)])
+    playback = scene.ended()
+    there, gone = playback.state(1001.5), playback.state(1003)
+    assert there is not None
+    assert gone is not None
+    assert there.objects["carriers"]["F1"]["place"] == "P1"
+    assert (gone.objects["carriers"], "events" in gone.objects) == ({}, False)
+    playback.close()
+
+
+def test_after_a_failure_a_whole_state_follows_so_that_nothing_is_shown_wrong(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    for at, failing, place in ((1000, False, "101"), (1001, True, "102"), (1002, True, "103"), (1003, False, "103")):
+        scene.store.failing = failing
+        scene.show(at, barcode=place, loaded=at == 1003)
+        scene.recorder.flush()
+        scene.store.wait()
+    playback = scene.ended()
+    assert barcode(playback, 1004) == "103"
+    playback.close()
+
+
+def test_a_slow_disk_never_lets_more_than_so_much_wait(tmp_path: Path) -> None:
+    store = Watched(f"sqlite:///{tmp_path}/plant.db")
+    store.held = threading.Event()
+    scene = Scene(tmp_path, store)
+    for n in range(WAITING * 3):
+        scene.show(1000.0 + n, barcode=str(n))
+        scene.recorder.flush()
+    assert scene.recorder._waiting.qsize() <= WAITING
+    store.held.set()
+    playback = scene.ended()
+    assert barcode(playback, 2000) == str(WAITING * 3 - 1)
+    playback.close()
+
+
+def test_pieces_are_small(tmp_path: Path) -> None:
+    kept: list[Piece] = []
+
+    class Counting(Watched):
+        def append(self, some: Any) -> None:
+            kept.extend(some)
+
+    scene = Scene(tmp_path, Counting(f"sqlite:///{tmp_path}/plant.db"))
+    scene.show(1000)
+    scene.recorder.flush()
+    for n in range(1000):
+        scene.show(1001.0 + n / 1000, barcode=str(10_000 + n))
+    scene.recorder.close()
+    assert sum(len(piece.body) for piece in kept if piece.kind == "changes") < 20 * 1000
