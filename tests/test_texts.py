@@ -1,12 +1,18 @@
 """One catalogue for page, API and command line: whole in both languages."""
 
+import ast
 import re
+from pathlib import Path
 
 import pytest
 
 from app.api.problems import CODES, USUAL
+from app.domain.job import JobEvent
 from app.texts import LANGUAGES, catalogue, language_of, text, told
 
+PIECES = re.compile(r"\{\d\}|[;:,]|\bwhich is\b|\bat\b")
+"""Sentences are put together at such places."""
+APP = Path(__file__).parents[1] / "app"
 SLOT = re.compile(r"\{\d\}")
 
 
@@ -47,6 +53,51 @@ def test_every_code_of_a_problem_has_a_title_and_every_usual_remedy_its_words() 
 )
 def test_the_language_is_the_one_that_the_caller_prefers_of_ours(accepted: str, language: str) -> None:
     assert language_of(accepted) == language
+
+
+def test_every_event_has_its_words() -> None:
+    assert {str(event) for event in JobEvent} <= set(catalogue("en")["events"])
+
+
+def _constants() -> str:
+    """Return all text that the program's code has, without what is filled in."""
+    found: list[str] = []
+    for file in APP.rglob("*.py"):
+        nodes = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        found += [node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    page = (APP.parent / "web" / "src").rglob("*.ts*")
+    return "\n".join([*found, *(file.read_text(encoding="utf-8") for file in page)])
+
+
+def test_every_saying_is_still_said_somewhere() -> None:
+    code = _constants()
+    unsaid = {
+        key: part
+        for key, sentence in catalogue("en")["sayings"].items()
+        for part in PIECES.split(sentence)
+        if len(part.strip()) > 9 and part.strip(" ;,:.()") not in code
+    }
+    assert not unsaid, "the code says this otherwise now: change or drop the saying"
+
+
+@pytest.mark.parametrize(
+    ("sentence", "korean"),
+    [
+        (
+            "V012 waits at 1203 for 1204 held by V007, which is picking up at STK01-P02 (8 s)",
+            "1203의 V012: STK01-P02에서 적재 중인 V007(8초) 점유 1204 대기",
+        ),
+        ("V012 waits at 1203: everything is stopped by Kim", "1203의 V012: Kim 님이 전체 정지"),
+        (
+            "no vehicle is free: V001 is on job J7, and V002 is not ready",
+            "가용 차량 없음: V001 작업 J7 수행 중, V002 is not ready",
+        ),
+        ("P2 is occupied by F7", "P2에 F7이(가) 있음"),
+    ],
+)
+def test_what_the_controller_says_is_told_in_korean(sentence: str, korean: str) -> None:
+    assert told(sentence, "ko") == korean
+    assert told(sentence, "en") == sentence
 
 
 def test_a_sentence_that_the_catalogue_does_not_know_is_shown_as_it_is() -> None:

@@ -36,6 +36,8 @@ function manifest(): Plugin {
   return {
     name: "manifest",
     apply: "build",
+    // Notices in comments of libraries keep their names, but the page names no other host.
+    renderChunk: (code) => code.replaceAll("https://github.com/", "github.com/"),
     buildStart() {
       rmSync(join(BUNDLE, "assets"), { recursive: true, force: true });
     },

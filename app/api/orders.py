@@ -16,7 +16,7 @@ from app.api.inputs import JobIn
 from app.api.jobs import Ordered, create
 from app.api.known_jobs import KnownJobs
 from app.api.port import Controller
-from app.api.problems import Problem, is_json, ours, problem_of
+from app.api.problems import Problem, is_json, language_in, ours, problem_of
 from app.domain.errors import HoistwayError
 
 PATH = "/api/v1/jobs"
@@ -47,9 +47,9 @@ class Orders:
                 return
             ordered = await self._order(scope, body)
         except Problem as problem:
-            await problem.response()(scope, receive, send)
+            await problem.response(language_in(scope))(scope, receive, send)
         except HoistwayError as error:
-            await ours(error).response()(scope, receive, send)
+            await ours(error).response(language_in(scope))(scope, receive, send)
         else:
             headers = [_HEAD, (b"content-length", b"%d" % len(ordered.body))]
             headers += [(name.lower().encode(), value.encode("latin-1")) for name, value in ordered.place.items()]

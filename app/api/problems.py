@@ -9,10 +9,12 @@ from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 from starlette.routing import Match, Mount
+from starlette.types import Scope
 from starlette.websockets import WebSocket
 
 from app.domain.errors import HoistwayError, Refusal
 from app.runtime.showing import encode
+from app.texts import Language, language_of, text, told
 
 MEDIA_TYPE = "application/problem+json"
 TYPE_PREFIX = "/api/v1/problems/"
@@ -69,16 +71,16 @@ class Problem(Exception):
         """The HTTP status."""
         return CODES[self.code][0]
 
-    def body(self) -> dict[str, object]:
-        """Return the members of the problem."""
-        status, title = CODES[self.code]
+    def body(self, language: Language = "en") -> dict[str, object]:
+        """Return the members of the problem, in a language as far as the catalogue of texts has it."""
+        usual = self.code if self.code in USUAL else "other"
         members: dict[str, object] = {
             "type": TYPE_PREFIX + self.code,
-            "title": title,
-            "status": status,
-            "detail": self.detail,
+            "title": text("problems", self.code, language),
+            "status": self.status,
+            "detail": told(self.detail, language),
             "code": self.code,
-            "remedy": self.remedy or USUAL.get(self.code, "See /api/docs."),
+            "remedy": told(self.remedy, language) or text("remedies", usual, language),
         }
         if self.field:
             members["field"] = self.field
@@ -90,9 +92,16 @@ class Problem(Exception):
         """Return the detail as the reason of a closed WebSocket: at most 123 bytes of UTF-8 (RFC 6455 5.5.1)."""
         return self.detail.encode()[:REASON_BYTES].decode(errors="ignore")
 
-    def response(self) -> Response:
+    def response(self, language: Language = "en") -> Response:
         """Return it as a response."""
-        return Response(encode(self.body()), self.status, dict(self.headers), MEDIA_TYPE)
+        headers = {**self.headers, "Content-Language": language}
+        return Response(encode(self.body(language)), self.status, headers, MEDIA_TYPE)
+
+
+def language_in(scope: Scope) -> Language:
+    """Return the language that a caller prefers: the header Accept-Language."""
+    accepted = next((value for name, value in scope["headers"] if name == b"accept-language"), b"")
+    return language_of(accepted.decode("latin-1")) if accepted else "en"
 
 
 def refused(refusal: Refusal) -> Problem:
@@ -116,14 +125,14 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Exception, defect)
 
 
-async def _own(_request: Request, error: Exception) -> Response:
+async def _own(request: Request, error: Exception) -> Response:
     assert isinstance(error, Problem)
-    return error.response()
+    return error.response(language_in(request.scope))
 
 
-async def _ours(_request: Request, error: Exception) -> Response:
+async def _ours(request: Request, error: Exception) -> Response:
     assert isinstance(error, HoistwayError)
-    return ours(error).response()
+    return ours(error).response(language_in(request.scope))
 
 
 async def defect(_request: Request, _error: Exception) -> Response:
@@ -150,7 +159,7 @@ async def _http(request: Request, error: Exception) -> Response:
         detail = f"{request.url.path} does not have {request.method}."
         headers["allow"] = ", ".join(_methods(request))
         remedy = f"It has {headers['allow']}."
-    return Problem(code, detail, remedy, headers=headers).response()
+    return Problem(code, detail, remedy, headers=headers).response(language_in(request.scope))
 
 
 async def no_stream(socket: WebSocket) -> None:
@@ -177,7 +186,7 @@ def _methods(request: Request) -> list[str]:
 
 async def _validation(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
-    return problem_of(error.errors(), request.headers.get("content-type", "")).response()
+    return problem_of(error.errors(), request.headers.get("content-type", "")).response(language_in(request.scope))
 
 
 def problem_of(errors: Sequence[Mapping[str, object]], content_type: str) -> Problem:

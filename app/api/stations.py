@@ -19,12 +19,12 @@ from app.api.calls import (
     version_expected,
 )
 from app.api.declared import gives
-from app.api.inputs import CarrierPut, PathId, StationPatch, StationPut, Target
+from app.api.inputs import CarrierPut, Id, PathId, StationPatch, StationPut, Strict, Target
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.teaching_answers import version_row
 from app.domain import requests
-from app.domain.ids import CarrierId, StationId
+from app.domain.ids import CarrierId, StationId, VehicleId
 from app.domain.records import StationDest, VehicleOffset
 from app.domain.view import Topic
 
@@ -80,6 +80,21 @@ async def patch_station(station: PathId, body: StationPatch, controller: Ctl, ac
         by_person=body.by_person,
     )
     return await _written(controller, station, asked)
+
+
+class StageIn(Strict):
+    """Which vehicle; none: the nearest that is free."""
+
+    vehicle: Id | None = None
+
+
+@router.post("/{station}/stage", **gives("Vehicle"))
+async def stage_vehicle(station: PathId, body: StageIn, controller: Ctl, actor: Who) -> Response:
+    """Send a vehicle to a station before its lot is ready. It stays idle there: it gives way, and takes jobs."""
+    vehicle = VehicleId(body.vehicle) if body.vehicle else None
+    accepted = await ask(controller, requests.StageVehicle(actor, StationId(station), vehicle))
+    view = controller.model.get(Topic.VEHICLES, accepted.key)
+    return answer_view(view) if view is not None else missing("vehicle", accepted.key)
 
 
 @router.get("/{station}/dest", **gives("PulsesVersion[]", description="All versions, oldest first; ETag: the newest."))

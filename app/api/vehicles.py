@@ -125,6 +125,12 @@ async def _decided(controller: Controller, vehicle: str, request: requests.Reque
     return answer_view(view) if view is not None else missing("vehicle", vehicle)
 
 
+@router.post("/{vehicle}/park", **gives("Vehicle"))
+async def park_vehicle(vehicle: PathId, controller: Ctl, actor: Who) -> Response:
+    """Send a vehicle to the nearest free parking place."""
+    return await _decided(controller, vehicle, requests.ParkVehicle(actor, VehicleId(vehicle)))
+
+
 @router.post("/{vehicle}/hold", **gives("Vehicle"))
 async def hold_vehicle(vehicle: PathId, body: ReasonIn, controller: Ctl, actor: Who) -> Response:
     """Send nothing more to a vehicle until it is released."""

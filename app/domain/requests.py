@@ -222,6 +222,23 @@ class ResumeZone:
 
 
 @dataclass(frozen=True, slots=True)
+class StageVehicle:
+    """Send a vehicle to a station before its lot is ready; ``vehicle`` None: the nearest that is free."""
+
+    actor: Actor
+    station: StationId
+    vehicle: VehicleId | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ParkVehicle:
+    """Send a vehicle to the nearest free parking place."""
+
+    actor: Actor
+    vehicle: VehicleId
+
+
+@dataclass(frozen=True, slots=True)
 class WriteStation:
     """The host or a person writes what is at a station; None leaves as is. ``carrier`` \"\" means: no carrier."""
 
@@ -290,7 +307,7 @@ PlantRequest = PauseController | ResumeController | WriteStation | WriteCarrier 
 Stilling = StopAll | PauseZone | ResumeZone
 """About motion in the whole plant, or in a zone."""
 
-RoomRequest = ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
+RoomRequest = StageVehicle | ParkVehicle | ClosureRequest | Stilling | AcknowledgeAlarm | WalkRequest
 """What a control room asks besides."""
 
 HallRequest = DeviceOrder | RaiseEmergency | ReleaseEmergency

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import chain, pairwise
+from itertools import islice, pairwise
 from typing import Protocol, TypeAlias
 
 from app.domain.errors import NoRoute
@@ -43,6 +43,7 @@ class Closed:
         self._reasons: dict[Place, dict[str, Reason]] = {}
         self._places: dict[str, dict[Place, None]] = {}
         self.version = self.edition = 0
+        self._edges = 0
 
     def __contains__(self, place: Place) -> bool:
         return place in self._reasons
@@ -64,6 +65,7 @@ class Closed:
             self._places.setdefault(reason.by, {})[place] = None
         if fresh:
             self.version += 1
+            self._edges += sum(isinstance(place, tuple) for place in fresh)
             self._close(*fresh)
 
     def lift(self, reason: Reason, *places: Place) -> None:
@@ -82,6 +84,7 @@ class Closed:
             del self._places[reason.by]
         if free:
             self.version += 1
+            self._edges -= sum(isinstance(place, tuple) for place in free)
             self._open(*free)
 
     def shut_only(self, reason: Reason, *places: Place) -> None:
@@ -111,7 +114,8 @@ class Closed:
 
     def on(self, way: Sequence[Barcode]) -> Place | None:
         """Return the first closed place on a way that begins at its first barcode; that one itself may be closed."""
-        if self._reasons.keys().isdisjoint(chain(way[1:], pairwise(way))):
+        known = self._reasons.keys()
+        if known.isdisjoint(islice(way, 1, None)) and (not self._edges or known.isdisjoint(pairwise(way))):
             return None
         passed = ((pair[1], pair) for pair in pairwise(way))
         return next((place for both in passed for place in both if place in self._reasons), None)

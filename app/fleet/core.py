@@ -46,6 +46,7 @@ from app.fleet.parking import Parking
 from app.fleet.passages import Passages
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.recovery import Recovery
+from app.fleet.staging import Staging
 from app.fleet.standstill import Standstills
 from app.fleet.teaching import Teaching
 from app.fleet.teaching_desk import TeachingDesk
@@ -129,6 +130,7 @@ class Fleet:
             Standstills(self.books, self._plant_orders, self.alarms),
             self.webhooks,
             Walks(self.books, self._plant_orders),
+            Staging(self.books, self.motion, orders),
         )
         self._link = link
         self._looks = Looks()

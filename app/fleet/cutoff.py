@@ -1,9 +1,12 @@
 """The stations that nobody can reach any more because of what is closed: named as an alarm, and in the view."""
 
 from collections import defaultdict
+from collections.abc import Iterator
+from itertools import islice
 
 from app.domain.ids import StationId
 from app.domain.job import JobEvent
+from app.domain.layout import Station
 from app.domain.units import Barcode, Seconds
 from app.fleet.books import Books
 from app.fleet.breakdowns import Breakdowns
@@ -11,6 +14,8 @@ from app.fleet.vehicle import VehicleNow
 
 LOOK_EVERY = Seconds(5.0)
 """While anything is closed: vehicles may drive out of a piece that is cut off, or into it (our choice)."""
+LOOKED_AT_ONCE = 400
+"""So many stations are looked at before others may do something (our choice: about 1 ms)."""
 NAMED = 12
 """So many stations are named in one alarm; the others are counted (our choice)."""
 
@@ -23,37 +28,54 @@ class CutOff:
         self._breakdowns = breakdowns
         self._seen = books.closed.version
         self._next_look = books.now
+        self._looking: Iterator[None] | None = None
+
+    @property
+    def pending(self) -> bool:
+        """Whether ``go_on`` has something to do."""
+        return self._looking is not None
 
     def look(self) -> None:
-        """Look which stations can be reached, if that can be otherwise than it was."""
+        """Have it looked which stations can be reached, if that can be otherwise than it was."""
         books = self._books
         changed = books.closed.version != self._seen
         if not changed and (not len(books.closed) or books.now < self._next_look):
             return
         self._seen, self._next_look = books.closed.version, Seconds(books.now + LOOK_EVERY)
-        before, now = books.traffic_state.cut_off, self._found()
+        self._looking = self._look()
+
+    def go_on(self) -> None:
+        """Look at some more stations; at the end, tell."""
+        if self._looking is not None and next(self._looking, self) is self:
+            self._looking = None
+
+    def _look(self) -> Iterator[None]:
+        """Find the stations that cannot be reached by anybody for what is closed, and why; give after each slice."""
+        books = self._books
+        starts = [at for vehicle in books.vehicles.values() if (at := self._sets_out_from(vehicle)) is not None]
+        areas = {books.track.area(start) for start in starts}
+        now, found = books.router.reach(starts), dict[StationId, str]()
+        lost: list[Station] = []
+        stations = iter(books.specs.values() if len(books.closed) else ())
+        while some := list(islice(stations, LOOKED_AT_ONCE)):
+            yield
+            there = (s for s in some if s.barcode in books.track and books.track.area(s.barcode) in areas)
+            lost += [station for station in there if not now.leads_to(station.barcode)]
+        if lost:
+            yield
+            ever = books.router.reach(starts, anyway=True)
+            found = {s.id: books.no_way.cause(s.barcode) for s in lost if ever.leads_to(s.barcode)}
+        self._note(found)
+
+    def _note(self, now: dict[StationId, str]) -> None:
+        books = self._books
+        before = books.traffic_state.cut_off
         if now == before:
             return
         books.traffic_state.cut_off = now
         books.jobs_changed = True
         self._tell({name: why for name, why in now.items() if name not in before}, JobEvent.ALARM_SET)
         self._tell({name: why for name, why in before.items() if name not in now}, JobEvent.ALARM_CLEARED)
-
-    def _found(self) -> dict[StationId, str]:
-        """Return the stations that cannot be reached by anybody for what is closed, and why."""
-        books = self._books
-        starts = [at for vehicle in books.vehicles.values() if (at := self._sets_out_from(vehicle)) is not None]
-        areas = {books.track.area(start) for start in starts}
-        stations = [
-            s for s in books.specs.values() if s.barcode in books.track and books.track.area(s.barcode) in areas
-        ]
-        goals = [station.barcode for station in stations]
-        if not len(books.closed) or not goals:
-            return {}
-        now = books.router.reached(starts, goals)
-        lost = [station for station, there in zip(stations, now, strict=True) if not there]
-        ever = books.router.reached(starts, [station.barcode for station in lost], anyway=True)
-        return {s.id: books.no_way.cause(s.barcode) for s, once in zip(lost, ever, strict=True) if once}
 
     def _sets_out_from(self, vehicle: VehicleNow) -> Barcode | None:
         """Return where a vehicle that can go on can turn to another goal; None: it cannot go on, or is nobody knows where."""

@@ -20,6 +20,7 @@ from app.domain.requests import (
     HoldVehicle,
     LockVehicle,
     MoveVehicle,
+    ParkVehicle,
     PauseController,
     PauseZone,
     PlantRequest,
@@ -31,6 +32,7 @@ from app.domain.requests import (
     ResumeZone,
     RoomRequest,
     SetService,
+    StageVehicle,
     StopAll,
     UnlockVehicle,
     VehicleRequest,
@@ -52,6 +54,7 @@ from app.fleet.jobs import Jobs
 from app.fleet.orders import VehicleOrders
 from app.fleet.plant_orders import PlantOrders
 from app.fleet.refusals import no_vehicle
+from app.fleet.staging import Staging
 from app.fleet.standstill import Standstills
 from app.fleet.teaching_desk import TeachingDesk
 from app.fleet.vehicle import VehicleNow
@@ -104,6 +107,7 @@ class Desk:
         standstills: Standstills,
         webhooks: Webhooks,
         walks: Walks,
+        staging: Staging,
     ) -> None:
         self._books = books
         self._jobs = jobs
@@ -118,6 +122,7 @@ class Desk:
         self._standstills = standstills
         self._webhooks = webhooks
         self._walks = walks
+        self._staging = staging
 
     def answer(self, request: Request) -> Reply:
         """Carry a request out or refuse it, and write down who asked for what."""
@@ -156,6 +161,10 @@ class Desk:
                 return self._books.alarms.acknowledge(request)
             case StartWalk() | EnterSights() | AcceptWalk() | AbandonWalk():
                 return self._walks.answer(request)
+            case StageVehicle():
+                return self._staging.stage(request)
+            case ParkVehicle():
+                return self._staging.park(request)
             case StopAll() | PauseZone() | ResumeZone():
                 return self._standstills.answer(request)
 

@@ -25,7 +25,7 @@ class Flow:
     @property
     def pending(self) -> bool:
         """Whether ``go_on`` has something to do at once."""
-        return self._reroutes.pending
+        return self._cut_off.pending or self._reroutes.pending
 
     def mind(self, vehicle: VehicleNow) -> None:
         """A vehicle is different now."""
@@ -51,8 +51,11 @@ class Flow:
             self._books.show_controller()
 
     def go_on(self) -> None:
-        """Do the next piece of what ``after_dispatch`` began."""
-        self._reroutes.go_on()
+        """Do the next piece of what was begun."""
+        if self._cut_off.pending:
+            self._cut_off.go_on()
+        else:
+            self._reroutes.go_on()
 
     @property
     def _state(self) -> tuple[object, ...]:

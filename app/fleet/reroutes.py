@@ -19,8 +19,8 @@ MOST_QUICKER = 20
 """So many vehicles at most take quicker ways by the same weights: all at once, they would only move the jam (our choice)."""
 LOOK_AGAIN = Seconds(5.0)
 """While anything is closed, all are looked at so often: a way may have been given since, or a change was refused (our choice)."""
-LOOKED_AT_ONCE = 100
-LED_AT_ONCE = 4
+LOOKED_AT_ONCE = 25
+LED_AT_ONCE = 1
 """So many are looked at before others may do something, and so many led another way (our choice: about 2 ms)."""
 OF_THE_FLEET = frozenset((Purpose.GIVE_WAY, Purpose.PARK))
 """Errands that may be dropped: another one is found when one is needed."""
@@ -35,7 +35,8 @@ class Reroutes:
         self._closed = books.closed.version
         self._version = books.router.version
         self._next_look = books.now
-        self._queue: dict[VehicleId, None] = {}
+        self._queue: dict[VehicleId, bool] = {}
+        """Who is to be looked at; whether also for a quicker way."""
         self._led_at: dict[VehicleId, Seconds] = {}
         self._quicker = 0
 
@@ -45,16 +46,18 @@ class Reroutes:
         return bool(self._queue)
 
     def run(self) -> None:
-        """Look at everybody under way, if something has closed, or ways have other weights; the rest of them in ``go_on``."""
+        """Have everybody under way looked at, if something has closed, or ways have other weights."""
         books = self._books
         closed, version = books.closed.version, books.router.version
-        if version != self._version:
+        weighed = version != self._version
+        if weighed:
             self._version, self._quicker = version, MOST_QUICKER
         elif closed == self._closed and (not len(books.closed) or books.now < self._next_look):
             return
         self._closed, self._next_look = closed, Seconds(books.now + LOOK_AGAIN)
-        self._queue.update(dict.fromkeys(name for name, v in books.vehicles.items() if v.rest))
-        self.go_on()
+        for name, vehicle in books.vehicles.items():
+            if vehicle.rest:
+                self._queue[name] = weighed or self._queue.get(name, False)
 
     def go_on(self) -> None:
         """Look at some more."""
@@ -62,13 +65,13 @@ class Reroutes:
         led = state.led_round + state.led_quicker
         for _ in range(min(LOOKED_AT_ONCE, len(self._queue))):
             name = next(iter(self._queue))
-            del self._queue[name]
-            self._mind(self._books.vehicles[name])
+            weighed = self._queue.pop(name)
+            self._mind(self._books.vehicles[name], weighed=weighed)
             if state.led_round + state.led_quicker - led >= LED_AT_ONCE:
                 break
 
-    def _mind(self, vehicle: VehicleNow) -> None:
-        """Lead one vehicle another way, if its own is closed, or much slower than the best one."""
+    def _mind(self, vehicle: VehicleNow, *, weighed: bool) -> None:
+        """Lead one vehicle another way: its own is closed, or (ways have been weighed anew) much slower than the best."""
         books, errand = self._books, vehicle.errand
         start = vehicle.ahead[-1] if vehicle.ahead else vehicle.barcode
         if errand is None or start is None or not vehicle.rest or vehicle.toward is not None:
@@ -77,7 +80,7 @@ class Reroutes:
         if books.closed.on(present) is not None:
             if self._lead(vehicle, start, errand.goal):
                 books.traffic_state.led_round += 1
-        elif self._pays(vehicle, present, errand.goal) and self._lead(vehicle, start, errand.goal):
+        elif weighed and self._pays(vehicle, present, errand.goal) and self._lead(vehicle, start, errand.goal):
             self._quicker -= 1
             books.traffic_state.led_quicker += 1
 

@@ -75,17 +75,18 @@ class Rails:
     def main(self, graph: csr_array, stations: Collection[Barcode]) -> NDArray[np.bool_]:
         """Return which barcodes lie where vehicles can go round: in each area the part with most stations.
 
-        From any of these every other of the same area can be reached, and back.
+        From any of these every other of the same area can be reached, and back. An area without a way round has none.
         """
         _, part = connected_components(graph, directed=True, connection="strong")
-        weight = np.bincount(part, minlength=int(part.max()) + 1 if len(part) else 0)
+        size = np.bincount(part, minlength=int(part.max()) + 1 if len(part) else 0)
         at = np.array([self.number[barcode] for barcode in stations if barcode in self.number], dtype=np.intp)
-        weight = weight + np.bincount(part[at], minlength=len(weight)) * (len(part) + 1)
+        weight = size + np.bincount(part[at], minlength=len(size)) * (len(part) + 1)
         found = np.zeros(len(part), dtype=np.bool_)
         for area in self._track.areas:
-            inside = np.array([self.number[barcode] for barcode in area], dtype=np.intp)
-            best = part[inside[np.argmax(weight[part[inside]])]]
-            found |= part == best
+            inside = np.array(sorted(self.number[barcode] for barcode in area), dtype=np.intp)
+            round_ = inside[size[part[inside]] > 1] if len(inside) > 1 else inside
+            if len(round_):
+                found |= part == part[round_[np.argmax(weight[part[round_]])]]
         return found
 
     def leads_there(self, graph: csr_array, main: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -12,7 +12,7 @@ from app.domain.units import Barcode, Seconds
 from app.planning.alternatives import by_present, by_table, drawn, search, ways
 from app.planning.arcs import EdgeKey, contract
 from app.planning.compiled import NO_CUTS, Cuts, View, is_open
-from app.planning.reach import reached
+from app.planning.reach import Reach
 from app.planning.tables import Floats, Tables, Task, compute
 from app.planning.track import Track
 
@@ -258,9 +258,9 @@ class Router:
         """Return what ``times`` does, as an array."""
         return self.view.times(starts, goals, self._cuts)
 
-    def reached(self, starts: Iterable[Barcode], goals: Sequence[Barcode], *, anyway: bool = False) -> list[bool]:
-        """Return for each goal whether an open way leads there from any of the starts; ``anyway``: whatever is closed."""
-        return reached(self._arcs, NO_CUTS if anyway else self._cuts, starts, goals)
+    def reach(self, starts: Iterable[Barcode], *, anyway: bool = False) -> Reach:
+        """Return where an open way leads now from any of the starts; ``anyway``: whatever is closed."""
+        return Reach(self._arcs, NO_CUTS if anyway else self._cuts, starts)
 
     def _timed(self, path: tuple[Barcode, ...]) -> Route:
         view = self.view

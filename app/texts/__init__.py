@@ -1,9 +1,9 @@
 """The words for people, in each language, from one catalogue: page, API and command line speak from it.
 
-``en.json`` and ``ko.json`` have the same sections and keys. ``page`` and ``cli`` are words and sentences with ``{0}``, ``{1}`` …
-for what is filled in; ``problems`` and ``remedies`` go by the code of a problem. ``sayings`` are the patterns of sentences
-that the controller says and keeps in English: they are translated where they are shown (:func:`told`), since what is
-kept in a plant's database does not depend on who reads it.
+``en.json`` and ``ko.json`` have the same sections and keys. ``page`` are words and sentences with ``{0}``, ``{1}`` … for what is
+filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
+of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
+since what is kept in a plant's database does not depend on who reads it.
 """
 
 import json
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Literal, get_args
 
 Language = Literal["en", "ko"]
-Section = Literal["page", "problems", "remedies", "sayings", "cli"]
+Section = Literal["page", "problems", "remedies", "sayings", "events"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 HERE = Path(__file__).parent
 _SLOT = re.compile(r"(\{\d\})")
@@ -78,5 +78,7 @@ def _patterns(language: Language) -> list[tuple[re.Pattern[str], str]]:
 
 
 def _pattern(sentence: str) -> str:
-    parts = (f"(?P<s{part[1]}>.+?)" if _SLOT.fullmatch(part) else re.escape(part) for part in _SLOT.split(sentence))
-    return "".join(parts)
+    """Return it as an expression. What stands first is a name, or several: a clause within a sentence is none by itself."""
+    first, *rest = (part for part in _SLOT.split(sentence) if part)
+    head = rf"(?P<s{first[1]}>\S+?(?:, \S+?)*?)" if _SLOT.fullmatch(first) else re.escape(first)
+    return head + "".join(f"(?P<s{part[1]}>.+?)" if _SLOT.fullmatch(part) else re.escape(part) for part in rest)

@@ -46,6 +46,8 @@ KNOWN = {
     "old": "1",
     "new": "2",
     "device": "DOOR1",
+    "user": "kim",
+    "key": "mes-1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -88,6 +90,11 @@ EXAMPLES: dict[str, Any] = {
     "DeviceCommandIn": {"command": "open"},
     "PinIn": {"position": "open", "reason": "x"},
     "EmergencyIn": {"kind": "fire", "reason": "x"},
+    "LogInIn": {"name": "kim", "password": "correct horse 1"},
+    "NewPasswordIn": {"old": "correct horse 1", "new": "another horse 3"},
+    "UserIn": {"name": "lee", "roles": ["admin"], "password": "correct horse 1"},
+    "UserChange": {"roles": ["admin"]},
+    "MachineKeyIn": {"name": "mes-1", "roles": ["admin"]},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [
@@ -252,3 +259,18 @@ async def test_a_websocket_where_there_is_none_is_a_404_problem(served: FastAPI)
     problem = json.loads(body["body"])
     assert problem["detail"] == "There is no stream at /api/v1/nope."
     assert problem["remedy"] == "The live stream is at /api/v1/live."
+
+
+async def test_a_problem_is_told_in_the_callers_language_and_its_code_stays(client: httpx.AsyncClient) -> None:
+    asked = {"source": "P1", "destination": "P1", "job_id": "L/1"}
+    for path, body, title in (
+        ("/jobs/none/why", None, "그런 대상이 없습니다"),
+        ("/jobs", asked, "있을 수 없는 내용이 요청에 있습니다"),
+    ):
+        method = "POST" if body else "GET"
+        korean = await client.request(method, path, json=body, headers={"Accept-Language": "ko-KR,ko;q=0.9,en;q=0.8"})
+        english = await client.request(method, path, json=body)
+        assert korean.json()["title"] == title
+        assert (korean.headers["content-language"], english.headers["content-language"]) == ("ko", "en")
+        assert korean.json()["code"] == english.json()["code"]
+        assert english.json()["title"].isascii()

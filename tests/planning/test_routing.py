@@ -368,7 +368,8 @@ def test_what_can_be_reached_is_what_networkx_reaches_with_and_without_closures(
     for anyway, graph in ((False, weighed(track, router.closed, {})), (True, track.graph)):
         there = {goal for start in starts for goal in nx.descendants(graph, start) | {start}}
         expected = [barcode in there for barcode in track.barcodes]
-        assert router.reached(starts, track.barcodes, anyway=anyway) == expected
+        reach = router.reach(starts, anyway=anyway)
+        assert [reach.leads_to(barcode) for barcode in track.barcodes] == expected
 
 
 def test_a_way_costs_what_its_edges_do_whatever_is_closed_on_it(lay: Lay) -> None:

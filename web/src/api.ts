@@ -53,7 +53,8 @@ export function headerText(text: string): string {
 }
 
 export async function call<T>(method: string, path: string, body?: unknown, extra: Record<string, string> = {}): Promise<T> {
-  const headers: Record<string, string> = { Accept: "application/json", ...extra };
+  const language = document.documentElement.lang || "en";
+  const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": language, ...extra };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
   if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
   if (body !== undefined) headers["Content-Type"] = "application/json";
@@ -86,6 +87,18 @@ async function refusal(response: Response): Promise<Refused> {
 export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
 export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
   call<T>("POST", path, body, extra);
+
+/** Let the browser save what a path gives. A link could not carry the access key. */
+export async function download(path: string, name: string): Promise<void> {
+  const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};
+  const response = await fetch(`/api/v1${path}`, { headers, signal: AbortSignal.timeout(TIMEOUT) });
+  if (!response.ok) throw await refusal(response);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(await response.blob());
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
 
 export async function alive(): Promise<boolean> {
   try {

@@ -1,4 +1,5 @@
 /** How people move the map and choose on it: pointer, wheel and keys. */
+import { choosing } from "./closed";
 import { following } from "./layers";
 import type { Painter } from "./painter";
 import { type Selection, selected } from "./store";
@@ -52,7 +53,7 @@ export function listenTo(
   touched.addEventListener(
     "pointerup",
     (event) => {
-      if (from && !from.moved) selected.value = paint.at(event.offsetX, event.offsetY);
+      if (from && !from.moved) click(paint, event.offsetX, event.offsetY);
       from = null;
     },
     { signal },
@@ -68,6 +69,13 @@ export function listenTo(
   );
   touched.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
   return () => ends.abort();
+}
+
+/** Choose what is there; while track is being chosen, the barcode. */
+function click(paint: Painter, x: number, y: number): void {
+  const barcode = choosing.value ? paint.barcodeAt(x, y) : null;
+  if (barcode !== null) choosing.value?.(barcode);
+  else selected.value = paint.at(x, y);
 }
 
 function keyed(key: string, paint: Painter): boolean {

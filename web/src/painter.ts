@@ -1,5 +1,5 @@
 /** The live map: what stands still and what lies over it on sheets that are shifted, and what moves on a canvas of its own. */
-import { closedWays } from "./closed";
+import { closedWays, previewedWays } from "./closed";
 import { doorMarks } from "./doors";
 import { Glide } from "./glide";
 import { Heat } from "./heat";
@@ -7,7 +7,7 @@ import { following, heatShown, layers } from "./layers";
 import { dip, type Now, type Scene } from "./paint/ink";
 import { Labels } from "./paint/labels";
 import { wingOf } from "./paint/doors";
-import { paintClosed, paintGrants, paintHeat, paintHolds, paintPlan } from "./paint/over";
+import { paintClosed, paintPreviewed, paintGrants, paintHeat, paintHolds, paintPlan } from "./paint/over";
 import { paintPlant } from "./paint/plant";
 import { type Body, paintFleet, paintRings, Signs, visible } from "./paint/vehicles";
 import { plan } from "./plan";
@@ -19,7 +19,7 @@ import type { LayoutVehicle, Vehicle } from "./types";
 import { type Box, View } from "./view";
 
 /** Room in px beyond the outermost marks: buttons and names. */
-const MARGIN = { top: 66, side: 72, bottom: 30 };
+const MARGIN = { top: 66, side: 72, bottom: 58 };
 /** Vehicles are drawn anew at most and at least so often, ms: the map is shifted between, as often as the screen wants. */
 const PERIOD = 30;
 const SELDOM = 120;
@@ -180,6 +180,17 @@ export class Painter {
     return best;
   }
 
+  /** The barcode nearest to a place of the map. */
+  barcodeAt(px: number, py: number): string | null {
+    let best: string | null = null;
+    let least = 25;
+    for (const [barcode, { x, y }] of this.scene?.track.points ?? []) {
+      const away = Math.hypot(this.view.px(x) - px, this.view.py(y) - py);
+      if (away < least) [least, best] = [away, barcode];
+    }
+    return best;
+  }
+
   private forget(id: string): void {
     this.last.delete(id);
     this.glides.delete(id);
@@ -254,6 +265,9 @@ export class Painter {
     if (heatShown.value) paintHeat(ctx, at, drawn, this.heat, heatShown.value);
     if (layers.value.closures) {
       paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
+    }
+    if (previewedWays.value.length > 0) {
+      paintPreviewed(ctx, at, previewedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
     }
     if (plan.value.length > 0) paintPlan(ctx, at, drawn, plan.value);
     const strong = (body: Body): boolean => this.looked(body) > 0;

@@ -21,9 +21,9 @@ async function ask(vehicle: string, from: string, to: string): Promise<void> {
   }
 }
 
-/** Keep it up to date. */
-export function begin(): void {
-  effect(() => {
+/** Keep it up to date; returns how to stop. */
+export function begin(): () => void {
+  return effect(() => {
     const pick = selected.value;
     void changes.vehicles.value;
     const vehicle = pick?.kind === "vehicle" ? vehicles.get(pick.id) : undefined;

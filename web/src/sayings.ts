@@ -48,10 +48,12 @@ export class Sayings {
   }
 }
 
+/** What stands first is a name, or several: a clause within a sentence is none by itself. */
 function patternOf(text: string): RegExp {
-  const parts = text.split(/(\{\d\})/).map((part) => {
+  const pieces = text.split(/(\{\d\})/).filter(Boolean);
+  const parts = pieces.map((part, i) => {
     const slot = /^\{(\d)\}$/.exec(part);
-    return slot ? `(?<s${slot[1]}>.+?)` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+    return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   });
   return new RegExp(`^${parts.join("")}$`, "s");
 }

@@ -124,9 +124,3 @@ export function clock(iso: string): string {
   const at = new Date(iso);
   return Number.isNaN(at.getTime()) ? "" : at.toLocaleTimeString("en-GB", { hour12: false });
 }
-
-/** VehicleAcquireStarted -> Vehicle acquire started. */
-export function sentence(event: string): string {
-  const words = event.replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}

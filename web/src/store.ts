@@ -6,11 +6,11 @@ import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
-import type { Carrier, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
+import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
-const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,events";
+const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
 /** Compares names as people do: V2 before V10. */
 export const NATURAL = new Intl.Collator(undefined, { numeric: true });
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
@@ -37,6 +37,10 @@ export const stations = new Map<string, Station>();
 export const carriers = new Map<string, Carrier>();
 export const devices = new Map<string, Device>();
 export const drives = new Map<string, Drive>();
+export const closures = new Map<string, Closure>();
+const alarms = new Map<string, Alarm>();
+/** Proposals and sessions of teaching; their details are asked for. */
+const teaching = new Map<string, { id: number; state: string }>();
 const controllers = new Map<string, Controller>();
 const ended = new Map<string, Job>();
 const maps: { [T in Topic]: Map<string, Objects[T]> } = {
@@ -47,6 +51,9 @@ const maps: { [T in Topic]: Map<string, Objects[T]> } = {
   carriers,
   devices,
   drives,
+  closures,
+  teaching,
+  alarms,
 };
 
 export const changes = {
@@ -57,6 +64,9 @@ export const changes = {
   carriers: signal(0),
   devices: signal(0),
   drives: signal(0),
+  closures: signal(0),
+  teaching: signal(0),
+  alarms: signal(0),
 };
 const touched = new Set<Topic>();
 
@@ -102,6 +112,27 @@ export const driveList = computed(() => {
 export function byId(a: { id: string }, b: { id: string }): number {
   return NATURAL.compare(a.id, b.id);
 }
+
+export const closureList = computed(() => {
+  void changes.closures.value;
+  return [...closures.values()].sort((a, b) => b.id - a.id);
+});
+
+/** What is wrong now, newest first. */
+export const alarmList = computed(() => {
+  void changes.alarms.value;
+  return [...alarms.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
+});
+
+export const stationList = computed(() => {
+  void changes.stations.value;
+  return [...stations.values()].sort(byId);
+});
+
+export const carrierList = computed(() => {
+  void changes.carriers.value;
+  return [...carriers.values()].sort(byId);
+});
 
 /** Open and ended jobs, newest first. */
 export const jobList = computed(() => {

@@ -3,8 +3,8 @@
  * (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
  */
 import { signal } from "@preact/signals";
-import { page as en, sayings as told } from "../../app/texts/en.json";
-import { page as ko, sayings as retold } from "../../app/texts/ko.json";
+import { events as happens, page as en, sayings as told } from "../../app/texts/en.json";
+import { events as happened, page as ko, sayings as retold } from "../../app/texts/ko.json";
 import { Sayings } from "./sayings";
 
 export type Language = "en" | "ko";
@@ -34,5 +34,12 @@ export function said(word: string): string {
 
 /** A sentence of the server, translated as far as the catalogue knows it. */
 export function tell(sentence: string): string {
-  return language.value === "ko" ? sayings.translate(sentence) : sentence;
+  if (language.value === "en") return sentence;
+  return Object.hasOwn(ko, sentence) ? said(sentence) : sayings.translate(sentence);
+}
+
+/** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */
+export function happening(event: string): string {
+  const known = (language.value === "ko" ? happened : happens) as Record<string, string>;
+  return known[event] ?? event.replace(/([a-z])([A-Z])/g, "$1 $2");
 }

@@ -136,6 +136,8 @@ export interface Operation {
   state: string;
   done: number;
   total: number;
+  /** What has come of it so far; what there is depends on the kind. */
+  result: Record<string, unknown>;
   reason: string;
   remedy: string;
 }
@@ -150,6 +152,9 @@ export interface Parameter {
   text: string;
   at: string | null;
   read_only: boolean;
+  lowest: number | null;
+  highest: number | null;
+  value: number | null;
   description: string;
 }
 
@@ -259,6 +264,7 @@ export interface Controller {
   /** Fires and earthquakes that nobody has released yet, in words. */
   emergencies: string[];
   /** Vehicles that wait for each other now, in words; how many such circles were found and are over, since the start. */
+  pauses: Pause[];
   circles: string[];
   circles_found: number;
   circles_resolved: number;
@@ -272,6 +278,216 @@ export interface Controller {
   /** Pieces of track that take twice as long as usual for the traffic on them; how often ways were weighed anew by that. */
   slow_track: number;
   weighed: number;
+}
+
+/** Something that is, or was, wrong; `ended` null: it is there now. */
+export interface Alarm {
+  id: number;
+  kind: string;
+  source: string;
+  code: string;
+  cause: string;
+  remedy: string;
+  begun: string;
+  ended: string | null;
+  outcome: string;
+  acknowledged: string | null;
+  acknowledged_by: string | null;
+  note: string;
+}
+
+export interface AlarmCount {
+  kind: string | null;
+  source: string | null;
+  code: string | null;
+  times: number;
+  minutes: number;
+  share: number;
+}
+
+/** Durations in s. */
+export interface TimesShown {
+  count: number;
+  mean: number | null;
+  p50: number | null;
+  p95: number | null;
+  longest: number | null;
+}
+
+export interface StatisticsShown {
+  from: string;
+  to: string;
+  jobs: Record<string, number>;
+  phases: Record<string, TimesShown>;
+  empty_share: number | null;
+  intervals: { begin: string; ordered: number; completed: number; unfinished: number; queue: number; delivery: TimesShown }[];
+  vehicles: {
+    vehicle: string;
+    completed: number;
+    busy_share: number;
+    failures: number;
+    mtbf_hours: number | null;
+    mttr_minutes: number | null;
+    availability: number;
+  }[];
+  waits: { cause: string; times: number; seconds: number }[];
+}
+
+/** A reason for which a place is closed: draining while vehicles are inside, then closed. */
+export interface Closure {
+  id: number;
+  kind: "barcode" | "edge" | "stretch" | "zone" | "station";
+  names: string[];
+  place: string;
+  barcodes: string[];
+  stations: string[];
+  reason: string;
+  owner: string;
+  purpose: string;
+  state: string;
+  since: string;
+  expires: string | null;
+  releases: string[];
+  inside: string[];
+  waiting: string[];
+}
+
+export interface ClosurePreview {
+  place: string;
+  barcodes: string[];
+  stations: string[];
+  cut_off: string[];
+  inside: string[];
+  shut_in: string[];
+  jobs_touched: number;
+  jobs: { job: string; why: string }[];
+  routes: {
+    compared: number;
+    longer: number;
+    lost: number;
+    mean_seconds: number;
+    mean_seconds_after: number;
+    worst: { from: string; to: string; seconds: number; seconds_after: number }[];
+  };
+}
+
+export interface Pause {
+  zone: string;
+  owner: string;
+  reason: string;
+  since: string;
+  stopped: boolean;
+}
+
+export interface ZoneNow {
+  id: string;
+  name: string;
+  capacity: number;
+  no_stop: boolean;
+  state: string;
+  pause: Pause | null;
+  vehicles: string[];
+}
+
+/** Positions of the taught axes in pulses; null where one is not known. */
+export interface Axes {
+  shft: number | null;
+  rota: number | null;
+  lift: number | null;
+}
+
+export interface PulsesVersion extends Axes {
+  version: number;
+  actor: string;
+  source: string;
+  at: string;
+  basis: { axis: string; raw: number; vehicle: string; barcode: string; against: string; version: number; less: number | null }[];
+  proposal: number | null;
+  restores: number | null;
+  reason: string;
+}
+
+/** What one vehicle is sent at one port, before and after. */
+export interface PulseChange {
+  station: string;
+  vehicle: string;
+  old: Axes;
+  new: Axes;
+  beyond: string;
+}
+
+export interface Comparison {
+  old: PulsesVersion;
+  new: PulsesVersion;
+  differences: Axes;
+  changes: PulseChange[];
+}
+
+export interface Proposal {
+  id: number;
+  side: "dest" | "offset";
+  vehicle: string;
+  barcode: string;
+  station: string | null;
+  session: number | null;
+  state: string;
+  why: string;
+  remedy: string;
+  warnings: string[];
+  raw: Axes;
+  asked_by: string | null;
+  at: string;
+  result: Axes | null;
+  base: number;
+  closed: string | null;
+  closed_by: string | null;
+  reason: string;
+  revision: number;
+}
+
+export interface ProposalDetail extends Proposal {
+  present: PulsesVersion | null;
+  changes: PulseChange[];
+  drift: string;
+}
+
+export interface TeachingSession {
+  id: number;
+  station: string;
+  vehicle: string;
+  actor: string;
+  state: string;
+  opened: string;
+}
+
+export interface SessionDetail extends TeachingSession {
+  proposals: Proposal[];
+  /** What to do next, in one sentence. */
+  advice: string;
+}
+
+export interface TaughtTarget extends Axes {
+  refusal: string;
+  reference: boolean;
+  dest: PulsesVersion | null;
+  offset: PulsesVersion | null;
+}
+
+export interface Drifted {
+  side: "dest" | "offset";
+  name: string;
+  drift: string;
+  old: PulsesVersion;
+  new: PulsesVersion;
+}
+
+export interface Backup {
+  id: number;
+  drive: string;
+  at: string;
+  actor: string;
+  note: string;
+  parameters: number;
 }
 
 export interface Happening {
@@ -296,6 +512,9 @@ export interface Objects {
   carriers: Carrier;
   devices: Device;
   drives: Drive;
+  closures: Closure;
+  teaching: { id: number; state: string };
+  alarms: Alarm;
 }
 
 export type Topic = keyof Objects;

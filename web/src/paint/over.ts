@@ -113,3 +113,12 @@ export function paintHolds(ctx: Ctx, view: View, bodies: Body[]): void {
   }
   ctx.stroke();
 }
+
+/** Track that somebody thinks of closing. */
+export function paintPreviewed(ctx: Ctx, view: View, ways: Way[]): void {
+  ctx.strokeStyle = INK.closed;
+  ctx.lineCap = "butt";
+  ctx.setLineDash([5, 4]);
+  stroke(ctx, view, ways, Math.max(4, 260 * view.scale));
+  ctx.setLineDash([]);
+}

@@ -1,35 +1,97 @@
-/** What is wrong now: cause, and what helps. */
-import { clock } from "../shows";
-import { selected, troubles } from "../store";
-import { t, tell } from "../texts";
+/** Alarms: what is wrong now with cause, remedy and who knows of it; what was; what they add up to. */
+import { useSignal } from "@preact/signals";
 import type { Wrong } from "../alarms";
+import { post } from "../api";
+import { clock, span } from "../shows";
+import { alarmList, changes, selected, troubles, vehicles, devices, drives } from "../store";
+import { said, t, tell } from "../texts";
+import type { Alarm, AlarmCount } from "../types";
+import { useRead } from "./asking";
+import { Name } from "./Name";
+import { Reasoned } from "./Reasoned";
+import { Table } from "./Table";
+
+type Tab = "now" | "history" | "pareto";
+const TABS: Tab[] = ["now", "history", "pareto"];
 
 export function Alarms() {
-  const list = troubles.value;
+  const tab = useSignal<Tab>("now");
   return (
     <section class="room" aria-label={t("alarms")}>
       <div class="head">
         <h2>
-          {t("alarms")} {list.length}
+          {t("alarms")} {alarmList.value.length}
         </h2>
+        <span class="tabs">
+          {TABS.map((name) => (
+            <button type="button" key={name} aria-pressed={tab.value === name} onClick={() => (tab.value = name)}>
+              {t(`alarms_${name}`)}
+            </button>
+          ))}
+        </span>
       </div>
-      <ul class="scroll alarms" tabIndex={0} aria-label={t("alarms")}>
-        {list.length === 0 && <li class="nothing">{t("no_alarms")}</li>}
-        {list.map((wrong) => (
-          <Line key={wrong.key} wrong={wrong} />
-        ))}
-      </ul>
+      {tab.value === "now" && <Present />}
+      {tab.value === "history" && <History />}
+      {tab.value === "pareto" && <Pareto />}
     </section>
   );
 }
 
-function Line({ wrong }: { wrong: Wrong }) {
+function Present() {
+  const told = new Set(alarmList.value.map(({ source }) => source));
+  const others = troubles.value.filter((wrong) => !told.has(wrong.source));
+  return (
+    <ul class="scroll alarms" tabIndex={0} aria-label={t("alarms_now")}>
+      {alarmList.value.length + others.length === 0 && <li class="nothing">{t("no_alarms")}</li>}
+      {alarmList.value.map((alarm) => (
+        <Line key={alarm.id} alarm={alarm} />
+      ))}
+      {others.map((wrong) => (
+        <Other key={wrong.key} wrong={wrong} />
+      ))}
+    </ul>
+  );
+}
+
+const GRAVE = new Set(["vehicle", "device", "drive", "traffic", "plant"]);
+
+function Line({ alarm }: { alarm: Alarm }) {
+  const grave = GRAVE.has(alarm.kind);
+  const known = vehicles.has(alarm.source) || devices.has(alarm.source) || drives.has(alarm.source);
+  return (
+    <li data-alarm={`${alarm.kind} ${alarm.source}`}>
+      <span class={`sign ${grave ? "" : "wait"}`} title={said(alarm.kind)}>
+        {grave ? "!" : "‖"}
+      </span>
+      <span>
+        <b>{known ? <Name id={alarm.source} /> : alarm.source}</b> {tell(alarm.cause)}{" "}
+        <small class="calm">
+          · {clock(alarm.begun)} · {said(alarm.kind)}
+        </small>
+      </span>
+      {alarm.remedy && <p class="remedy">{tell(alarm.remedy)}</p>}
+      <div class="wide">
+        {alarm.acknowledged ? (
+          <small class="good">
+            ✓ {t("known_to", alarm.acknowledged_by ?? "", clock(alarm.acknowledged))} {alarm.note}
+          </small>
+        ) : (
+          <Reasoned
+            hint={t("note")}
+            decisions={[{ label: t("acknowledge"), bare: true, noted: true, does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note }) }]}
+          />
+        )}
+      </div>
+    </li>
+  );
+}
+
+/** What the page itself sees to be wrong and the server keeps no alarm for: lockouts, say. */
+function Other({ wrong }: { wrong: Wrong }) {
   const { kind, source } = wrong;
   return (
     <li data-alarm={wrong.key}>
-      <span class={`sign ${wrong.grave ? "" : "wait"}`} title={t(wrong.grave ? "alarm" : "held")}>
-        {wrong.grave ? "!" : "‖"}
-      </span>
+      <span class={`sign ${wrong.grave ? "" : "wait"}`}>{wrong.grave ? "!" : "‖"}</span>
       <span>
         {kind === "controller" ? (
           <b>{t("controller")}</b>
@@ -42,5 +104,67 @@ function Line({ wrong }: { wrong: Wrong }) {
       </span>
       {wrong.remedy && <p class="remedy">{tell(wrong.remedy)}</p>}
     </li>
+  );
+}
+
+const lasted = (alarm: Alarm): number => (alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY);
+
+function History() {
+  const { value } = useRead<{ items: Alarm[] }>("/alarms?limit=500", changes.alarms.value);
+  return (
+    <Table
+      label={t("alarms_history")}
+      rows={value?.items ?? []}
+      keyOf={(row) => String(row.id)}
+      none={t("no_alarms_yet")}
+      columns={[
+        { name: "#", by: (row) => row.id, of: (row) => row.id, number: true },
+        { name: t("when"), by: (row) => row.begun, of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}` },
+        { name: t("kind"), by: (row) => row.kind, of: (row) => said(row.kind) },
+        { name: t("name"), by: (row) => row.source, of: (row) => <Name id={row.source} /> },
+        { name: t("cause"), by: (row) => row.code, of: (row) => tell(row.cause) },
+        { name: t("takes"), by: lasted, of: (row) => (row.ended ? span(lasted(row)) : t("still")), number: true },
+        { name: t("result"), by: (row) => row.outcome, of: (row) => tell(row.outcome) },
+        { name: t("acknowledge"), by: (row) => row.acknowledged_by, of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ") },
+      ]}
+    />
+  );
+}
+
+function Pareto() {
+  const by = useSignal<"code" | "source" | "both">("code");
+  const { value } = useRead<{ items: AlarmCount[] }>(`/alarms/pareto?by=${by.value}`, changes.alarms.value);
+  let sum = 0;
+  return (
+    <div class="scroll" tabIndex={0} role="group" aria-label={t("alarms_pareto")}>
+      <div class="padded acts-row">
+        {(["code", "source", "both"] as const).map((name) => (
+          <button type="button" key={name} aria-pressed={by.value === name} onClick={() => (by.value = name)}>
+            {t(`pareto_${name}`)}
+          </button>
+        ))}
+        <small class="calm">{t("last_week")}</small>
+      </div>
+      <table class="list">
+        <tbody>
+          {value?.items.map((row) => {
+            sum += row.share;
+            return (
+              <tr key={`${row.kind}${row.source}${row.code}`}>
+                <td>{row.kind ? said(row.kind) : ""}</td>
+                <td>{[row.source, row.code && tell(row.code)].filter(Boolean).join(" · ")}</td>
+                <td class="number">{row.times}</td>
+                <td class="number">{row.minutes.toFixed(1)} min</td>
+                <td class="bar">
+                  <i style={{ width: `${row.share * 100}%` }} />
+                </td>
+                <td class="number">{Math.round(sum * 100)} %</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+      {value?.items.length === 0 && <p class="nothing">{t("no_alarms_yet")}</p>}
+    </div>
   );
 }

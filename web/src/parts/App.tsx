@@ -3,14 +3,18 @@ import { controller, keyWanted, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
 import { Below } from "./Below";
+import { Closures } from "./Closures";
 import { DevicePanel } from "./DevicePanel";
 import { DrivePanel } from "./DrivePanel";
-import { Header } from "./Header";
+import { Header, Rooms } from "./Header";
 import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { KeyPrompt } from "./KeyPrompt";
 import { StationPanel } from "./StationPanel";
+import { Stations } from "./Stations";
+import { Statistics } from "./Statistics";
+import { Teaching } from "./Teaching";
 import { TrackMap } from "./TrackMap";
 import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
@@ -22,9 +26,10 @@ export function App() {
   return (
     <div class="page">
       <Header />
+      <Rooms />
       <main>
         <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
-        <aside class={pick ? "telling" : ""}>
+        <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : ""}>
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}
@@ -52,6 +57,19 @@ function Plan() {
   );
 }
 
+/** Closing track is best done on the map. */
+function Closing() {
+  return (
+    <div class="plan closing">
+      <div class="stage">
+        <Circles />
+        <TrackMap />
+      </div>
+      <Closures />
+    </div>
+  );
+}
+
 /** Hoists that wait for each other: nothing else matters as much. */
 function Circles() {
   const now = controller.value;
@@ -73,6 +91,14 @@ function Room() {
       return <JobRoom />;
     case "alarms":
       return <Alarms />;
+    case "closures":
+      return <Closing />;
+    case "stations":
+      return <Stations />;
+    case "teaching":
+      return <Teaching />;
+    case "statistics":
+      return <Statistics />;
     default:
       return null;
   }

@@ -6,6 +6,7 @@ import { clock, colourOfDevice, DEVICE_LOOKS, type DeviceLook, span } from "../s
 import { deviceNow, layout, lookAt, machines, passers, presence, selected, tick } from "../store";
 import { t, tell } from "../texts";
 import type { Device } from "../types";
+import { DeviceDecisions } from "./DeviceDecisions";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
@@ -58,6 +59,7 @@ export function DeviceBody({ id }: { id: string }) {
         )}
       </dl>
       <Commands id={id} commands={COMMANDS[kind]} />
+      {now && <DeviceDecisions device={now} />}
     </>
   );
 }

@@ -3,8 +3,9 @@ import { useSignal } from "@preact/signals";
 import { post, serverNow } from "../api";
 import { hundredths, lookOfDrive, span } from "../shows";
 import { driveNow, tick } from "../store";
-import { said, t } from "../texts";
+import { said, t, tell } from "../texts";
 import type { Drive, Operation } from "../types";
+import { DriveTools } from "./DriveTools";
 import { Fact, Panel } from "./Panel";
 import { Outcome, Parameters } from "./Parameters";
 import { Problem } from "./Problem";
@@ -44,6 +45,7 @@ export function DrivePanel({ id }: { id: string }) {
         )}
       </dl>
       <StopKey id={id} />
+      <DriveTools drive={now} />
       <Parameters id={id} />
     </Panel>
   );
@@ -78,12 +80,12 @@ function Notes({ drive }: { drive: Drive }) {
     <>
       {drive.mode === "error" && drive.online && (
         <p class="note alarm">
-          <b>{drive.error || drive.meaning}</b> {drive.remedy && <em>{drive.remedy}</em>}
+          <b>{tell(drive.error || drive.meaning)}</b> {drive.remedy && <em>{tell(drive.remedy)}</em>}
         </p>
       )}
       {!drive.online && drive.reason && (
         <p class="note held">
-          <b>{t(drive.online === null ? "drive_not_heard" : "drive_offline")}</b> {drive.reason}
+          <b>{t(drive.online === null ? "drive_not_heard" : "drive_offline")}</b> {tell(drive.reason)}
         </p>
       )}
       {drive.lockout && (

@@ -1,7 +1,7 @@
 /** What has happened, newest first. */
-import { clock, sentence } from "../shows";
+import { clock } from "../shows";
 import { happenings, selected } from "../store";
-import { t, tell } from "../texts";
+import { happening, t, tell } from "../texts";
 import type { Happening } from "../types";
 
 const BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
@@ -27,7 +27,7 @@ function Line({ event }: { event: Happening }) {
     <li data-event={event.seq}>
       <time>{clock(event.ts)}</time>
       <span class="seq">#{event.seq}</span>
-      <b class={tone}>{sentence(event.event)}</b>
+      <b class={tone}>{happening(event.event)}</b>
       {event.vehicle ? (
         <button type="button" class="text" onClick={() => (selected.value = { kind: "vehicle", id: event.vehicle as string })}>
           {event.vehicle}

@@ -4,6 +4,7 @@ import { actor, nameActor } from "../api";
 import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubles, vehicleList } from "../store";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
+import { Master } from "./Master";
 import { language, said, speak, t, tell, type Word } from "../texts";
 import { choose, theme } from "../theme";
 
@@ -18,8 +19,8 @@ export function Header() {
         Hoistway
       </h1>
       <span class="plant">{layout.value?.name ?? ""}</span>
-      <Rooms />
       <ControllerState />
+      <Master />
       <span class="grow" />
       <Counts />
       <Actor />
@@ -32,7 +33,7 @@ export function Header() {
   );
 }
 
-function Rooms() {
+export function Rooms() {
   const grave = troubles.value.filter((wrong) => wrong.grave).length;
   return (
     <nav class="rooms" aria-label={t("rooms")}>

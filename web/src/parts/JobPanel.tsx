@@ -2,9 +2,9 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { call, get, post } from "../api";
-import { clock, sentence, TONES } from "../shows";
+import { clock, TONES } from "../shows";
 import { changes, ENDED, jobList, layout, tick } from "../store";
-import { said, t, tell } from "../texts";
+import { happening, said, t, tell } from "../texts";
 import type { Assignment, Happening, Job, JobWhy } from "../types";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
@@ -168,7 +168,7 @@ function History({ events }: { events: Happening[] }) {
               <th>{clock(event.ts)}</th>
               <td>#{event.seq}</td>
               <td>
-                {sentence(event.event)} {[event.vehicle, event.result, tell(event.detail)].filter(Boolean).join(" · ")}
+                {happening(event.event)} {[event.vehicle, event.result, tell(event.detail)].filter(Boolean).join(" · ")}
               </td>
             </tr>
           ))}

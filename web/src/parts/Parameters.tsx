@@ -1,11 +1,12 @@
 /** A drive's parameters as last known, and how they are read from it. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { get, post } from "../api";
+import { call, get, post } from "../api";
 import { clock } from "../shows";
 import { t } from "../texts";
 import type { Operation, Parameter } from "../types";
 import { Problem } from "./Problem";
+import { Sure } from "./Sure";
 
 /** How an operation stands: done, under way, or why not. */
 export function Outcome({ operation, label }: { operation: Operation | null; label: string }) {
@@ -82,11 +83,43 @@ export function Parameters({ id }: { id: string }) {
               <td>{parameter.raw === null ? "–" : parameter.text}</td>
               <td>
                 {parameter.name} {parameter.at && <small>· {clock(parameter.at)}</small>}
+                {parameter.named && !parameter.read_only && parameter.raw !== null && (
+                  <Write path={`${path}/${parameter.number}`} parameter={parameter} after={refresh} />
+                )}
               </td>
             </tr>
           ))}
         </tbody>
       </table>
     </section>
+  );
+}
+
+/** A new value, in the catalogue's unit; written only if the drive still has what is shown, and read back. */
+function Write({ path, parameter, after }: { path: string; parameter: Parameter; after: () => Promise<void> }) {
+  const value = useSignal(parameter.value === null ? "" : String(parameter.value));
+  const operation = useSignal<Operation | null>(null);
+  const error = useSignal<unknown>(null);
+  const write = async (): Promise<void> => {
+    error.value = operation.value = null;
+    try {
+      operation.value = await call<Operation>("PUT", `${path}?wait=10`, { value: Number(value.value) }, { "If-Match": `"${parameter.raw}"` });
+      await after();
+    } catch (failure) {
+      error.value = failure;
+    }
+  };
+  const range = parameter.lowest === null ? "" : `${parameter.lowest} … ${parameter.highest ?? ""} ${parameter.unit}`;
+  return (
+    <details class="write">
+      <summary>{t("write")}</summary>
+      <div class="acts-row">
+        <input aria-label={`${parameter.number} ${parameter.name}`} title={range} placeholder={range} value={value.value} onInput={(event) => (value.value = event.currentTarget.value)} />
+        <Sure label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} />
+        <small class="calm">{range}</small>
+      </div>
+      <Problem error={error.value} />
+      <Outcome operation={operation.value} label={t("write")} />
+    </details>
   );
 }

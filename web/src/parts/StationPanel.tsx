@@ -1,10 +1,11 @@
 import { serverNow } from "../api";
-import { INK } from "../paint/ink";
 import { span } from "../shows";
 import { layout, orderFrom, orderTo, stationNow, tick } from "../store";
 import { said, t } from "../texts";
 import { DeviceBody } from "./DevicePanel";
 import { Fact, Panel } from "./Panel";
+import { StationWrite } from "./StationWrite";
+import { Taught } from "./Taught";
 
 export function StationPanel({ id }: { id: string }) {
   const now = stationNow(id);
@@ -13,7 +14,7 @@ export function StationPanel({ id }: { id: string }) {
   const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
   const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
   return (
-    <Panel title={now.id} tag={said(now.kind)} colour={now.present ? INK.carrier : INK.mark}>
+    <Panel title={now.id} tag={said(now.kind)} colour={now.present ? "var(--ink-carrier)" : "var(--ink-mark)"}>
       <dl>
         <Fact name={t("present")}>
           {occupied} <small>({now.verified ? t("verified") : t("believed")})</small>
@@ -40,6 +41,8 @@ export function StationPanel({ id }: { id: string }) {
           {t("use_destination")}
         </button>
       </div>
+      <StationWrite key={`${now.id} ${now.at}`} station={now} />
+      {now.kind === "port" && <Taught kind="station" id={id} />}
       {buffer && (
         <section class="part">
           <h3>

@@ -43,7 +43,7 @@ export function Table<T>({ label, rows, columns, keyOf, pick, chosen, none }: Pr
     else order.value = now.down ? null : { column, down: true };
   };
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label={label}>
+    <div class="scroll" tabIndex={0} role="group" aria-label={label}>
       <table class="list">
         <thead>
           <tr>

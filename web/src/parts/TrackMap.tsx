@@ -5,7 +5,7 @@ import { listenTo } from "../gestures";
 import { Painter } from "../painter";
 import { changes, devices, layout, lookAt, passers, presence, type Selection, selected, stations, track, vehicles } from "../store";
 import { said, t, tell } from "../texts";
-import { closedWays } from "../closed";
+import { closedWays, previewedWays } from "../closed";
 import type { Found } from "../find";
 import { following, heatShown, layers } from "../layers";
 import * as planned from "../plan";
@@ -67,6 +67,7 @@ export function TrackMap() {
     const size = new ResizeObserver(() => paint.resize(box.clientWidth, box.clientHeight));
     size.observe(box);
     const stops = [
+      planned.begin(),
       effect(() => {
         void track.value;
         paint.load();
@@ -84,6 +85,7 @@ export function TrackMap() {
         void layers.value;
         void heatShown.value;
         void closedWays.value;
+        void previewedWays.value;
         void planned.plan.value;
         paint.redraw();
       }),

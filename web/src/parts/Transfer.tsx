@@ -5,6 +5,7 @@ import { worldOf, worldOfKind } from "../ends";
 import { changes, layout, order, orderFrom, orderTo, stations, vehicleList } from "../store";
 import { t } from "../texts";
 import type { Job } from "../types";
+import { Field } from "./asking";
 import { Problem } from "./Problem";
 
 let key = freshKey();
@@ -20,6 +21,9 @@ function keyOf(body: unknown): string {
 
 export function Transfer() {
   const priority = useSignal("50");
+  const wish = useSignal("");
+  const fallbacks = useSignal("");
+  const name = useSignal("");
   const sending = useSignal(false);
   const error = useSignal<unknown>(null);
   const done = useSignal("");
@@ -33,6 +37,9 @@ export function Transfer() {
       destination: order.destination.value,
       priority: Number(priority.value),
       ...(order.carrier.value.trim() ? { carrier: order.carrier.value.trim() } : {}),
+      ...(wish.value ? { vehicle: wish.value.trim() } : {}),
+      ...(fallbacks.value.trim() ? { fallbacks: fallbacks.value.trim().split(/[\s,]+/) } : {}),
+      ...(name.value.trim() ? { job_id: name.value.trim() } : {}),
     };
     sending.value = true;
     error.value = null;
@@ -41,7 +48,7 @@ export function Transfer() {
       const job = await post<Job>("/jobs", body, { "Idempotency-Key": keyOf(body) });
       done.value = t("ordered", job.id);
       written = "";
-      order.carrier.value = "";
+      order.carrier.value = name.value = "";
     } catch (failure) {
       error.value = failure;
     } finally {
@@ -88,6 +95,15 @@ export function Transfer() {
       <button type="submit" class="primary" disabled={sending.value}>
         {sending.value ? t("ordering") : t("order")}
       </button>
+      <details class="more-order">
+        <summary>{t("more")}</summary>
+        <div class="fields">
+          <Field label={t("vehicle")} name="vehicle" value={wish} list="order-vehicles" hint={t("any")} />
+          <Field label={t("job_id")} name="job_id" value={name} hint={t("given_here")} />
+          <Field label={t("fallbacks_label")} name="fallbacks" value={fallbacks} hint={t("none")} wide />
+        </div>
+        <datalist id="order-vehicles">{layout.value?.vehicles.map(({ id }) => <option key={id} value={id} />)}</datalist>
+      </details>
       <div class="outcome">
         {error.value ? <Problem error={error.value} /> : <span class="done" role="status">{done.value}</span>}
       </div>

@@ -9,6 +9,8 @@ import type { Agv, Traffic, Vehicle } from "../types";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
+import { Taught } from "./Taught";
+import { VehicleCommands } from "./VehicleCommands";
 import { doing } from "./Vehicles";
 
 const FRAMES_SHOWN = 30;
@@ -47,8 +49,10 @@ export function VehiclePanel({ id }: { id: string }) {
         </Fact>
       </dl>
       <Decide vehicle={now} />
+      <VehicleCommands vehicle={now} />
       {now.agv ? <AgvFacts agv={now.agv} /> : <Bits vehicle={now} />}
       <LinkFacts vehicle={now} />
+      {!now.agv && <Taught kind="vehicle" id={id} />}
       <Frames id={id} />
     </Panel>
   );

@@ -1,0 +1,58 @@
+/** A chart over time. */
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { theme } from "../theme";
+
+export interface Line {
+  label: string;
+  /** A custom property of the style sheet. */
+  colour: string;
+  values: (number | null)[];
+  bars?: boolean;
+}
+
+const HEIGHT = 190;
+
+/** `times` in seconds since 1970, one for each value. */
+export function Chart({ label, times, lines, unit }: { label: string; times: number[]; lines: Line[]; unit: string }) {
+  const box = useRef<HTMLDivElement>(null);
+  const wears = theme.value;
+  useEffect(() => {
+    const parent = box.current as HTMLDivElement;
+    const style = getComputedStyle(document.documentElement);
+    const of = (name: string): string => style.getPropertyValue(name).trim();
+    const axis = { stroke: of("--dim"), grid: { stroke: of("--line"), width: 1 }, ticks: { stroke: of("--line"), width: 1 } };
+    const chart = new uPlot(
+      {
+        width: parent.clientWidth,
+        height: HEIGHT,
+        series: [
+          {},
+          ...lines.map((line) => ({
+            label: line.label,
+            stroke: of(line.colour),
+            width: 2,
+            ...(line.bars ? { fill: `${of(line.colour)}66`, paths: uPlot.paths.bars?.({ size: [0.8, 40] }) as uPlot.Series.PathBuilder } : {}),
+          })),
+        ],
+        axes: [axis, { ...axis, label: unit, labelSize: 16, stroke: of("--dim") }],
+        cursor: { drag: { x: true, y: false } },
+      },
+      [times, ...lines.map(({ values }) => values)] as uPlot.AlignedData,
+      parent,
+    );
+    const size = new ResizeObserver(() => chart.setSize({ width: parent.clientWidth, height: HEIGHT }));
+    size.observe(parent);
+    return () => {
+      size.disconnect();
+      chart.destroy();
+    };
+  }, [wears, times, lines]);
+  return (
+    <figure class="chart">
+      <figcaption>{label}</figcaption>
+      <div ref={box} role="img" aria-label={label} />
+    </figure>
+  );
+}

@@ -1,0 +1,41 @@
+/** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
+import { useSignal } from "@preact/signals";
+import { post } from "../api";
+import { controller } from "../store";
+import { t, tell } from "../texts";
+import { Reasoned } from "./Reasoned";
+
+export function Master() {
+  const open = useSignal(false);
+  const now = controller.value;
+  if (!now) return null;
+  const emergencies = (["fire", "earthquake"] as const).filter((kind) => now.emergencies.some((words) => words.includes(kind)));
+  return (
+    <div class="layers master" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+      <button type="button" aria-expanded={open.value} onClick={() => (open.value = !open.value)}>
+        {t("master")}
+      </button>
+      {open.value && (
+        <div role="group" aria-label={t("master")}>
+          {now.emergencies.map((words) => (
+            <p key={words} class="note alarm">
+              {tell(words)}
+            </p>
+          ))}
+          <Reasoned
+            decisions={[
+              { label: t("pause"), does: (reason) => post("/controller/pause", { reason }) },
+              { label: t("stop_all"), grave: true, does: (reason) => post("/controller/stop", { reason }) },
+              { label: t("resume"), bare: true, does: () => post("/controller/resume") },
+              ...emergencies.map((kind) => ({
+                label: t(`release_${kind}`),
+                grave: true,
+                does: (reason: string) => post("/controller/emergency/release", { kind, reason }),
+              })),
+            ]}
+          />
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,53 @@
+/** Decisions that want a reason: one line to write it, and the buttons. */
+import { useSignal } from "@preact/signals";
+import { t } from "../texts";
+import { type Asking, Told, useAsking } from "./asking";
+import { Sure } from "./Sure";
+
+export interface Decision {
+  label: string;
+  does: (reason: string) => Promise<unknown>;
+  /** Whether it can be decided without a reason. */
+  bare?: boolean;
+  /** A note may be written all the same. */
+  noted?: boolean;
+  /** Pressed twice, since it is hard to undo. */
+  grave?: boolean;
+}
+
+export function Reasoned({ decisions, title, asking, hint }: { decisions: Decision[]; title?: string; asking?: Asking; hint?: string }) {
+  const reason = useSignal("");
+  const own = useAsking();
+  const { ask, busy } = asking ?? own;
+  const send = async ({ does }: Decision): Promise<void> => {
+    if (await ask(() => does(reason.value.trim()))) reason.value = "";
+  };
+  const wanted = decisions.some((one) => !one.bare || one.noted);
+  return (
+    <div class="stack reasoned">
+      {title && <h3>{title}</h3>}
+      {wanted && (
+        <input
+          aria-label={hint ?? t("reason")}
+          placeholder={hint ?? t("reason")}
+          maxLength={200}
+          value={reason.value}
+          onInput={(event) => (reason.value = event.currentTarget.value)}
+        />
+      )}
+      <div class="acts-row">
+        {decisions.map((one) => {
+          const idle = busy.value || (!one.bare && !reason.value.trim());
+          return one.grave ? (
+            <Sure key={one.label} label={one.label} disabled={idle} does={() => void send(one)} />
+          ) : (
+            <button type="button" key={one.label} disabled={idle} onClick={() => void send(one)}>
+              {one.label}
+            </button>
+          );
+        })}
+      </div>
+      <Told asking={asking ?? own} />
+    </div>
+  );
+}

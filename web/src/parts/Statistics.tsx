@@ -1,0 +1,164 @@
+/** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
+import { useSignal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import { download } from "../api";
+import { span } from "../shows";
+import { tick } from "../store";
+import { language, said, t, tell, type Word } from "../texts";
+import type { StatisticsShown, TimesShown } from "../types";
+import { Told, useAsking, useRead } from "./asking";
+import { Chart } from "./Chart";
+import { Name } from "./Name";
+import { Problem } from "./Problem";
+import { Table } from "./Table";
+
+const PERIODS = { hour: [3600, 60], shift: [8 * 3600, 900], day: [86_400, 3600], week: [7 * 86_400, 6 * 3600] } as const;
+type Period = keyof typeof PERIODS;
+const PHASES = ["queued", "fetching", "acquiring", "carrying", "depositing", "total"] as const;
+const TABLES = ["phases", "intervals", "vehicles", "waits", "transfers"] as const;
+/** Read anew so often, s. */
+const EVERY = 60;
+
+export function Statistics() {
+  const period = useSignal<Period>("hour");
+  const round = Math.floor(tick.value / EVERY);
+  const query = useMemo(() => {
+    const [length, interval] = PERIODS[period.value];
+    const end = Date.now();
+    return new URLSearchParams({ from: new Date(end - length * 1000).toISOString(), to: new Date(end).toISOString(), interval: String(interval) });
+  }, [period.value, round]);
+  const { value, error } = useRead<StatisticsShown>(`/statistics?${query}`);
+  const asking = useAsking();
+  const save = (path: string, name: string): void => void asking.ask(() => download(path, name), "");
+  return (
+    <section class="room" aria-label={t("statistics")}>
+      <div class="head">
+        <h2>{t("statistics")}</h2>
+        <span class="tabs">
+          {(Object.keys(PERIODS) as Period[]).map((name) => (
+            <button type="button" key={name} aria-pressed={period.value === name} onClick={() => (period.value = name)}>
+              {t(`period_${name}` as Word)}
+            </button>
+          ))}
+        </span>
+        {TABLES.map((table) => (
+          <button type="button" key={table} title={t("save_csv")} onClick={() => save(`/statistics/${table}.csv?${query}`, `${table}.csv`)}>
+            {t(`table_${table}` as Word)} ⤓
+          </button>
+        ))}
+        <button type="button" onClick={() => save(`/statistics/report?${query}&lang=${language.value}`, "report.html")}>
+          {t("report")} ⤓
+        </button>
+        <Told asking={asking} />
+        <Problem error={error} />
+      </div>
+      <div class="scroll figures" tabIndex={0} role="group" aria-label={t("statistics")}>
+        {value && <Shown found={value} />}
+      </div>
+    </section>
+  );
+}
+
+const seconds = (value: number | null): string => (value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1000));
+
+function Shown({ found }: { found: StatisticsShown }) {
+  const times = useMemo(() => found.intervals.map((one) => Date.parse(one.begin) / 1000), [found]);
+  const through = useMemo(
+    () => [
+      { label: t("completed"), colour: "--look-charging", values: found.intervals.map((one) => one.completed), bars: true },
+      { label: t("ordered_at"), colour: "--look-moving", values: found.intervals.map((one) => one.ordered) },
+      { label: t("queue"), colour: "--look-waiting", values: found.intervals.map((one) => one.queue) },
+    ],
+    [found, language.value],
+  );
+  const delivery = useMemo(
+    () => [
+      { label: "p50", colour: "--look-moving", values: found.intervals.map((one) => one.delivery.p50) },
+      { label: "p95", colour: "--look-held", values: found.intervals.map((one) => one.delivery.p95) },
+    ],
+    [found],
+  );
+  const most = Math.max(1, ...found.waits.map((one) => one.seconds));
+  return (
+    <>
+      <p class="tiles">
+        {Object.entries(found.jobs).map(([state, count]) => (
+          <span key={state}>
+            <b>{count}</b> {said(state)}
+          </span>
+        ))}
+        <span>
+          <b>{found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %`}</b> {t("empty_travel")}
+        </span>
+      </p>
+      <Chart label={t("throughput")} times={times} lines={through} unit={t("jobs")} />
+      <Chart label={t("delivery_time")} times={times} lines={delivery} unit="s" />
+      <Phases phases={found.phases} />
+      <h3>{t("waits_by_cause")}</h3>
+      <table class="list">
+        <tbody>
+          {found.waits.map((one) => (
+            <tr key={one.cause}>
+              <td>{tell(said(one.cause))}</td>
+              <td class="number">{one.times}</td>
+              <td class="number">{span(one.seconds * 1000)}</td>
+              <td class="bar">
+                <i style={{ width: `${(100 * one.seconds) / most}%` }} />
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {found.waits.length === 0 && <p class="nothing">{t("never_waited")}</p>}
+      <h3>{t("vehicles")}</h3>
+      <Table
+        label={t("vehicles")}
+        rows={found.vehicles}
+        keyOf={(row) => row.vehicle}
+        none={t("nothing_found")}
+        columns={[
+          { name: t("vehicle"), by: (row) => row.vehicle, of: (row) => <Name id={row.vehicle} /> },
+          { name: t("completed"), by: (row) => row.completed, of: (row) => row.completed, number: true },
+          { name: t("utilisation"), by: (row) => row.busy_share, of: (row) => `${(row.busy_share * 100).toFixed(1)} %`, number: true },
+          { name: t("failures"), by: (row) => row.failures, of: (row) => row.failures, number: true },
+          { name: "MTBF (h)", by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours ?? "–", number: true },
+          { name: "MTTR (min)", by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes ?? "–", number: true },
+          { name: t("availability"), by: (row) => row.availability, of: (row) => `${(row.availability * 100).toFixed(2)} %`, number: true },
+        ]}
+      />
+    </>
+  );
+}
+
+function Phases({ phases }: { phases: Record<string, TimesShown> }) {
+  return (
+    <>
+      <h3>{t("phases")}</h3>
+      <table class="list">
+        <thead>
+          <tr>
+            {[t("phase"), t("count"), t("mean"), "p50", "p95", t("longest")].map((name) => (
+              <th key={name}>
+                <span>{name}</span>
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {PHASES.filter((name) => phases[name]).map((name) => {
+            const { count, mean, p50, p95, longest } = phases[name] as TimesShown;
+            return (
+              <tr key={name} data-phase={name}>
+                <td>{t(`phase_${name}` as Word)}</td>
+                <td>{count}</td>
+                {[mean, p50, p95, longest].map((value, i) => (
+                  <td key={i}>{seconds(value)}</td>
+                ))}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </>
+  );
+}

@@ -1,0 +1,168 @@
+/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
+import { useSignal } from "@preact/signals";
+import { call, post } from "../api";
+import { clock } from "../shows";
+import { changes, layout } from "../store";
+import { t, tell, type Word } from "../texts";
+import type { Command, Vehicle } from "../types";
+import { Choice, Field, Told, useAsking, useRead } from "./asking";
+import { Reasoned } from "./Reasoned";
+import { Sure } from "./Sure";
+
+const PLAIN = [
+  "status",
+  "stop_by_host",
+  "stop",
+  "auto",
+  "alarm_clear",
+  "servo_on",
+  "servo_off",
+  "search_home",
+  "go_home",
+  "system_reset",
+] as const;
+const AGV_PLAIN = ["stop", "alarm_clear", "agv_mark_stop"] as const;
+const LIFTS = ["up", "down", "stop"] as const;
+
+export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
+  const asking = useAsking();
+  const agv = Boolean(vehicle.agv);
+  const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
+  const send = (body: object): void => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
+  const plain: readonly string[] = agv ? AGV_PLAIN : PLAIN;
+  return (
+    <details class="part acts">
+      <summary>{t("commands")}</summary>
+      <div class="stack">
+        {vehicle.oper === "alarm" && <Recover path={path} />}
+        <div class="acts-row" data-commands={vehicle.id}>
+          {plain.map((command) => (
+            <Sure key={command} label={t(`vc_${command}` as Word)} does={() => send({ command })} />
+          ))}
+          {agv &&
+            LIFTS.map((action) => (
+              <Sure key={action} label={t(`vc_lift_${action}`)} does={() => send({ command: "agv_lift", action })} />
+            ))}
+          {agv && <Sure label={t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on")} does={() => send({ command: "agv_charge", on: !vehicle.agv?.charging })} />}
+        </div>
+        <Move send={send} />
+        {!agv && <Handle send={send} />}
+        {!agv && <Display send={send} />}
+        <Told asking={asking} />
+        <Service vehicle={vehicle} path={path} />
+        <Past path={path} />
+      </div>
+    </details>
+  );
+}
+
+/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
+function Recover({ path }: { path: string }) {
+  const asking = useAsking();
+  const looked = useSignal(false);
+  return (
+    <div class="stack">
+      <label>
+        <input type="checkbox" checked={looked.value} onChange={(event) => (looked.value = event.currentTarget.checked)} /> {t("homing_safe")}
+      </label>
+      <div class="acts-row">
+        <Sure label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} />
+      </div>
+      <Told asking={asking} />
+    </div>
+  );
+}
+
+type Send = (body: object) => void;
+
+function Move({ send }: { send: Send }) {
+  const barcode = useSignal("");
+  const action = useSignal<"stop" | "port" | "sbfl" | "sbfr">("stop");
+  return (
+    <div class="fields">
+      <Field label={t("move_to")} value={barcode} list="barcode-names" />
+      <Choice
+        label={t("stop_action")}
+        value={action}
+        of={[
+          ["stop", t("act_stop")],
+          ["port", t("port")],
+          ["sbfl", t("sbfl")],
+          ["sbfr", t("sbfr")],
+        ]}
+      />
+      <div class="wide acts-row">
+        <Sure label={t("move")} disabled={!barcode.value.trim()} does={() => send({ command: "move", barcode: barcode.value.trim(), action: action.value })} />
+      </div>
+      <datalist id="barcode-names">
+        {(layout.value?.points ?? []).slice(0, 2000).map(({ barcode: name }) => <option key={name} value={name} />)}
+      </datalist>
+    </div>
+  );
+}
+
+function Handle({ send }: { send: Send }) {
+  const station = useSignal("");
+  return (
+    <div class="fields">
+      <Field label={t("at_station")} value={station} list="station-names" />
+      <div class="acts-row">
+        <Sure label={t("vc_pickup")} disabled={!station.value.trim()} does={() => send({ command: "pickup", station: station.value.trim() })} />
+        <Sure label={t("vc_place")} disabled={!station.value.trim()} does={() => send({ command: "place", station: station.value.trim() })} />
+      </div>
+      <datalist id="station-names">
+        {layout.value?.stations.map(({ id }) => <option key={id} value={id} />)}
+      </datalist>
+    </div>
+  );
+}
+
+function Display({ send }: { send: Send }) {
+  const words = useSignal("");
+  return (
+    <div class="fields">
+      <Field label={t("display_text")} value={words} />
+      <div class="acts-row">
+        <Sure label={t("vc_display")} disabled={!words.value} does={() => send({ command: "display", text: words.value })} />
+      </div>
+    </div>
+  );
+}
+
+/** Lockout while people are at it, and whether it is used at all. */
+function Service({ vehicle, path }: { vehicle: Vehicle; path: string }) {
+  const used = vehicle.service === "in_service";
+  return (
+    <Reasoned
+      decisions={[
+        vehicle.lockout
+          ? { label: t("lift_lockout"), bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
+          : { label: t("lock_out"), grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
+        used
+          ? { label: t("take_out"), grave: true, does: (reason) => call("PUT", `${path}/service`, { in_service: false, reason }) }
+          : { label: t("put_back"), bare: true, does: () => call("PUT", `${path}/service`, { in_service: true }) },
+      ]}
+    />
+  );
+}
+
+function Past({ path }: { path: string }) {
+  const round = Math.floor(changes.vehicles.value / 30);
+  const { value } = useRead<{ items: Command[] }>(`${path}/commands?limit=12`, round);
+  return (
+    <table class="bits">
+      <tbody>
+        {value?.items.map((command) => (
+          <tr key={command.cmd_id} title={command.actor}>
+            <th>{clock(command.opened)}</th>
+            <td>{command.kind}</td>
+            <td>
+              {command.state} {tell(command.outcome)}
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
