@@ -74,7 +74,7 @@ async def serve(
 
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
     there is one to ``notify``, and it is fed as long as the controller lives. When ``changes`` give another plant, the
-    controller stops and starts anew with it: requests that come meanwhile wait for their answer.
+    controller stops and starts anew with it: new connections wait meanwhile.
     Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     notify = notify or Notifier({})

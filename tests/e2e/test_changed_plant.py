@@ -3,10 +3,11 @@
 import signal
 import subprocess
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
 from tests.e2e.processes import HTTP, answers, free_ports, journal_of, quick_plant, running, wait_until
@@ -32,7 +33,16 @@ class Plant:
         wait_until(lambda: answers(self.url) and self.idle(), "the plant", self.log)
 
     def get(self, path: str) -> Any:
-        return HTTP.get(f"{self.url}/api/v1{path}", timeout=30.0).json()
+        """Ask; a connection that is cut while the controller changes over is made anew, as any client must."""
+        found: list[Any] = []
+
+        def asked() -> bool:
+            with suppress(httpx.TransportError):
+                found.append(HTTP.get(f"{self.url}/api/v1{path}", timeout=30.0).json())
+            return bool(found)
+
+        wait_until(asked, path, self.log)
+        return found[0]
 
     def idle(self) -> bool:
         return all(vehicle["activity"] == "idle" for vehicle in self.get("/vehicles")["items"])
