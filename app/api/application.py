@@ -12,7 +12,9 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api import (
+    accounts,
     alarms,
+    audit,
     closures,
     devices,
     drive_backups,
@@ -29,6 +31,7 @@ from app.api import (
     operations,
     plant,
     problems,
+    sessions,
     stations,
     statistics,
     taught,
@@ -99,6 +102,10 @@ def application(controller: Controller, settings: Settings) -> FastAPI:
     """Return the ASGI application around a running controller."""
     app = described(settings)
     app.state.controller = controller
+    if controller.reception is not None:
+        callers: Callers = app.state.callers
+        callers.register = controller.reception.access
+        controller.reception.access.on_look = callers.look
     return app
 
 
@@ -149,7 +156,10 @@ def described(settings: Settings) -> FastAPI:
         zones.router,
         plant.controller_routes,
         plant.layout,
-        plant.audit,
+        audit.router,
+        sessions.router,
+        accounts.users,
+        accounts.keys,
         plant.problems,
         live.router,
         webhooks.router,

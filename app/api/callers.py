@@ -28,6 +28,7 @@ TICKETS = 1000
 """Most unused tickets at a time; the oldest goes."""
 LONGEST = 512
 """Longest credential that is looked at, bytes. Our choice."""
+SAFE = frozenset({"GET", "HEAD", "OPTIONS"})
 CHALLENGE = {"WWW-Authenticate": 'Bearer realm="hoistway"'}
 
 
@@ -68,6 +69,10 @@ class Register(Protocol):
         """Return whether what a caller showed is still good."""
         ...
 
+    def forbid(self, caller: Caller, what: str) -> None:
+        """Note that somebody asked for what their roles do not allow."""
+        ...
+
 
 class Callers:
     """Finds who calls, and whether they may. One for the whole application; ``register`` and ``policy`` come later."""
@@ -80,6 +85,7 @@ class Callers:
         if settings.access_key is not None:
             shared = Caller(SHARED, frozenset({Role.ADMIN}), person=False)
             self._fixed.append((settings.access_key.get_secret_value().encode(), shared))
+        self._watched: dict[int, tuple[Caller | None, Callable[[], None]]] = {}
         closed = bool(self._fixed)
         if settings.metrics_key is not None:
             scraper = Caller(SCRAPER, frozenset(), person=False, besides=frozenset({About.METRICS}))
@@ -117,7 +123,32 @@ class Callers:
         if caller is None:
             return _unknown(given=bool(header))
         scope[CALLER] = caller
-        return None if about is None else forbidden(caller, about, f"{method or 'WebSocket'} {path}")
+        if about is None or about in caller.scopes:
+            return None
+        return self.forbidden(caller, about, f"{method or 'WebSocket'} {path}", asked=method not in SAFE)
+
+    def forbidden(self, caller: Caller, about: About, what: str, *, asked: bool) -> Problem:
+        """Return why a caller may not do something; ``asked`` for a change, it is written into the audit."""
+        if asked and self.register is not None:
+            self.register.forbid(caller, what)
+        return forbidden(caller, about, what)
+
+    def watch(self, caller: Caller | None, end: Callable[[], None]) -> Callable[[], None]:
+        """Call ``end`` once a caller who was let in would not be any more; return what takes that back."""
+        watched = (caller, end)
+        self._watched[id(watched)] = watched
+
+        def take_back() -> None:
+            self._watched.pop(id(watched), None)
+
+        return take_back
+
+    def look(self) -> None:
+        """End what those hold open who would not be let in now."""
+        for number, (caller, end) in list(self._watched.items()):
+            if not self.still(caller):
+                self._watched.pop(number, None)
+                end()
 
     def still(self, caller: Caller | None) -> bool:
         """Return whether somebody who was let in would be let in now."""
@@ -128,9 +159,7 @@ class Callers:
         )
 
     def _caller(self, header: bytes, scope: Scope) -> Caller | None:
-        scheme, _, given = header.partition(b" ")
-        given = given.strip()
-        if scheme.lower() == b"bearer" and 0 < len(given) <= LONGEST:
+        if given := credential_of(header):
             for secret, caller in self._fixed:
                 if hmac.compare_digest(given, secret):
                     return caller
@@ -145,6 +174,15 @@ class Callers:
                 if isinstance(caller, Caller) and self.still(caller):
                     return caller
         return None
+
+
+def credential_of(header: bytes | str) -> bytes:
+    """Return the key or token of a header Authorization; empty: it has none, or one too long to be any of ours."""
+    if isinstance(header, str):
+        header = header.encode("latin-1")
+    scheme, _, given = header.partition(b" ")
+    given = given.strip()
+    return given if scheme.lower() == b"bearer" and len(given) <= LONGEST else b""
 
 
 def caller_of(scope: Scope) -> Caller | None:

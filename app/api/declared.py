@@ -223,6 +223,58 @@ OTHERS: Json = {
         "description": "Under way. `cmd_id` null: nothing had to be sent.",
         **_object({"device": _TEXT, "cmd_id": _nullable(_TEXT)}),
     },
+    "AuditCheck": {
+        "description": "`broken`: number of the first row that does not follow from the one before it; null: none.",
+        **_object(
+            {
+                "rows": {"type": "integer", "description": "How many were looked at and follow."},
+                "last": {
+                    "type": "integer",
+                    "description": "The last of them; note it elsewhere together with its hash.",
+                },
+                "hash": _TEXT,
+                "broken": _nullable(_WHOLE),
+                "reason": _TEXT,
+                "next": _NEXT,
+            }
+        ),
+    },
+    "Session": {
+        "description": "The token is shown once. It is good until `expires`, and can be renewed until `until`.",
+        **_object({"token": _TEXT, "expires": _TIME, "until": _TIME, "name": _TEXT, "roles": _list(_TEXT)}),
+    },
+    "Caller": {
+        "description": "Who calls. `open`: nobody has to say who they are; then the name is null, and all is allowed.",
+        **_object(
+            {"open": _FLAG, "name": _nullable(_TEXT), "person": _FLAG, "roles": _list(_TEXT), "scopes": _list(_TEXT)}
+        ),
+    },
+    "User": _object(
+        {
+            "name": _TEXT,
+            "roles": _list(_TEXT),
+            "created": _TIME,
+            "created_by": _TEXT,
+            "disabled": _FLAG,
+            "logged_in": _nullable(_TIME) | {"description": "When last."},
+        }
+    ),
+    "Key": _object(
+        {
+            "name": _TEXT,
+            "roles": _list(_TEXT),
+            "created": _TIME,
+            "created_by": _TEXT,
+            "expires": _nullable(_TIME),
+            "revoked": _nullable(_TIME),
+            "used": _nullable(_TIME) | {"description": "When last, to the minute."},
+            "state": {"type": "string", "enum": ["active", "expired", "revoked"]},
+        }
+    ),
+    "NewKey": {
+        "description": "The key itself is shown now and never again.",
+        "allOf": [ref("Key"), _object({"key": _TEXT})],
+    },
     "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
     "Health": _object({"status": _TEXT}),
     "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),

@@ -1,13 +1,14 @@
 """Durable events: in pages, and as a stream of Server-Sent Events for curl."""
 
 import asyncio
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import Response, StreamingResponse
 
+from app.api.callers import Callers, caller_of
 from app.api.calls import Ctl, items, read
 from app.api.declared import gives
 from app.api.inputs import After, Limit, QueryId
@@ -74,10 +75,12 @@ async def stream_events(
     start = int(last_event_id) if last_event_id else after
     subscription = controller.hub.subscribe([Topic.EVENTS], after=start, replay=replay_of(controller))
     headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
-    return StreamingResponse(_lines(subscription), media_type="text/event-stream", headers=headers)
+    callers: Callers = request.app.state.callers
+    take_back = callers.watch(caller_of(request.scope), subscription.close)
+    return StreamingResponse(_lines(subscription, take_back), media_type="text/event-stream", headers=headers)
 
 
-async def _lines(subscription: Subscription) -> AsyncIterator[bytes]:
+async def _lines(subscription: Subscription, take_back: Callable[[], None]) -> AsyncIterator[bytes]:
     waiting: asyncio.Future[object] | None = None
     try:
         yield b": events\n\n"
@@ -93,6 +96,7 @@ async def _lines(subscription: Subscription) -> AsyncIterator[bytes]:
             for event in getattr(frame, "events", ()):
                 yield b"id: %d\nevent: %b\ndata: %b\n\n" % (event.seq, event.event.encode(), encoded(event))
     finally:
+        take_back()
         subscription.close()
         if waiting is not None:
             waiting.cancel()

@@ -4,11 +4,10 @@ body, rate of the caller. Plain ASGI, one pass; nothing of a body is read before
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.api.callers import Callers
+from app.api.callers import SAFE, Callers
 from app.api.problems import Problem, language_in
 from app.settings import Settings, is_loopback
 
-SAFE = frozenset({"GET", "HEAD", "OPTIONS"})
 CLOSE = {"Connection": "close"}
 """What comes after a refusal would be the rest of a body that nobody reads."""
 HOSTS_KEPT = 100

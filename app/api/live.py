@@ -3,6 +3,7 @@
 import asyncio
 import secrets
 from collections.abc import Iterable
+from contextlib import suppress
 
 import msgspec
 from fastapi import APIRouter, WebSocket
@@ -77,15 +78,35 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
     subscription.direct = socket.scope.get("extensions", {}).get(WIRE)
     sender = asyncio.create_task(_send(socket, subscription))
     spoken = _spoken(socket, controller, subscription)
+    callers: Callers = socket.app.state.callers
+    take_back = callers.watch(caller_of(socket.scope), lambda: _end(socket, subscription))
     try:
         await _listen(socket, subscription, spoken)
     except WebSocketDisconnect:
         pass
     finally:
+        take_back()
         subscription.close()
         await spoken.close()
         sender.cancel()
         await asyncio.gather(sender, return_exceptions=True)
+
+
+_ENDING: set[asyncio.Task[None]] = set()
+"""Streams that are being closed, kept until they are."""
+
+
+def _end(socket: WebSocket, subscription: Subscription) -> None:
+    """Close the stream of a watcher who may not watch any more."""
+
+    async def close() -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            await socket.close(1008, "You have to say who you are again.")
+
+    subscription.close()
+    task = asyncio.create_task(close())
+    _ENDING.add(task)
+    task.add_done_callback(_ENDING.discard)
 
 
 async def _send(socket: WebSocket, subscription: Subscription) -> None:
@@ -113,7 +134,8 @@ def _spoken(socket: WebSocket, controller: Controller, subscription: Subscriptio
 
     address = socket.client.host if socket.client else "unknown"
     speaker = Speaker(controller, f"live/{secrets.token_hex(8)}")
-    return Spoken(COMMANDS, speaker, Voice(caller_of(socket.scope), socket.headers.get("x-actor"), address), reply)
+    voice = Voice(socket.app.state.callers, caller_of(socket.scope), socket.headers.get("x-actor"), address)
+    return Spoken(COMMANDS, speaker, voice, reply)
 
 
 async def _listen(socket: WebSocket, subscription: Subscription, spoken: Spoken) -> None:

@@ -1,4 +1,4 @@
-"""The controller as a whole, the layout for drawing, the audit, and the kinds of problems."""
+"""The controller as a whole, the layout for drawing, and the kinds of problems."""
 
 import zlib
 from itertools import pairwise
@@ -8,23 +8,22 @@ from fastapi import APIRouter, Query
 from starlette.requests import Request
 from starlette.responses import Response
 
-from app.api.calls import Ctl, Who, answer_of, answer_view, ask, items, missing, read, tagged
+from app.api.calls import Ctl, Who, answer_of, answer_view, ask, items, missing, tagged
 from app.api.declared import gives
-from app.api.inputs import ID_PATTERN, After, Limit, PathId, ReasonIn
+from app.api.inputs import ID_PATTERN, PathId, ReasonIn
 from app.api.port import Controller
 from app.api.problems import CODES
 from app.domain import requests
 from app.domain.layout import LinkSpec, Plant
 from app.domain.units import Barcode
 from app.domain.view import Topic
-from app.runtime.showing import encode, iso
+from app.runtime.showing import encode
 
 MOST_ROUTES = 8
 """Our choice: so many alternatives take some milliseconds of the event loop in a whole fab."""
 
 controller_routes = APIRouter(prefix="/controller", tags=["controller"])
 layout = APIRouter(prefix="/layout", tags=["layout"])
-audit = APIRouter(prefix="/audit", tags=["audit"])
 problems = APIRouter(prefix="/problems", tags=["problems"])
 
 
@@ -165,28 +164,6 @@ def _devices(plant: Plant) -> dict[str, object]:
 
 def _address(link: LinkSpec) -> str:
     return f"{link.host}:{link.port}" if link.serial is None else link.serial.device
-
-
-@audit.get("", **gives("Audit[]", description="Who asked for what, oldest first."))
-async def list_audit(controller: Ctl, after: After = 0, limit: Limit = 100) -> Response:
-    """List what people and hosts asked for, refused or not."""
-    rows = await read(controller.reader.audit, after, limit)
-    last = rows[-1][0] if len(rows) == limit else None
-    return items(
-        (
-            {
-                "seq": seq,
-                "at": iso(row.at),
-                "actor": row.actor,
-                "action": row.action,
-                "target": row.target,
-                "detail": row.detail,
-                "accepted": row.accepted,
-            }
-            for seq, row in rows
-        ),
-        last,
-    )
 
 
 @problems.get("", **gives("ProblemKind[]", description="All kinds of problems."))

@@ -165,8 +165,22 @@ ROUTES: Mapping[str, Scope] = {
     "GET /audit": Scope.READ_AUDIT,
     "GET /problems": Scope.PUBLIC,
     "GET /problems/{code}": Scope.PUBLIC,
+    "GET /audit/check": Scope.READ_AUDIT,
     "POST /live/ticket": Scope.READ,
     "LIVE /live": Scope.READ,
+    "POST /session": Scope.PUBLIC,
+    "GET /session": Scope.SELF,
+    "DELETE /session": Scope.SELF,
+    "POST /session/renew": Scope.SELF,
+    "PUT /session/password": Scope.SELF,
+    "GET /users": Scope.ADMIN,
+    "POST /users": Scope.ADMIN,
+    "GET /users/{user}": Scope.ADMIN,
+    "PATCH /users/{user}": Scope.ADMIN,
+    "GET /keys": Scope.ADMIN,
+    "POST /keys": Scope.ADMIN,
+    "GET /keys/{key}": Scope.ADMIN,
+    "DELETE /keys/{key}": Scope.ADMIN,
     "GET /webhooks": Scope.WEBHOOKS,
     "POST /webhooks": Scope.WEBHOOKS,
     "GET /webhooks/{webhook}": Scope.WEBHOOKS,
@@ -309,10 +323,8 @@ def _complain(missing: Collection[str], unused: Collection[str], commands: Colle
         raise PolicyError(f"it is not said who may call what: {said}", remedy=remedy)
 
 
-def forbidden(caller: Caller, scope: Scope, what: str) -> Problem | None:
-    """Return why a caller may not do something; None: it may."""
-    if scope in caller.scopes:
-        return None
+def forbidden(caller: Caller, scope: Scope, what: str) -> Problem:
+    """Return why a caller may not do what is in a scope."""
     roles = " or ".join(who_may(scope))
     own = ", ".join(sorted(caller.roles)) or "none"
     remedy = "Log in as somebody who may, use a key with such a role, or ask an administrator for the role."

@@ -23,7 +23,9 @@ from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
+from app.runtime.reception import Reception
 from app.runtime.webhooks import Targets
+from app.store.chain import Checked
 
 
 class Reader(TeachingReader, RoomReader, Protocol):
@@ -85,6 +87,22 @@ class Reader(TeachingReader, RoomReader, Protocol):
 
     def audit(self, after: int = 0, limit: int = 100) -> Sequence[tuple[int, AuditRow]]:
         """Return numbered audit rows above ``after``, oldest first."""
+        ...
+
+    def audit_found(
+        self,
+        *,
+        actor: str | None = None,
+        action: str | None = None,
+        target: str | None = None,
+        before: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[tuple[int, AuditRow]]:
+        """Return numbered audit rows, newest first, with numbers below ``before``."""
+        ...
+
+    def audit_checked(self, after: int, limit: int) -> Checked:
+        """Look whether the rows above ``after`` follow from one another. Raises StoreError."""
         ...
 
     def operation(self, number: int) -> DriveOperation | None:
@@ -153,6 +171,11 @@ class Controller(Protocol):
     @property
     def reader(self) -> Reader:
         """Committed history."""
+        ...
+
+    @property
+    def reception(self) -> Reception | None:
+        """Who may call, and what they and administrators do about it; None: everybody may."""
         ...
 
     @property

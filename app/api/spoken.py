@@ -14,8 +14,9 @@ import msgspec
 from pydantic import TypeAdapter, ValidationError
 from starlette.responses import Response
 
+from app.api.callers import Callers
 from app.api.calls import actor_named, is_person
-from app.api.policy import COMMANDS, forbidden
+from app.api.policy import COMMANDS
 from app.api.port import Controller
 from app.api.problems import Problem, ours, problem_of
 from app.domain.access import Caller
@@ -107,9 +108,17 @@ def route(call: Callable[..., Awaitable[Response]], body: Any = None, *, person:
 class Voice:
     """Who speaks: who has shown who they are (None: nobody has to), the header X-Actor, the address."""
 
+    callers: Callers
     caller: Caller | None
     header: str | None
     address: str
+
+    def refusal(self, name: str) -> Problem | None:
+        """Return why this one may not give a command of that name."""
+        about = COMMANDS[name]
+        if self.caller is None or about in self.caller.scopes:
+            return None
+        return self.callers.forbidden(self.caller, about, name, asked=True)
 
 
 class Spoken:
@@ -152,7 +161,7 @@ class Spoken:
             remedy = f"Did you mean {close}?" if close else f"There are {', '.join(self._table)}."
             raise Problem("invalid", f"There is no command {order.name[:40]!r}.", remedy, "command.name")
         voice = self._voice
-        if voice.caller is not None and (problem := forbidden(voice.caller, COMMANDS[order.name], order.name)):
+        if problem := voice.refusal(order.name):
             raise problem
         given = voice.header if actor is None else actor.encode().decode("latin-1")
         if command.person and not is_person(voice.caller, given):

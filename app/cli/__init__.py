@@ -5,6 +5,8 @@ from __future__ import annotations
 import typer
 
 from app.cli import (
+    accounts,
+    audit,
     bench,
     check,
     db,
@@ -49,3 +51,6 @@ for command in (
 app.add_typer(layout.commands, name="layout")
 app.add_typer(db.commands, name="db")
 app.add_typer(bench.commands, name="bench")
+app.add_typer(accounts.users, name="users")
+app.add_typer(accounts.keys, name="keys")
+app.add_typer(audit.commands, name="audit")

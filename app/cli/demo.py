@@ -19,6 +19,7 @@ from app.cli.workload import order
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant, Station
+    from app.runtime.controller import Controller
     from app.settings import Settings
 
 GRACE = 5.0
@@ -61,11 +62,18 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
         stop = stop_signal()
         simulator = await _simulated(file, operator)
         watching = asyncio.create_task(_end_with(simulator, stop))
-        working = None if keep is None else asyncio.create_task(_work(url, keep, stop))
+        working = None if keep is None else asyncio.create_task(_work(url, keep, stop, settings))
+        said = ""
+
+        def seen(controller: Controller) -> None:
+            nonlocal said
+            said = hosting.who_may_call(controller, settings)
+
+        def ready(url: str) -> None:
+            print(f"{_invitation(plant, url)}\n{said} Ctrl-C ends it.", flush=True)
+
         try:
-            return await hosting.serve(
-                plant, settings, listening, stop, lambda url: print(_invitation(plant, url), flush=True)
-            )
+            return await hosting.serve(plant, settings, listening, stop, ready, seen=seen)
         finally:
             stop.set()
             if working is not None:
@@ -111,8 +119,9 @@ async def _ended(simulator: asyncio.subprocess.Process) -> None:
             await simulator.wait()
 
 
-async def _work(url: str, keep: int, stop: asyncio.Event) -> None:
-    await order(url, Random(), stop, rate=None, keep=keep, quiet=True)
+async def _work(url: str, keep: int, stop: asyncio.Event, settings: Settings) -> None:
+    key = None if settings.access_key is None else settings.access_key.get_secret_value()
+    await order(url, Random(), stop, rate=None, keep=keep, key=key, quiet=True)
 
 
 def _alike(one: Station, other: Station) -> bool:
@@ -149,4 +158,4 @@ def _invitation(plant: Plant, url: str) -> str:
             "Order a transfer from another terminal:",
             f"  curl -X POST {url}/api/v1/jobs -H 'Content-Type: application/json' -d '{body}'",
         ]
-    return "\n".join([*lines, "Ctrl-C ends it."])
+    return "\n".join(lines)

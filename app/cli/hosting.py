@@ -162,6 +162,15 @@ def url_of(host: str, port: int) -> str:
     return f"http://{shown}:{port}"
 
 
+def who_may_call(controller: Controller, settings: Settings) -> str:
+    """Return in a sentence who may call the server: it is better read than found out."""
+    if settings.access_key is not None or controller.reception.access.closed:
+        return "Whoever calls has to say who they are (docs/access.md)."
+    if settings.access == "required":
+        return "Nobody can log in yet: hoistway users add NAME --role admin."
+    return "Everybody on this machine may do everything: nobody has to log in until there is a user (docs/access.md)."
+
+
 def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
     return uvicorn.Config(
         application(controller, settings),

@@ -12,6 +12,7 @@ from app.cli.plainly import plainly, refuse
 from app.cli.running import on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
+    from app.runtime.controller import Controller
     from app.settings import Settings
 
 
@@ -45,11 +46,19 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
 
     listening = hosting.bound(settings.host, settings.port)
 
-    async def run() -> int:
-        manager = Notifier(os.environ)
-        return await hosting.serve(plant, settings, listening, stop_signal(), ready, restored=restored, notify=manager)
+    said = ""
+
+    def seen(controller: Controller) -> None:
+        nonlocal said
+        said = hosting.who_may_call(controller, settings)
 
     def ready(url: str) -> None:
-        print(f"hoistway controls {plant.name}: {url}", flush=True)
+        print(f"hoistway controls {plant.name}: {url}\n{said}", flush=True)
+
+    async def run() -> int:
+        stop, manager = stop_signal(), Notifier(os.environ)
+        return await hosting.serve(
+            plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager
+        )
 
     return on_loop(run())

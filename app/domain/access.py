@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from app.domain.ids import Actor
+from app.domain.units import Timestamp
 
 
 class Role(StrEnum):
@@ -107,3 +108,58 @@ ON_BEHALF = " (for "
 def shown_name(actor: Actor) -> str:
     """Return the part of an actor's name that was shown by a key or a password, where any was wanted."""
     return actor.partition(ON_BEHALF)[0]
+
+
+@dataclass(frozen=True, slots=True)
+class User:
+    """A person who may log in. ``password`` is its argon2id hash with its parameters. ``disabled``: not any more.
+
+    Names are never used twice, by people and keys together: the audit is read for years.
+    """
+
+    name: str
+    roles: frozenset[Role]
+    password: str
+    created: Timestamp
+    created_by: Actor
+    disabled: bool = False
+    logged_in: Timestamp | None = None
+    """When last."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A machine's key. ``digest`` is what is kept of it (HMAC-SHA-256 in hex); the key itself is shown once, when it is made."""
+
+    name: str
+    roles: frozenset[Role]
+    digest: str
+    created: Timestamp
+    created_by: Actor
+    expires: Timestamp | None = None
+    revoked: Timestamp | None = None
+    used: Timestamp | None = None
+    """When last, to the minute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """What a person who logged in holds: a token, of which ``digest`` is kept. ``log_in`` stays the same when it is renewed."""
+
+    digest: str
+    log_in: str
+    user: str
+    started: Timestamp
+    expires: Timestamp
+    address: str
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Everybody who is known. ``revision`` rises with each change; ``secret`` is what digests are made with."""
+
+    secret: bytes
+    revision: int
+    users: tuple[User, ...] = ()
+    keys: tuple[Key, ...] = ()
+    sessions: tuple[Session, ...] = ()

@@ -3,6 +3,7 @@
 import asyncio
 import math
 import os
+import secrets
 import socket
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -29,6 +30,7 @@ from app.planning.tables import Tables
 from app.plant.dialects import dialect_of
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.session import LinkQuality
+from app.runtime.access import Access
 from app.runtime.clock import Clock
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.journal import Journal
@@ -36,6 +38,7 @@ from app.runtime.lines import Line
 from app.runtime.listener import Expected, Listener
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
+from app.runtime.reception import Reception
 from app.runtime.recording import PIECE_SECONDS, Limits, Recorder
 from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
@@ -43,6 +46,7 @@ from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
 from app.runtime.webhooks import Courier, Sender, Targets
 from app.runtime.writer import Writer
+from app.store.access import AccessStore
 from app.store.ledger import FOR_EVER, SqlLedger
 from app.store.playback import PlaybackStore
 from app.store.reading import Reader
@@ -129,6 +133,8 @@ class Controller:
         """Done, with the reason, when this controller may not go on."""
         kept = await asyncio.to_thread(self._take_plant)
         self.reader = Reader(self._database)
+        self.reception = Reception(Access(AccessStore(self._database, secrets.token_bytes), self._clock))
+        await self.reception.access.start()
         await self._record()
         self._control = Control(self.plant, kept, self._clock.now(), self._clock.utc())
         self.model = ReadModel(last_event=kept.next_event - 1)
@@ -179,6 +185,7 @@ class Controller:
         await asyncio.sleep(0)
         self._end()
         await self._replanner.stop()
+        await self.reception.access.stop()
         await asyncio.to_thread(self._ledger.close)
         self.reader.close()
         if self._recorder is not None:

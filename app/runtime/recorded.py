@@ -21,6 +21,7 @@ from app.runtime.hub import Hub, ReadModel
 from app.runtime.incident import Incident
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
+from app.runtime.reception import Reception
 from app.runtime.recording import PIECE_SECONDS, Change, packed
 from app.runtime.webhooks import Targets
 from app.store.ledger import SqlLedger
@@ -39,6 +40,7 @@ class Recorded:
         self.trouble = ""
         self.figures = Figures(self.plant)
         self.backlog = (0, 0)
+        self.reception: Reception | None = None
         _fill(incident, url)
         self.reader, self.playback = Reader(url), Playback(url)
         self.model = ReadModel(last_event=max((event["seq"] for event in incident.events), default=0))

@@ -11,6 +11,7 @@ from app.domain.ids import MAX_EPOCH, Epoch
 from app.domain.records import Kept, Record
 from app.domain.units import Seconds, Timestamp
 from app.store import tables
+from app.store.chain import Chain
 from app.store.columns import Row
 from app.store.engine import parsed, told, writing
 from app.store.lease import LEASE_SECONDS, Lease, NoLease
@@ -64,6 +65,7 @@ class SqlLedger:
         made = parsed(url)
         self._engine = writing(made)
         self._statements = Statements(self._engine.dialect)
+        self._chain = Chain()
         self._counted = (
             tables.plant.update()
             .where(tables.plant.c.epoch == sa.bindparam("ours"), tables.plant.c.commits == sa.bindparam("before"))
@@ -110,7 +112,8 @@ class SqlLedger:
         try:
             self._write(records, planned)
         except StoreRefused:
-            # Text from a wire may hold what no database keeps (NUL, half a surrogate pair).
+            # Somebody else may have added to the audit (hoistway users), or text from a wire holds what no database keeps
+            # (NUL, half a surrogate pair).
             self._write(records, [(sql, [_storable(row) for row in many]) for sql, many in planned])
 
     def renew(self) -> None:
@@ -150,11 +153,18 @@ class SqlLedger:
                 )
 
     def _write(self, records: tuple[Record, ...], planned: list[tuple[str, list[Row]]]) -> None:
-        with self._transaction("the records cannot be kept") as connection:
-            if self._count(connection, records):
-                self._doubt = records
-                for sql, many in planned:
-                    carry_out(connection, sql, many)
+        try:
+            with self._transaction("the records cannot be kept") as connection:
+                if self._count(connection, records):
+                    self._doubt = records
+                    for sql, many in planned:
+                        rows = self._chain.linked(connection, many) if sql == self._statements.audit else many
+                        carry_out(connection, sql, rows)
+                else:
+                    self._chain.forget()
+        except BaseException:
+            self._chain.forget()
+            raise
         self._doubt = None
         self._commits += 1
 

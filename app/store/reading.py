@@ -15,6 +15,7 @@ from app.domain.webhooks import WebhookTry
 from app.domain.why import Why
 from app.store import drive_rows, rows, webhook_rows, why_rows
 from app.store.alarm_reading import AlarmReader
+from app.store.chain import START, Checked, check
 from app.store.columns import Found, signed
 from app.store.engine import MEMORY, parsed, reading, told
 from app.store.room_reading import RoomReader
@@ -27,6 +28,8 @@ _NOW: dict[str, sa.ColumnElement[float]] = {
     "sqlite": sa.cast(sa.func.strftime("%s", "now"), sa.Double),
     "postgresql": sa.cast(sa.func.extract("epoch", sa.func.now()), sa.Double),
 }
+CHECKED_AT_ONCE = 2_000
+"""Audit rows read at a time while they are looked at. Our choice."""
 KEY_SECONDS = 7 * 86_400
 """How long an idempotency key names its job (COMMANDS section 5)."""
 
@@ -110,6 +113,44 @@ class Reader(TeachingReader, RoomReader, AlarmReader, StatisticsReader):
         """Return what was asked for with its number, oldest first; ``after`` is the number of the last one seen."""
         query = sa.select(audit).where(audit.c.seq > after).order_by(audit.c.seq).limit(limit)
         return self._list(query, lambda row: (row.seq, rows.audit(row)))
+
+    def audit_found(
+        self,
+        *,
+        actor: str | None = None,
+        action: str | None = None,
+        target: str | None = None,
+        before: int | None = None,
+        limit: int = 100,
+    ) -> list[tuple[int, AuditRow]]:
+        """Return what was asked for, newest first; ``before`` is the number of the last one seen."""
+        query = where(sa.select(audit), {audit.c.actor: actor, audit.c.action: action, audit.c.target: target})
+        if before is not None:
+            query = query.where(audit.c.seq < before)
+        return self._list(query.order_by(audit.c.seq.desc()).limit(limit), lambda row: (row.seq, rows.audit(row)))
+
+    def audit_hash(self, seq: int) -> str | None:
+        """Return the hash of an audit row; None: there is no such row."""
+        return self._first(sa.select(audit).where(audit.c.seq == seq), lambda row: str(row.hash))
+
+    def audit_checked(self, after: int, limit: int) -> Checked:
+        """Look at so many audit rows above ``after`` at most, whether each follows from the one before it.
+
+        The row ``after`` itself is believed; 0 begins at the first. A row missing at the end is not noticed: compare the
+        last number and hash with what was noted elsewhere.
+        """
+        first = self.audit_hash(after)
+        if after and first is None:
+            return Checked(0, after, "", after, f"there is no row {after}")
+        checked = Checked(0, after, first or START)
+        while checked.broken is None and checked.rows < limit:
+            page = min(CHECKED_AT_ONCE, limit - checked.rows)
+            query = sa.select(audit).where(audit.c.seq > checked.last).order_by(audit.c.seq).limit(page)
+            found = self._list(query, lambda row: (row.seq, rows.audit(row), row.hash))
+            checked = check(checked, found)
+            if len(found) < page:
+                break
+        return checked
 
     def operation(self, number: int) -> DriveOperation | None:
         """Return an operation on drives."""

@@ -118,6 +118,11 @@ class Statements:
         if dialect.name == "postgresql":
             self._copy[HistoryEvent] = f"{COPY} {tables.events.name} FROM STDIN"
 
+    @property
+    def audit(self) -> str:
+        """The statement that takes audit rows, each with its number before it and its hash behind it."""
+        return self._sql[AuditRow]
+
     def of(self, batch: Sequence[Record]) -> Iterator[tuple[str, list[Row]]]:
         """Give each statement with its rows, for :func:`carry_out`.
 

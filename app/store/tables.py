@@ -169,13 +169,56 @@ _index_where_set(events.c.vehicle, events.c.seq)
 audit = sa.Table(
     "audit",
     metadata,
-    sa.Column("seq", BIG, primary_key=True),
+    _key("seq", BIG),
     _at("at"),
     _text("actor"),
     _text("action"),
     _text("target"),
     _text("detail"),
     sa.Column("accepted", sa.Boolean(), nullable=False),
+    _text("hash"),
+)
+"""``hash`` is over the row and the hash of the row before it (:mod:`app.store.chain`)."""
+
+access = sa.Table(
+    "access", metadata, _key("one", BIG), _text("secret"), _big("revision"), sa.CheckConstraint("one = 1", name="only")
+)
+"""One row: what digests of keys are made with (hex), and how often anything of the next three tables has changed."""
+
+users = sa.Table(
+    "users",
+    metadata,
+    _key("name"),
+    sa.Column("roles", JSON, nullable=False),
+    _text("password"),
+    _at("created"),
+    _text("created_by"),
+    sa.Column("disabled", sa.Boolean(), nullable=False),
+    sa.Column("logged_in", UTC),
+)
+
+access_keys = sa.Table(
+    "access_keys",
+    metadata,
+    _key("name"),
+    sa.Column("roles", JSON, nullable=False),
+    _text("digest"),
+    _at("created"),
+    _text("created_by"),
+    sa.Column("expires", UTC),
+    sa.Column("revoked", UTC),
+    sa.Column("used", UTC),
+)
+
+access_sessions = sa.Table(
+    "access_sessions",
+    metadata,
+    _key("digest"),
+    _text("log_in"),
+    _text("user"),
+    _at("started"),
+    _at("expires"),
+    _text("address"),
 )
 
 vehicles = sa.Table(

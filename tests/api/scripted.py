@@ -70,7 +70,9 @@ from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
+from app.runtime.reception import Reception
 from app.runtime.webhooks import Targets
+from app.store.chain import Checked
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
 
 NOW = Timestamp(1_767_225_600.0)
@@ -243,6 +245,26 @@ class MemoryReader:
     def audit(self, after: int = 0, limit: int = 100) -> Sequence[tuple[int, AuditRow]]:
         return list(enumerate(self.asked, 1))[after : after + limit]
 
+    def audit_found(
+        self,
+        *,
+        actor: str | None = None,
+        action: str | None = None,
+        target: str | None = None,
+        before: int | None = None,
+        limit: int = 100,
+    ) -> Sequence[tuple[int, AuditRow]]:
+        found = [
+            (seq, row)
+            for seq, row in enumerate(self.asked, 1)
+            if actor in (None, row.actor) and action in (None, row.action) and target in (None, row.target)
+        ]
+        return [one for one in reversed(found) if before is None or one[0] < before][:limit]
+
+    def audit_checked(self, after: int, limit: int) -> Checked:
+        rows = self.asked[after : after + limit]
+        return Checked(len(rows), after + len(rows), "00")
+
     def dests(self, station: StationId) -> Sequence[StationDest]:
         return [row for row in self.pulses if row.station == station]
 
@@ -310,6 +332,7 @@ class Scripted:
         self.traffic: list[tuple[Timestamp, str, bytes]] = []
         self._cmd = 1 << 32
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
+        self.reception: Reception | None = None
         self.hub.publish([self._vehicle(v) for v in plant.vehicles])
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in plant.stations])
         self.drives = self.reader.drives

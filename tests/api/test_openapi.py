@@ -18,7 +18,9 @@ from typer.testing import CliRunner
 from app.api.commands import COMMANDS
 from app.cli.openapi import document, openapi
 from app.domain import requests as r
+from app.domain.access import Role
 from app.domain.view import Topic
+from tests.api.receptions import reception, with_admin
 from tests.api.recordings import recorded
 from tests.api.scripted import ACTOR, NOW, Scripted
 from tests.api.sockets import Socket
@@ -93,6 +95,13 @@ async def test_every_answer_is_what_the_description_says(
     client: httpx.AsyncClient, controller: Scripted, tmp_path: Path
 ) -> None:
     controller.playback = recorded(tmp_path)
+    async with reception(tmp_path) as controller.reception:
+        await with_admin(controller.reception)
+        await controller.reception.add_key("mes-1", frozenset({Role.MES}), None, ACTOR)
+        await _every_answer_is_described(client, controller)
+
+
+async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scripted) -> None:
     controller.traffic = [(NOW, "in", b"\x06")]
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     await client.post("/jobs", json=ORDER)
@@ -111,7 +120,7 @@ async def test_every_answer_is_what_the_description_says(
     controller.teach()
     await client.post("/zones/Z1/pause", json={"reason": "look"})
     await client.post("/closures", json=CLOSE, headers={"X-Actor": "kim"})
-    known |= {"closure": "1", "zone": "Z1", "alarm": "1", "walk": "1"}
+    known |= {"closure": "1", "zone": "Z1", "alarm": "1", "walk": "1", "user": "kim", "key": "mes-1"}
     controller.alarm()
     await client.post("/walks", json={"reason": "after the outage"}, headers={"X-Actor": "kim"})
     known |= {"session": "1", "proposal": "1", "other": "V002", "old": "1", "new": "2"}

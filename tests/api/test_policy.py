@@ -25,6 +25,7 @@ PLANT = "operator maintenance admin"
 ORDERS = "operator mes admin"
 DESK = "operator admin"
 UPKEEP = "maintenance admin"
+ADMIN = "admin"
 HOSTS = "mes admin"
 SIGNAL = "operator maintenance mes admin"
 
@@ -193,8 +194,22 @@ MAY: dict[str, str] = {
     "GET /layout": ALL,
     "GET /layout/routes": ALL,
     "GET /audit": PLANT,
+    "GET /audit/check": PLANT,
     "POST /live/ticket": ALL,
     "LIVE /live": ALL,
+    "POST /session": OPEN,
+    "GET /session": ALL,
+    "DELETE /session": ALL,
+    "POST /session/renew": ALL,
+    "PUT /session/password": ALL,
+    "GET /users": ADMIN,
+    "POST /users": ADMIN,
+    "GET /users/{user}": ADMIN,
+    "PATCH /users/{user}": ADMIN,
+    "GET /keys": ADMIN,
+    "POST /keys": ADMIN,
+    "GET /keys/{key}": ADMIN,
+    "DELETE /keys/{key}": ADMIN,
 }
 """Row -> the roles that may; ``open``: everybody, known or not."""
 
@@ -257,6 +272,7 @@ class Everybody:
     closed = True
 
     def __init__(self) -> None:
+        self.forbidden: list[tuple[str, str]] = []
         self._known = {role.value.encode(): Caller(f"a-{role}", frozenset({role}), person=False) for role in Role}
 
     def caller(self, credential: bytes) -> Caller | None:
@@ -264,6 +280,9 @@ class Everybody:
 
     def still(self, caller: Caller) -> bool:
         return caller in self._known.values()
+
+    def forbid(self, caller: Caller, what: str) -> None:
+        self.forbidden.append((caller.name, what))
 
     def forget(self, credential: str) -> None:
         del self._known[credential.encode()]

@@ -46,6 +46,8 @@ KNOWN = {
     "old": "1",
     "new": "2",
     "device": "DOOR1",
+    "user": "kim",
+    "key": "mes-1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -88,6 +90,11 @@ EXAMPLES: dict[str, Any] = {
     "DeviceCommandIn": {"command": "open"},
     "PinIn": {"position": "open", "reason": "x"},
     "EmergencyIn": {"kind": "fire", "reason": "x"},
+    "LogInIn": {"name": "kim", "password": "correct horse 1"},
+    "NewPasswordIn": {"old": "correct horse 1", "new": "another horse 3"},
+    "UserIn": {"name": "lee", "roles": ["admin"], "password": "correct horse 1"},
+    "UserChange": {"roles": ["admin"]},
+    "MachineKeyIn": {"name": "mes-1", "roles": ["admin"]},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]
 RAW = [

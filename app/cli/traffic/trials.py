@@ -76,7 +76,8 @@ def fab_of(shape: Shape, vehicles: int, how: Plant, seed: int) -> Fab:
     layout, _, plan = _drawn(shape, seed)
     starts = [vehicle.start for vehicle in populate(layout, vehicles, seed, FULL).vehicles]
     ports = list(dict.fromkeys(station.barcode for station in layout.stations))
-    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], seed, how)
+    parking = [point.barcode for point in layout.points if point.park]
+    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], seed, how, parking=parking)
 
 
 def run(fab: Fab, minutes: int) -> Outcome:

@@ -6,13 +6,14 @@ from math import cos, hypot, pi, sin
 from typing import TypeAlias
 
 from app.domain.layout import Edge, Point
-from app.domain.units import Barcode, Millimetres
+from app.domain.units import Barcode, Millimetres, Percent
 
 Spot: TypeAlias = tuple[int, int]
 FIRST_NUMBER = 10_001
 ROUND_TO = 10
 """Each stretch begins at the next number that ends in 1, so that numbers have gaps as on a real rail. Our choice."""
 SENSOR_STRAIGHT, SENSOR_CURVE = 1, 2
+FULL_SPEED = Percent(100)
 
 
 class Drawing:
@@ -33,10 +34,10 @@ class Drawing:
         self._next += -(-len(found) // ROUND_TO) * ROUND_TO
         return found
 
-    def straight(self, barcodes: Sequence[Barcode]) -> None:
-        """Draw track through barcodes in driving direction, as long as they lie apart."""
+    def straight(self, barcodes: Sequence[Barcode], speed: Percent = FULL_SPEED) -> None:
+        """Draw track through barcodes in driving direction, as long as they lie apart; ``speed`` is its limit."""
         for start, end in pairwise(barcodes):
-            self.edges.append(Edge(start, end, self._apart(start, end), sensor=SENSOR_STRAIGHT))
+            self.edges.append(Edge(start, end, self._apart(start, end), speed, sensor=SENSOR_STRAIGHT))
 
     def curve(self, barcodes: Sequence[Barcode], length: Millimetres | None = None) -> None:
         """Draw track on which vehicles keep to their curve speed; ``length`` of each edge, if it is an arc."""

@@ -6,8 +6,8 @@ line; the other direction is the same turned by half a circle. So what follows i
 
 from dataclasses import dataclass
 
-from app.domain.units import Barcode, Millimetres
-from app.plant.fab.drawing import HALF, QUARTER, Drawing, Spot, arc, arc_length
+from app.domain.units import Barcode, Millimetres, Percent
+from app.plant.fab.drawing import HALF, QUARTER, Drawing, Spot, arc, arc_length, between
 from app.plant.fab.shape import Shape
 
 INNER_ASIDE = Millimetres(1500)
@@ -17,12 +17,13 @@ LEAD = 4
 """Barcodes of a lane before the first bay's way in and behind the last column. Our choice."""
 WAY_IN, WAY_OUT = 0, 7
 """Where in its column, in barcodes, a bay leaves the outer lane and comes back to it."""
-TO_INNER, TO_OUTER, SLANT = 8, 12, 2
-"""Where in its column a lane change begins, and how many barcodes further it ends.
+TO_INNER, TO_OUTER = (2, 6), (10, 14)
+"""Where in its column, in barcodes, a lane change begins and ends: behind the bay's way in, and before the next one's.
 
-It has one barcode half way, where whoever crosses gives the lane that it leaves free before it comes to the other: room to
-cross, but not to queue.
+It has barcodes of its own, where whoever crosses has left the one lane and waits for the other.
 """
+SLANT_SPEED = Percent(50)
+"""On a lane change: 1.5 m/s round its bends of 2.8 m press no harder than curve speed round a corner. Our choice."""
 TURN_IN = 8
 """Where in its column a turnaround comes to an inner lane: it has left the other one just opposite."""
 
@@ -94,10 +95,10 @@ def _lanes(drawing: Drawing, shape: Shape, direction: Direction) -> Lanes:
     drawing.straight(outer)
     for column in range(shape.columns):
         first = column_start(shape, column)
-        for lane, other, place in ((outer, inner, TO_INNER), (inner, outer, TO_OUTER)):
-            half = (first + place) * shape.pitch + SLANT * shape.pitch // 2
-            between_lanes = drawing.place([direction.at(half, INNER_ASIDE + shape.lane_gap // 2)])
-            drawing.curve([lane[first + place], *between_lanes, other[first + place + SLANT]])
+        for lane, other, (begin, until) in ((outer, inner, TO_INNER), (inner, outer, TO_OUTER)):
+            start, end = lane[first + begin], other[first + until]
+            across = drawing.place(between(drawing.spots[start], drawing.spots[end], until - begin - 1))
+            drawing.straight([start, *across, end], SLANT_SPEED)
     return Lanes(direction, inner, outer, outer_aside)
 
 

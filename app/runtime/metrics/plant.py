@@ -1,5 +1,6 @@
 """The plant as it is now: vehicles, jobs, alarms, carriers, devices."""
 
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterator
 
@@ -74,15 +75,15 @@ def jobs(model: ReadModel, figures: JobFigures, now: Timestamp) -> Iterator[Metr
     yield gauges("jobs", "Open jobs by E82 state.", ["state"], alone({state: states[state] for state in OPEN}))
     yield gauge("jobs_hot", "Open hot lots.", sum(view.priority >= HOT_FROM for view in views))
     yield gauge("jobs_explained", "Open jobs that do not go on, and say why.", sum(bool(v.reason) for v in views))
-    ages: Counter[tuple[str, str]] = Counter()
-    oldest: dict[str, float] = dict.fromkeys(OPEN, 0.0)
+    by_state: dict[str, list[float]] = {state.value: [] for state in OPEN}
     for view in views:
-        age = max(now - view.created, 0.0)
-        oldest[view.state] = max(oldest.get(view.state, 0.0), age)
+        by_state.setdefault(view.state, []).append(view.created)
+    oldest = {state: max(now - min(created), 0.0) if created else 0.0 for state, created in by_state.items()}
+    shown = {}
+    for state in OPEN:
+        created = sorted(by_state[state.value])
         for bound in AGES:
-            if age >= bound:
-                ages[view.state, str(bound)] += 1
-    shown = {(state.value, str(bound)): ages[state.value, str(bound)] for state in OPEN for bound in AGES}
+            shown[state.value, str(bound)] = bisect_right(created, now - bound)
     yield gauges("jobs_aged", "Open jobs that are at least so many seconds old.", ["state", "at_least"], shown)
     yield gauges("job_oldest_seconds", "Age of the oldest open job.", ["state"], alone(oldest))
     ended = {state.value: figures.ended[state.value] for state in JobState if state in TERMINAL}

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from math import ceil
 from random import Random
 
 import numpy as np
@@ -23,6 +24,14 @@ from app.sim.kinematic.ways import drives, free_flow, refresh, survey
 
 TICK = 1.0
 """Seconds between two looks of dispatch. Our choice."""
+CARRIED, PARKED_ROOM = 0.01, 1.3
+"""Vehicles per barcode for which no room to park is needed, and so many places are kept free for each one more: with fewer, those
+that find none wander about and hold up the others. Our choice, by runs.
+"""
+PARKED_AT_ONCE = 20
+"""So many are sent to park in a tick at most. Our choice."""
+KEPT_FREE = 120.0
+"""Seconds that a way costs besides where it leads over track kept free. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +40,9 @@ class Plant:
 
     ``admission``: the look-ahead of TRAFFIC section 3; without it the track itself is all that is asked for. ``reweigh``: how
     often ways are thought over by the traffic (``planning.congestion``; 0: never, static shortest ways). ``restraint``: no more
-    vehicles set out than the track carries (``planning.restraint``). ``dispatch``: assignment, nearest or random; ``backlog``
-    transfers wait at any time. ``patience``: a soft meter is ignored after so long; 0: there are none.
+    vehicles set out than the track carries (``planning.restraint``), and the others park where ways keep off. ``dispatch``:
+    assignment, nearest or random; ``backlog`` transfers wait at any time. ``patience``: a soft meter is ignored after so long;
+    0: there are none.
     """
 
     admission: bool = True
@@ -69,6 +79,7 @@ class Fab:
         seed: int,
         how: Plant,
         work: Work | None = None,
+        parking: Sequence[Barcode] = (),
     ) -> None:
         self.map, self.how, self.net = plan, how, plan.network
         self.ways = survey(self.net)
@@ -102,7 +113,9 @@ class Fab:
         self._rule: Rule = self._rule_of(seed)
         self._next_thought = self._next_weighing = 0.0
         self._turn = 0
+        self._places: Whole = np.zeros(0, dtype=np.int64)
         self._place([plan.number[b] for b in starts])
+        self._keep_free([plan.number[b] for b in parking])
 
     def run(self, seconds: float) -> None:
         """Let time pass."""
@@ -112,6 +125,7 @@ class Fab:
             self._look()
             self._weigh()
             self._dispatch()
+            self._park()
             self.now = Seconds(min(end, self.now + TICK))
             done = run(self.net, self.state, self.rules, self.now)
             for code in self.state.finished[:done].tolist():
@@ -137,6 +151,21 @@ class Fab:
             s.at[vehicle], s.owner[barcode] = barcode, vehicle
         for vehicle in sorted(range(len(starts)), key=lambda v: -starts[v]):
             enter(s.lines, vehicle, int(self.net.buffer[starts[vehicle]]), ANY)
+
+    def _keep_free(self, parking: Sequence[int]) -> None:
+        """Keep track free where idle vehicles are in nobody's way: for as many as the track hardly carries besides."""
+        s, buffer = self.state, self.net.buffer
+        needed = PARKED_ROOM * (len(s.at) - CARRIED * len(buffer)) if self.how.restraint else 0.0
+        used = {int(buffer[port]) for port in self.ports.barcodes}
+        able = [b for b in np.unique(buffer[list(parking)]).tolist() if b not in used and not self.net.transit[b]]
+        room = sum(int(s.lines.capacity[b]) for b in able)
+        if needed <= 0 or not room:
+            return
+        count = min(len(able), ceil(len(able) * needed / room))
+        chosen = [able[i * len(able) // count] for i in range(count)]
+        s.park[chosen], self.ways.extra[chosen] = 1, KEPT_FREE
+        self._places = np.array(chosen, dtype=np.int64)
+        self.weigh()
 
     def _finish(self, vehicle: int, *, put_down: bool) -> None:
         row, transfers = int(self._of[vehicle]), self.transfers
@@ -187,6 +216,7 @@ class Fab:
         ways.weight[:] = self._congestion.costs() if self.how.reweigh else self._congestion.free
         for buffer, seconds in self.shut.items():
             ways.weight[buffer] += seconds
+        ways.weight[:] += ways.extra
         ways.version[0] += 1
         self._know(self.net.buffer[s.goal[s.goal >= 0]])
 
@@ -197,7 +227,7 @@ class Fab:
 
     def _dispatch(self) -> None:
         s, transfers, thinks = self.state, self.transfers, self.now >= self._next_thought
-        may = (s.phase == IDLE) if self._room > 0 else np.zeros(len(s.phase), np.bool_)
+        may = self._free() if self._room > 0 else np.zeros(len(s.phase), np.bool_)
         if thinks:
             self._next_thought = self.now + self.how.rethink
             may |= (s.phase == FETCHING) & (s.doing != DWELLING)
@@ -212,6 +242,39 @@ class Fab:
         most = self._room if self.how.restraint else None
         plan = self._rule(fleet, waiting, partial(self._times, vehicles, transfers.source[jobs]), most=most)
         self._carry_out(jobs, np.where(plan.vehicle >= 0, vehicles[plan.vehicle], NOBODY))
+
+    def _free(self) -> "NDArray[np.bool_]":
+        """Return who is idle and stands behind nobody who is."""
+        idle = self.state.phase == IDLE
+        before = np.asarray(self.state.lines.before)
+        found: NDArray[np.bool_] = idle & ~np.append(idle, False)[before]
+        return found
+
+    def _park(self) -> None:
+        """Send who has nothing to do to the nearest track kept free that has room, those nearest to one first."""
+        s, net, places = self.state, self.net, self._places
+        if not len(places):
+            return
+        slot, idle = np.asarray(s.lines.slot), s.phase == IDLE
+        loose = np.flatnonzero(idle & (s.goal < 0) & (s.park[slot] == 0))
+        if not len(loose):
+            return
+        coming = idle & (s.goal >= 0) & (s.park[slot] == 0)
+        heading = np.bincount(net.buffer[s.goal[coming]], minlength=len(s.park))
+        room = (np.asarray(s.lines.capacity) - np.asarray(s.lines.load) - heading)[places]
+        places, room = places[room > 0], room[room > 0]
+        if not len(places):
+            return
+        some = loose[:PARKED_AT_ONCE]
+        away = self._times(some, net.last[places], np.arange(len(some)), np.arange(len(places)))
+        goals = np.full(len(some), NOBODY, dtype=np.int64)
+        for row in np.argsort(away.min(axis=1), kind="stable").tolist():
+            best = int(np.where(room > 0, away[row], np.inf).argmin())
+            if room[best] > 0:
+                room[best] -= 1
+                goals[row] = net.last[places[best]]
+        sent = goals >= 0
+        send_each(net, s, self.rules, some[sent], goals[sent], IDLE)
 
     def _jobs(self, may: "NDArray[np.bool_]") -> "NDArray[np.intp]":
         """Return the rows of the transfers to be thought of: without a vehicle and possible, or of one that may change."""

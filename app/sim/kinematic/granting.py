@@ -270,8 +270,13 @@ def take(net: Network, s: State, vehicle: int, last: int, n: int) -> None:
 
 @compiled
 def refuse(net: Network, s: State, vehicle: int, barcode: int, now: float) -> None:
-    """Let the vehicle wait for a barcode; whoever stands idle on it is asked to go on."""
+    """Let the vehicle wait for a barcode; whoever stands idle on it is asked to go on, unless both park there."""
     s.counts[REFUSED] += 1
+    slot, owner = s.lines.slot[vehicle], s.owner[barcode]
+    parks = s.phase[vehicle] == IDLE and s.park[slot] == 1 and s.goal[vehicle] == net.last[slot]
+    if parks and owner >= 0 and s.phase[owner] == IDLE and s.goal[owner] < 0:
+        s.goal[vehicle], s.since[vehicle], s.lines.want[vehicle] = -1, -1.0, ANY
+        return
     wait_for(s, vehicle, barcode, now)
     if s.owner[barcode] >= 0:
         nudge(net, s, s.owner[barcode])
@@ -279,17 +284,12 @@ def refuse(net: Network, s: State, vehicle: int, barcode: int, now: float) -> No
 
 @compiled
 def nudge(net: Network, s: State, vehicle: int) -> None:
-    """Push a vehicle that stands idle on: to the end of the buffer after its own that has room and where fewest come by."""
+    """Push a vehicle that stands idle on: to the end of its own buffer if that is kept free for such ones, or of the next."""
     if vehicle < 0 or s.phase[vehicle] != IDLE or s.goal[vehicle] >= 0 or s.doing[vehicle] != STANDING:
         return
     buffer = net.buffer[s.at[vehicle]]
-    best, least = -1, -1
-    for i in range(s.lines.out_at[buffer], s.lines.out_at[buffer + 1]):
-        out = s.lines.outs[i]
-        if s.lines.load[out] < s.lines.capacity[out] and (best < 0 or s.passes[out] < least):
-            best, least = out, s.passes[out]
-    if best < 0 and s.lines.out_at[buffer] < s.lines.out_at[buffer + 1]:
-        best = s.lines.outs[s.lines.out_at[buffer]]
+    closes_up = s.park[buffer] and s.at[vehicle] != net.last[buffer] and s.owner[s.at[vehicle] + 1] < 0
+    best = buffer if closes_up else aside(s, buffer)
     if best < 0:
         return
     s.goal[vehicle] = net.last[best]
@@ -297,3 +297,20 @@ def nudge(net: Network, s: State, vehicle: int) -> None:
     s.planned[vehicle] = 0
     s.counts[PUSHED] += 1
     ask_again(s, vehicle)
+
+
+@compiled
+def aside(s: State, buffer: int) -> int:
+    """Return the buffer after this one that has room and is kept free for idle vehicles, or else where fewest come by.
+
+    -1: none comes after it.
+    """
+    best, least = -1, -1
+    for i in range(s.lines.out_at[buffer], s.lines.out_at[buffer + 1]):
+        out = s.lines.outs[i]
+        passes = -1 if s.park[out] else s.passes[out]
+        if s.lines.load[out] < s.lines.capacity[out] and (best < 0 or passes < least):
+            best, least = out, passes
+    if best < 0 and s.lines.out_at[buffer] < s.lines.out_at[buffer + 1]:
+        best = s.lines.outs[s.lines.out_at[buffer]]
+    return int(best)

@@ -55,6 +55,8 @@ class State(NamedTuple):
     watch_first: Whole
     meter: Whole
     meter_room: Whole
+    park: Whole
+    """Whether a buffer is kept free for idle vehicles."""
     at: Whole
     goal: Whole
     pace: Real
@@ -110,7 +112,7 @@ def still(plan: Map, vehicles: int) -> State:
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
         passes=row(buffers), watch_first=row(buffers, -1),
-        meter=row(buffers, -1), meter_room=row(1),
+        meter=row(buffers, -1), meter_room=row(1), park=row(buffers),
         at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles),
         initial=np.zeros(vehicles),
         rest=np.zeros(vehicles), peak=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),

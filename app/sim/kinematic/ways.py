@@ -29,6 +29,8 @@ class Ways(NamedTuple):
     place: Whole
     order: Whole
     known: Whole
+    extra: Real
+    """Seconds that a buffer costs besides, unless one stands in it: it is kept free for idle vehicles."""
 
 
 def survey(net: Network) -> Ways:
@@ -55,6 +57,7 @@ def survey(net: Network) -> Ways:
         place=np.zeros(size, dtype=np.int64),
         order=np.zeros((size, size), dtype=np.int32),
         known=np.zeros(size, dtype=np.int64),
+        extra=np.zeros(size),
     )
 
 
@@ -186,7 +189,7 @@ def drives(ways: Ways, net: Network, hops: Whole, starts: Whole, goals: Whole, o
         for i in range(len(starts)):
             at = starts[i]
             here = net.buffer[at]
-            time = far[here] - ways.reach[at] + beyond
+            time = far[here] - ways.reach[at] + beyond - ways.extra[here]
             if here == there and goal < at:
                 time += around
             out[i, j] = time

@@ -71,6 +71,10 @@ class Calls(Synchronous):
         """Recover from an alarm: clear, servo on, home, auto, as far as each is safe."""
         return cast("m.Taken", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/recover", body=body))
 
+    def park_vehicle(self, vehicle: str) -> m.Vehicle:
+        """Send a vehicle to the nearest free parking place."""
+        return cast("m.Vehicle", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/park"))
+
     def hold_vehicle(self, vehicle: str, body: m.ReasonIn) -> m.Vehicle:
         """Send nothing more to a vehicle until it is released."""
         return cast("m.Vehicle", self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/hold", body=body))
@@ -114,6 +118,10 @@ class Calls(Synchronous):
     def patch_station(self, station: str, body: m.StationPatch) -> m.Station:
         """Write parts of a station's state."""
         return cast("m.Station", self._call("PATCH", f"/api/v1/stations/{path(station)}", body=body))
+
+    def stage_vehicle(self, station: str, body: m.StageIn) -> m.Vehicle:
+        """Send a vehicle to a station before its lot is ready. It stays idle there: it gives way, and takes jobs."""
+        return cast("m.Vehicle", self._call("POST", f"/api/v1/stations/{path(station)}/stage", body=body))
 
     def list_dests(self, station: str) -> m.Page[m.PulsesVersion]:
         """Show a station's DEST and its history."""
@@ -567,9 +575,65 @@ class Calls(Synchronous):
         """
         return cast("m.Page[m.RouteView]", self._call("GET", "/api/v1/layout/routes", params={"from": from_, "to": to, "k": k}))
 
-    def list_audit(self, *, after: int | None = None, limit: int | None = None) -> m.Page[m.Audit]:
-        """List what people and hosts asked for, refused or not."""
-        return cast("m.Page[m.Audit]", self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit}))
+    def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
+        """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
+        return cast("m.Page[m.Audit]", self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "order": order}))
+
+    def check_audit(self, *, after: int | None = None, limit: int | None = None) -> m.AuditCheck:
+        """Look whether each row of the audit follows from the one before it; go on with ``after`` = ``next``."""
+        return cast("m.AuditCheck", self._call("GET", "/api/v1/audit/check", params={"after": after, "limit": limit}))
+
+    def who_am_i(self) -> m.Caller:
+        """Show who calls, and what they may."""
+        return cast("m.Caller", self._call("GET", "/api/v1/session"))
+
+    def log_in(self, body: m.LogInIn) -> m.Session:
+        """Log in with name and password. The token goes into the header ``Authorization: Bearer TOKEN``."""
+        return cast("m.Session", self._call("POST", "/api/v1/session", body=body))
+
+    def log_out(self) -> None:
+        """Log out: the token, and those that it was renewed from, are good no longer."""
+        self._call("DELETE", "/api/v1/session")
+
+    def renew_session(self) -> m.Session:
+        """Give a new token for this one, which ends half a minute later."""
+        return cast("m.Session", self._call("POST", "/api/v1/session/renew"))
+
+    def change_password(self, body: m.NewPasswordIn) -> None:
+        """Have a new password."""
+        self._call("PUT", "/api/v1/session/password", body=body)
+
+    def list_users(self) -> m.Page[m.User]:
+        """List the people who may log in, and those who may not any more."""
+        return cast("m.Page[m.User]", self._call("GET", "/api/v1/users"))
+
+    def add_user(self, body: m.UserIn) -> m.User:
+        """Add a person. From the first one on, everybody has to log in."""
+        return cast("m.User", self._call("POST", "/api/v1/users", body=body))
+
+    def get_user(self, user: str) -> m.User:
+        """Show a person."""
+        return cast("m.User", self._call("GET", f"/api/v1/users/{path(user)}"))
+
+    def change_user(self, user: str, body: m.UserChange) -> m.User:
+        """Change roles, disable or enable, give a new password; the last two log the person out."""
+        return cast("m.User", self._call("PATCH", f"/api/v1/users/{path(user)}", body=body))
+
+    def list_keys(self) -> m.Page[m.Key]:
+        """List keys, those that have ended too. No key itself is ever shown again."""
+        return cast("m.Page[m.Key]", self._call("GET", "/api/v1/keys"))
+
+    def add_key(self, body: m.MachineKeyIn) -> m.NewKey:
+        """Make a key for a machine: 256 random bits, of which a digest is kept."""
+        return cast("m.NewKey", self._call("POST", "/api/v1/keys", body=body))
+
+    def get_key(self, key: str) -> m.Key:
+        """Show what is known of a key."""
+        return cast("m.Key", self._call("GET", f"/api/v1/keys/{path(key)}"))
+
+    def revoke_key(self, key: str) -> m.Key:
+        """End a key for ever; what it holds open is cut."""
+        return cast("m.Key", self._call("DELETE", f"/api/v1/keys/{path(key)}"))
 
     def list_problems(self) -> m.Page[m.ProblemKind]:
         """List the stable codes of problems."""
@@ -693,6 +757,10 @@ class AsyncCalls(Asynchronous):
         """Recover from an alarm: clear, servo on, home, auto, as far as each is safe."""
         return cast("m.Taken", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/recover", body=body))
 
+    async def park_vehicle(self, vehicle: str) -> m.Vehicle:
+        """Send a vehicle to the nearest free parking place."""
+        return cast("m.Vehicle", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/park"))
+
     async def hold_vehicle(self, vehicle: str, body: m.ReasonIn) -> m.Vehicle:
         """Send nothing more to a vehicle until it is released."""
         return cast("m.Vehicle", await self._call("POST", f"/api/v1/vehicles/{path(vehicle)}/hold", body=body))
@@ -736,6 +804,10 @@ class AsyncCalls(Asynchronous):
     async def patch_station(self, station: str, body: m.StationPatch) -> m.Station:
         """Write parts of a station's state."""
         return cast("m.Station", await self._call("PATCH", f"/api/v1/stations/{path(station)}", body=body))
+
+    async def stage_vehicle(self, station: str, body: m.StageIn) -> m.Vehicle:
+        """Send a vehicle to a station before its lot is ready. It stays idle there: it gives way, and takes jobs."""
+        return cast("m.Vehicle", await self._call("POST", f"/api/v1/stations/{path(station)}/stage", body=body))
 
     async def list_dests(self, station: str) -> m.Page[m.PulsesVersion]:
         """Show a station's DEST and its history."""
@@ -1189,9 +1261,65 @@ class AsyncCalls(Asynchronous):
         """
         return cast("m.Page[m.RouteView]", await self._call("GET", "/api/v1/layout/routes", params={"from": from_, "to": to, "k": k}))
 
-    async def list_audit(self, *, after: int | None = None, limit: int | None = None) -> m.Page[m.Audit]:
-        """List what people and hosts asked for, refused or not."""
-        return cast("m.Page[m.Audit]", await self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit}))
+    async def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
+        """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
+        return cast("m.Page[m.Audit]", await self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "order": order}))
+
+    async def check_audit(self, *, after: int | None = None, limit: int | None = None) -> m.AuditCheck:
+        """Look whether each row of the audit follows from the one before it; go on with ``after`` = ``next``."""
+        return cast("m.AuditCheck", await self._call("GET", "/api/v1/audit/check", params={"after": after, "limit": limit}))
+
+    async def who_am_i(self) -> m.Caller:
+        """Show who calls, and what they may."""
+        return cast("m.Caller", await self._call("GET", "/api/v1/session"))
+
+    async def log_in(self, body: m.LogInIn) -> m.Session:
+        """Log in with name and password. The token goes into the header ``Authorization: Bearer TOKEN``."""
+        return cast("m.Session", await self._call("POST", "/api/v1/session", body=body))
+
+    async def log_out(self) -> None:
+        """Log out: the token, and those that it was renewed from, are good no longer."""
+        await self._call("DELETE", "/api/v1/session")
+
+    async def renew_session(self) -> m.Session:
+        """Give a new token for this one, which ends half a minute later."""
+        return cast("m.Session", await self._call("POST", "/api/v1/session/renew"))
+
+    async def change_password(self, body: m.NewPasswordIn) -> None:
+        """Have a new password."""
+        await self._call("PUT", "/api/v1/session/password", body=body)
+
+    async def list_users(self) -> m.Page[m.User]:
+        """List the people who may log in, and those who may not any more."""
+        return cast("m.Page[m.User]", await self._call("GET", "/api/v1/users"))
+
+    async def add_user(self, body: m.UserIn) -> m.User:
+        """Add a person. From the first one on, everybody has to log in."""
+        return cast("m.User", await self._call("POST", "/api/v1/users", body=body))
+
+    async def get_user(self, user: str) -> m.User:
+        """Show a person."""
+        return cast("m.User", await self._call("GET", f"/api/v1/users/{path(user)}"))
+
+    async def change_user(self, user: str, body: m.UserChange) -> m.User:
+        """Change roles, disable or enable, give a new password; the last two log the person out."""
+        return cast("m.User", await self._call("PATCH", f"/api/v1/users/{path(user)}", body=body))
+
+    async def list_keys(self) -> m.Page[m.Key]:
+        """List keys, those that have ended too. No key itself is ever shown again."""
+        return cast("m.Page[m.Key]", await self._call("GET", "/api/v1/keys"))
+
+    async def add_key(self, body: m.MachineKeyIn) -> m.NewKey:
+        """Make a key for a machine: 256 random bits, of which a digest is kept."""
+        return cast("m.NewKey", await self._call("POST", "/api/v1/keys", body=body))
+
+    async def get_key(self, key: str) -> m.Key:
+        """Show what is known of a key."""
+        return cast("m.Key", await self._call("GET", f"/api/v1/keys/{path(key)}"))
+
+    async def revoke_key(self, key: str) -> m.Key:
+        """End a key for ever; what it holds open is cut."""
+        return cast("m.Key", await self._call("DELETE", f"/api/v1/keys/{path(key)}"))
 
     async def list_problems(self) -> m.Page[m.ProblemKind]:
         """List the stable codes of problems."""

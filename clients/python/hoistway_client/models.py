@@ -153,6 +153,17 @@ class Audit(TypedDict):
     accepted: bool
 
 
+class AuditCheck(TypedDict):
+    """`broken`: number of the first row that does not follow from the one before it; null: none."""
+
+    rows: int
+    last: int
+    hash: str
+    broken: int | None
+    reason: str
+    next: int | None
+
+
 class Axes(TypedDict):
     """Positions of the three taught axes in pulses; null where one is not known."""
 
@@ -207,6 +218,16 @@ class Bit(TypedDict):
     name: str
     value: int
     meaning: str
+
+
+class Caller(TypedDict):
+    """Who calls. `open`: nobody has to say who they are; then the name is null, and all is allowed."""
+
+    open: bool
+    name: str | None
+    person: bool
+    roles: list[str]
+    scopes: list[str]
 
 
 class Carrier(TypedDict):
@@ -584,6 +605,17 @@ class JogIn(TypedDict):
     direction: Literal['cw', 'ccw']
 
 
+class Key(TypedDict):
+    name: str
+    roles: list[str]
+    created: str
+    created_by: str
+    expires: str | None
+    revoked: str | None
+    used: str | None
+    state: Literal['active', 'expired', 'revoked']
+
+
 class KeyIn(TypedDict):
     """A key of the drive's panel. ``stop_reset`` stops whatever moves, and clears an error whose cause is gone."""
 
@@ -651,6 +683,21 @@ class Lockout(TypedDict):
     releases: list[str]
 
 
+class LogInIn(TypedDict):
+    """Name and password of a person."""
+
+    name: str
+    password: str
+
+
+class MachineKeyIn(TypedDict):
+    """A machine's key. Without ``days`` it is good until it is revoked."""
+
+    name: str
+    roles: list[Role]
+    days: NotRequired[float | None]
+
+
 class Moment(TypedDict):
     """The plant as it was."""
 
@@ -672,6 +719,19 @@ class NamedSightIn(TypedDict):
     present: bool
     carrier: NotRequired[str | None]
     station: str
+
+
+class NewKey(Key):
+    """The key itself is shown now and never again."""
+
+    key: str
+
+
+class NewPasswordIn(TypedDict):
+    """The old password, and the new one."""
+
+    old: str
+    new: str
 
 
 class NoteIn(TypedDict):
@@ -918,6 +978,9 @@ class RestoreIn(TypedDict):
     dry_run: NotRequired[bool]
 
 
+Role: TypeAlias = "Literal['viewer', 'operator', 'maintenance', 'mes', 'admin']"
+
+
 class RollBackIn(TypedDict):
     """The older version that shall hold again, and why."""
 
@@ -946,6 +1009,16 @@ class ServiceIn(TypedDict):
 
     in_service: bool
     reason: NotRequired[str]
+
+
+class Session(TypedDict):
+    """The token is shown once. It is good until `expires`, and can be renewed until `until`."""
+
+    token: str
+    expires: str
+    until: str
+    name: str
+    roles: list[str]
 
 
 class SessionIn(TypedDict):
@@ -977,6 +1050,12 @@ Span = TypedDict(
         'bytes': 'int',
     },
 )
+
+
+class StageIn(TypedDict):
+    """Which vehicle; none: the nearest that is free."""
+
+    vehicle: NotRequired[str | None]
 
 
 class StartIn(TypedDict):
@@ -1169,6 +1248,31 @@ class TransferCommand(TypedDict):
     command: Literal['pickup', 'place']
     station: str
     target: NotRequired[Target | None]
+
+
+class User(TypedDict):
+    name: str
+    roles: list[str]
+    created: str
+    created_by: str
+    disabled: bool
+    logged_in: str | None
+
+
+class UserChange(TypedDict):
+    """What to change; a field that is left out stays."""
+
+    roles: NotRequired[list[Role] | None]
+    disabled: NotRequired[bool | None]
+    password: NotRequired[str | None]
+
+
+class UserIn(TypedDict):
+    """A person who may log in."""
+
+    name: str
+    roles: list[Role]
+    password: str
 
 
 class Vehicle(TypedDict):

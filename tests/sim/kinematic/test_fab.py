@@ -8,6 +8,7 @@ import pytest
 
 from app.domain.layout import Plant as Layout
 from app.domain.units import Millimetres
+from app.planning.restraint import Restraint
 from app.planning.track import BOOK_VEHICLE, Track
 from app.plant.fab import SIZES, generate, populate
 from app.sim.kinematic.fab import Fab, Plant
@@ -31,7 +32,8 @@ def plan(layout: Layout) -> Map:
 def fab(layout: Layout, plan: Map, vehicles: int, how: Plant) -> Fab:
     starts = [vehicle.start for vehicle in populate(layout, vehicles, 1, 0.5).vehicles]
     ports = list(dict.fromkeys(station.barcode for station in layout.stations))
-    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], 1, how)
+    parking = [point.barcode for point in layout.points if point.park]
+    return Fab(plan, HOIST, ports, [start for start in starts if start is not None], 1, how, parking=parking)
 
 
 def test_every_barcode_has_one_holder_and_every_vehicle_holds_where_it_is_and_its_grant(
@@ -71,6 +73,45 @@ def test_transfers_end_where_they_were_ordered_to(layout: Layout, plan: Map) -> 
     assert all(d.created <= d.at for d in run.delivered)
     resting = (run.state.doing == STANDING) | (run.state.doing == DWELLING)
     assert (run.state.pace[resting] == 0).all()
+
+
+def test_who_is_kept_back_parks_where_ways_keep_off_and_the_rest_of_the_track_is_free(
+    layout: Layout, plan: Map, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def forty(_: Restraint, standing: int, driving: int, under_way: int, seconds: float) -> int:
+        return max(0, 40 - under_way)
+
+    monkeypatch.setattr(Restraint, "look", forty)
+    run = fab(layout, plan, 100, Plant(backlog=50))
+    s, lines = run.state, run.state.lines
+    kept = np.flatnonzero(s.park)
+    assert sum(lines.capacity[b] for b in kept) >= 1.3 * (100 - 0.01 * len(run.net.buffer))
+    assert not {int(run.net.buffer[p]) for p in run.ports.barcodes} & set(kept.tolist())
+    run.run(900)
+    parked = s.park[np.asarray(lines.slot)] == 1
+    idle = s.phase == 0
+    assert idle.sum() > 20
+    assert (parked & idle).sum() > 0.7 * idle.sum()
+    assert (parked & ~idle).sum() < 5
+
+
+def test_ways_lead_over_track_kept_free_only_where_no_other_does(layout: Layout, plan: Map) -> None:
+    run = fab(layout, plan, 100, Plant(backlog=50))
+    run._know(np.arange(len(run.net.first)))
+    kept, met, steps = run.state.park == 1, 0, 0
+    for start in range(0, len(kept), 5):
+        for goal in range(0, len(kept), 5):
+            here = start
+            while here != goal and not kept[goal] and not kept[start]:
+                here = int(run.state.hop[goal, here])
+                met, steps = met + int(kept[here]), steps + 1
+    assert met < steps / 200
+
+
+def test_a_fleet_that_is_not_kept_back_has_no_track_kept_free(layout: Layout, plan: Map) -> None:
+    run = fab(layout, plan, 100, Plant(restraint=False))
+    assert not run.state.park.any()
+    assert not run.ways.extra.any()
 
 
 def test_the_same_seed_gives_the_same_run(layout: Layout, plan: Map) -> None:
