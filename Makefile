@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 UV := $(BIN)/uv pip compile pyproject.toml --universal --no-strip-extras --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
 
-.PHONY: setup run test coverage check bench lock web
+.PHONY: setup run test campaign soak coverage check bench lock web
 .DELETE_ON_ERROR:
 
 setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
@@ -19,8 +19,14 @@ run: $(READY)  ## simulate the demo plant, control it, print where to look
 test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.py)
 	$(BIN)/pytest -n auto --dist loadgroup
 
+campaign: $(READY)  ## hundreds of runs in which everything goes wrong, and known mistakes that must be noticed
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11
+
+soak: $(READY)  ## the same for hours: 20,000 runs, and each known mistake on seeds that nobody chose
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000
+
 coverage: $(READY)  ## branch coverage of the pure layers; fails below 95 %
-	$(BIN)/pytest -n auto --ignore=tests/e2e --ignore=tests/web --ignore=tests/api --ignore=tests/runtime --ignore=tests/acceptance/test_campaign.py --cov=app.domain --cov=app.wire --cov=app.protocols --cov=app.planning --cov=app.plant --cov=app.fleet --cov=app.control --cov=app.store --cov-branch --cov-report=term:skip-covered --cov-fail-under=95
+	$(BIN)/pytest -n auto --ignore=tests/e2e --ignore=tests/web --ignore=tests/api --ignore=tests/runtime --ignore=tests/acceptance/test_campaign.py --ignore=tests/acceptance/test_mistakes.py --cov=app.domain --cov=app.wire --cov=app.protocols --cov=app.planning --cov=app.plant --cov=app.fleet --cov=app.control --cov=app.store --cov-branch --cov-report=term:skip-covered --cov-fail-under=95
 
 check: $(READY)  ## format, lint, types, import contracts; no tests
 	$(BIN)/ruff format --check . && $(BIN)/ruff check . && $(BIN)/mypy && $(BIN)/lint-imports

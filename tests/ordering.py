@@ -13,6 +13,7 @@ LONG = {
     "tests/e2e/test_room_scripts.py": 30,
     "tests/e2e/test_drive_scripts.py::test_a_maintenance_person": 45,
     "tests/e2e/test_tutorial.py::test_every_command": 60,
+    "tests/e2e/test_changed_plant.py": 25,
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
     "tests/web/test_shift.py::test_every_room": 15,
     "tests/runtime/test_serial_hall.py": 20,

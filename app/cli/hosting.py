@@ -16,7 +16,9 @@ from app.api.application import VERSION
 from app.api.connections import bounded
 from app.api.port import Controller as Shown
 from app.api.streams import Stream
+from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
+from app.domain.errors import PlantError
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
@@ -66,17 +68,43 @@ async def serve(
     restored: bool = False,
     notify: Notifier | None = None,
     seen: Callable[[Controller], None] = lambda controller: None,
+    changes: Changes | None = None,
 ) -> int:
     """Run the controller and its server until ``stop`` or until the plant is lost; return the exit code.
 
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
-    there is one to ``notify``, and it is fed as long as the controller lives.
+    there is one to ``notify``, and it is fed as long as the controller lives. When ``changes`` give another plant, the
+    controller stops and starts anew with it: new connections wait meanwhile.
     Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
     """
-    log = logger(plant=plant.name)
+    notify = notify or Notifier({})
+    traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
+    try:
+        while True:
+            controller = await _started(plant, settings, traces, changes, restored=restored)
+            plant, restored = controller.plant, False
+            try:
+                seen(controller)
+                following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes)
+            finally:
+                await controller.stop()
+            if controller.lost.done():
+                return 1
+            if following is None or stop.is_set():
+                return 0
+            # What came between the look and the stop counts too: then everything stays as it was.
+            plant = following if changes is None or await changes.fits(plant, following) else plant
+    finally:
+        if traces is not None:
+            await asyncio.to_thread(traces.close)
+
+
+async def _started(
+    plant: Plant, settings: Settings, traces: Traces | None, changes: Changes | None, *, restored: bool
+) -> Controller:
+    """Return a controller that runs: with the plant, or, if that cannot begin after a change, with the one before."""
     days, size = settings.playback_days, settings.playback_megabytes
     playback = Limits(days * 86_400.0, size * 1_000_000) if days else None
-    traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
     sender = _sender(settings)
     controller = Controller(
         plant,
@@ -90,34 +118,63 @@ async def serve(
         controller.figures.jobs.told = traces.take
     try:
         await controller.start()
-    except OSError as wrong:
+    except (OSError, PlantError) as wrong:
+        if changes is not None and changes.last is not None and changes.last is not plant:
+            logger(plant=plant.name).error("the plant cannot be changed", reason=str(wrong), goes_on="as before")
+            return await _started(changes.last, settings, traces, changes, restored=restored)
+        if isinstance(wrong, PlantError):
+            raise
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
-    try:
-        seen(controller)
-        server = _Server(_configured(controller, settings))
-        serving = asyncio.create_task(server.serve([listening]))
-        stopping = asyncio.create_task(stop.wait())
-        while not server.started and not serving.done():
-            await asyncio.sleep(0.01)
-        gc.collect()
-        gc.freeze()
-        gc.set_threshold(*COLLECTED)
-        url = url_of(settings.host, listening.getsockname()[1])
-        ready(url)
-        notify = notify or Notifier({})
-        notify.ready(f"controls {plant.name} at {url}")
-        notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
-        ends: set[asyncio.Future[Any]] = {serving, stopping, controller.lost}
-        await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+    if changes is not None:
+        changes.last = plant
+    return controller
+
+
+async def _serve(
+    controller: Controller,
+    settings: Settings,
+    listening: socket.socket,
+    stop: asyncio.Event,
+    ready: Callable[[str], None],
+    notify: Notifier,
+    changes: Changes | None,
+) -> Plant | None:
+    """Serve requests until something ends that; return the plant to go on with, None if there is none."""
+    log = logger(plant=controller.plant.name)
+    server = _Server(_configured(controller, settings))
+    serving = asyncio.create_task(server.serve([listening]))
+    stopping = asyncio.create_task(stop.wait())
+    changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.01)
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(*COLLECTED)
+    url = url_of(settings.host, listening.getsockname()[1])
+    ready(url)
+    notify.ready(f"controls {controller.plant.name} at {url}")
+    notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
+    ends: set[asyncio.Future[Any]] = {serving, stopping, changing, controller.lost}
+    await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+    if changing.done() and (defect := changing.exception()) is not None:
+        # A plant that runs does not end because its new file cannot be looked at.
+        log.critical("the plant file is not looked at any more", reason=repr(defect))
+        await asyncio.wait(ends - {changing}, return_when=asyncio.FIRST_COMPLETED)
+    over = stop.is_set() or controller.lost.done() or serving.done() or not changing.done() or changing.exception()
+    following = None if over else changing.result()
+    if following is None:
         notify.stopping()
-        server.should_exit = True
-        await serving
-        stopping.cancel()
-    finally:
-        await controller.stop()
-        if traces is not None:
-            await asyncio.to_thread(traces.close)
-    return 1 if controller.lost.done() else 0
+    server.should_exit = True
+    await serving
+    stopping.cancel()
+    changing.cancel()
+    return following
+
+
+async def _never() -> Plant:
+    """Wait for a plant where none can come."""
+    never: asyncio.Future[Plant] = asyncio.get_running_loop().create_future()
+    return await never
 
 
 async def serve_only(

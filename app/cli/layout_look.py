@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import CannotStart, text_of
+from app.domain.errors import StoreError
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
-    from app.plant.difference import Difference
+    from app.plant.difference import Broken, Difference
     from app.plant.findings import Finding
     from app.plant.survey import Survey
 
@@ -74,10 +75,13 @@ def _show(seen: Survey) -> None:
 def diff(
     old: Annotated[Path, typer.Argument(help="the plant file as it was")],
     new: Annotated[Path, typer.Argument(help="the plant file as it is to be")],
+    database: Annotated[
+        str, typer.Option(help="the running plant's database: name what it has under way that would break")
+    ] = "",
     json: Annotated[bool, typer.Option("--json", help="print the changes and what they break as JSON")] = False,
 ) -> None:
     """Say what differs between two plant files, and what that breaks in a plant that has run. Exit 1: something breaks."""
-    from app.plant.difference import difference
+    from app.plant.difference import Difference, difference
 
     plants = []
     for file in (old, new):
@@ -88,6 +92,8 @@ def diff(
             raise typer.Exit(2)
         plants.append(found)
     made = difference(*plants)
+    if database:
+        made = Difference(made.changes, _under_way(plants[0], plants[1], database))
     if json:
         changes = [asdict(change) for change in made.changes]
         print(jsons.dumps({"changes": changes, "breaks": [asdict(item) for item in made.broken]}, ensure_ascii=False))
@@ -95,6 +101,18 @@ def diff(
         _show_difference(made)
     if made.broken:
         raise typer.Exit(1)
+
+
+def _under_way(old: Plant, new: Plant, database: str) -> list[Broken]:
+    """Return what the database has under way that the new plant has no place for."""
+    from app.plant.touched import touched
+    from app.store.standing import standing
+
+    try:
+        return touched(old, new, standing(database))
+    except StoreError as wrong:
+        print(f"{wrong.message}. {wrong.remedy}".rstrip())
+        raise typer.Exit(2) from None
 
 
 def _show_difference(made: Difference) -> None:

@@ -47,3 +47,11 @@ def stop_signal() -> asyncio.Event:
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, stop.set)
     return stop
+
+
+def again_signal() -> asyncio.Event:
+    """Return an event that is set by SIGHUP, where the system has it: look at the plant file again."""
+    again = asyncio.Event()
+    if hasattr(signal, "SIGHUP"):
+        asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, again.set)
+    return again

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
-from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.running import again_signal, on_loop, plant_of, stop_signal
 
 if TYPE_CHECKING:
     from app.runtime.controller import Controller
@@ -25,7 +25,7 @@ def serve(
     *,
     restored: Annotated[bool, typer.Option(help="the database is a backup put back: hold every vehicle")] = False,
 ) -> None:
-    """Control a plant and serve REST, live stream and page, until Ctrl-C."""
+    """Control a plant and serve REST, live stream and page, until Ctrl-C. SIGHUP: read the plant file again, and change over."""
     from app.settings import load
 
     with plainly():
@@ -42,6 +42,7 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant = plant_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
+    from app.cli.changes import Changes
     from app.runtime.notify import Notifier
 
     listening = hosting.bound(settings.host, settings.port)
@@ -57,8 +58,9 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
 
     async def run() -> int:
         stop, manager = stop_signal(), Notifier(os.environ)
+        changes = Changes(file, settings.database, again_signal())
         return await hosting.serve(
-            plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager
+            plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager, changes=changes
         )
 
     return on_loop(run())

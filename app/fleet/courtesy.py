@@ -136,7 +136,14 @@ class Courtesy:
                 return
 
     def _part(self, asker: VehicleNow, other: VehicleNow) -> None:
-        """Send an idle AGV out of the way; where it is shut in by the one that asks, that one backs out first."""
+        """Send an idle AGV out of the way; where it is shut in by the one that asks, that one backs out first.
+
+        One that was stopped between two tags first drives on to the next, which is its own; it is asked again from there.
+        """
+        if other.toward is not None:
+            self._motion.send(other, Errand(other.toward, StopAction.STOP, Purpose.GIVE_WAY))
+            self._books.wake(other.id)
+            return
         if self._let_agv(asker, other, Purpose.GIVE_WAY) or asker.barcode is None or asker.ahead:
             return
         if asker.fit and asker.at_rest and not self._books.track.may_rest(asker.barcode):

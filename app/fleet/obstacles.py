@@ -26,7 +26,9 @@ def against_picking_up(books: Books, job: Job) -> str:
         return f"{job.source} holds {record.carrier}, not {job.carrier}"
     if record.present is None and job.carrier in books.carriers:
         place = books.carriers[job.carrier].place
-        if place is not None and place != job.source:
+        if place is None:
+            return f"nobody knows where {job.carrier} is: PUT /api/v1/carriers/{job.carrier} with its place"
+        if place != job.source:
             return f"{job.carrier} is at {place}, not at {job.source}"
     return ""
 

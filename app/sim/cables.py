@@ -28,6 +28,10 @@ class Cable:
         wire: Callable[[str, bytes], None],
     ) -> None:
         self.up = False
+        self.heard: Callable[[bytes | None, float], None] = lambda data, now: None
+        """Told what arrives at the controller's end, and None as it loses the connection."""
+        self.mute = False
+        """While True nothing arrives on either side, though the line stays up: half-open."""
         self._agenda = agenda
         self._rng = rng
         self._latency = latency
@@ -53,6 +57,10 @@ class Cable:
         self._controller_timer.rearm()
         self._agenda.after(self._delay(), lambda: self._dial(controller))
 
+    def disturb(self, disturbed: Callable[[Endpoint], Endpoint]) -> None:
+        """Put something between the device and its end of the line: ``disturbed`` gives what is there instead."""
+        self._device = self._device_timer._of = disturbed(self._device)
+
     def unplug(self) -> None:
         """The controller is gone: its end says nothing more, the device hears of the cut."""
         self._controller = None
@@ -66,6 +74,7 @@ class Cable:
             return
         self.up = False
         self._connection += 1
+        self.heard(None, self._agenda.now)
         self._device.disconnected(self._agenda.now, reason)
         if self._controller is not None:
             self._controller.disconnected(self._agenda.now, reason)
@@ -120,8 +129,10 @@ class Cable:
         self._agenda.at(arrival, lambda: self._arrive(connection, other, data))
 
     def _arrive(self, connection: int, end: Endpoint, data: bytes) -> None:
-        if connection != self._connection or not self.up:
+        if connection != self._connection or not self.up or self.mute:
             return
+        if end is self._controller:
+            self.heard(data, self._agenda.now)
         end.received(data, self._agenda.now)
         if end is self._controller:
             self.flush_controller()

@@ -9,7 +9,7 @@ from app.domain.layout import Plant, VehicleSpec
 from app.domain.records import HistoryEvent, Intent, Record
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.framing import Decoder
-from app.protocols.itsc.messages import Action, Code, Enq, Etb, Move, Toward, Xmove
+from app.protocols.itsc.messages import Action, Code, Enq, Etb, Mode, Move, Resp2, Toward, Xmove
 from app.sim.rails import Place, Rails
 from app.sim.truth import Act, Deed, Truth
 
@@ -19,6 +19,14 @@ _MOTION = frozenset({
     Code.PICKUP_FROM_PORT, Code.PLACE_TO_PORT, Code.PICKUP_FROM_SBFL, Code.PLACE_TO_SBFL, Code.PICKUP_FROM_SBFR,
     Code.PLACE_TO_SBFR, Code.SEARCH_HOME, Code.GO_HOME,
 })  # fmt: skip
+_AUTO_ONLY = frozenset({
+    Code.MOVE, Code.XMOVE, Code.PICKUP_FROM_PORT, Code.PLACE_TO_PORT, Code.PICKUP_FROM_SBFL, Code.PLACE_TO_SBFL,
+    Code.PICKUP_FROM_SBFR, Code.PLACE_TO_SBFR,
+})  # fmt: skip
+IDLE = 0.2
+"""Seconds of silence after which bytes that are no whole packet are given up (PROTOCOLS 6.1)."""
+OLDEST_STATUS = 3.0
+"""Seconds after which a STATUS decides nothing any more (PROTOCOLS 6.1: one poll and its time to answer)."""
 _STEPS = {(before, after) for (before, _), after in JOB_STEPS.items()}
 
 
@@ -92,7 +100,14 @@ class LineWatch:
         self._spec = spec
         self._working = working
         self._sent: set[int] = set()
+        self._codec = codec
         self._decoder = Decoder(codec, Toward.VEHICLE)
+        self._ear = Decoder(codec, Toward.CONTROLLER)
+        self._last_heard = 0.0
+        self._told: set[int] = set()
+        """CMD_IDs under which a STATUS came: what comes again is an echo."""
+        self._status: tuple[Mode, float] | None = None
+        """The mode of the newest STATUS that arrived on this connection, and when."""
         self._books = books
         self._oracle = oracle
 
@@ -101,6 +116,36 @@ class LineWatch:
         for frame in self._decoder.feed(data):
             if isinstance(frame, Enq | Etb):
                 self._judge(frame, now)
+
+    def heard(self, data: bytes | None, now: float) -> None:
+        """Take what arrives at the controller's end, None as the connection is lost: what it may know, no more."""
+        if data is None:
+            self._status, self._ear = None, Decoder(self._codec, Toward.CONTROLLER)
+            self._told.clear()
+            return
+        given_up = self._ear.flush() if self._ear.pending and now - self._last_heard >= IDLE else []
+        self._last_heard = now
+        for frame in (*given_up, *self._ear.feed(data)):
+            if isinstance(frame, Enq) and isinstance(frame.body, Resp2) and frame.cmd_id not in self._told:
+                self._told.add(frame.cmd_id)
+                self._status = (frame.body.status2.mode, now)
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode that the controller has heard of on this connection; None: it has heard nothing."""
+        return None if self._status is None else self._status[0]
+
+    def _judge_status(self, frame: Enq | Etb, now: float) -> None:
+        """QUALITY 2, items 7 and 10: in AUTO only, and by a STATUS that is not too old."""
+        code = f"{frame.code:04X}"
+        if self._status is None:
+            self._oracle.note(f"{self._spec.id} was sent {code} before any STATUS of this connection", now)
+            return
+        mode, at = self._status
+        if mode != Mode.AUTO:
+            self._oracle.note(f"{self._spec.id} was sent {code} in {mode.name}", now)
+        if now - at > OLDEST_STATUS:
+            self._oracle.note(f"{self._spec.id} was sent {code} on a STATUS {now - at:.1f} s old", now)
 
     def _judge(self, frame: Enq | Etb, now: float) -> None:
         if isinstance(frame.body, Move | Xmove):
@@ -113,6 +158,8 @@ class LineWatch:
             return
         if frame.cmd_id not in self._books.intents:
             self._oracle.note(f"{self._spec.id} was sent {frame.code:04X} without a durable intent", now)
+        if frame.cmd_id not in self._sent and frame.code in _AUTO_ONLY:
+            self._judge_status(frame, now)
         busy = self._working()
         if busy is not None and frame.code != Code.XMOVE and frame.cmd_id not in self._sent:
             self._oracle.note(f"{self._spec.id} was sent {frame.code:04X} while it was at {busy:04X}", now)
@@ -128,6 +175,7 @@ class Books:
         """The commands whose outcome is not known, by vehicle."""
         self.jobs: dict[str, JobState] = {}
         self._oracle = oracle
+        self._orders: dict[str, int] = {}
         self._last_event = 0
 
     def committed(self, records: Iterable[Record], now: float) -> None:
@@ -161,6 +209,8 @@ class Books:
 
     def _job(self, job: Job, now: float) -> None:
         before = self.jobs.get(job.id)
+        if self._orders.setdefault(job.id, job.order) != job.order:
+            self._oracle.note(f"there are two jobs {job.id}", now)
         self.jobs[job.id] = job.state
         if before is None:
             before = JobState.QUEUED

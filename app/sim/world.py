@@ -84,6 +84,8 @@ class World:
         """Told each update of the read model as it is published."""
         self.acted: Callable[[Act], None] = lambda act: None
         """Told each physical act at a station as it happens."""
+        self.passed: Callable[[str, str, bytes], None] = lambda line, way, data: None
+        """Told what is put on each line: its name, ``>`` to the device or ``<``, bytes."""
         self._delays = delays or Delays()
         self._seed = seed
         self._rng = self._random("world")
@@ -162,6 +164,10 @@ class World:
         """Cut one line; it is dialled again."""
         self._cables[line].cut("cut")
 
+    def cable(self, line: str) -> Cable:
+        """Return a line's cable. Raises KeyError: the plant has no such line."""
+        return self._cables[line]
+
     def work(self, *, until: float, per_hour: float | None = None, keep_open: int | None = None) -> None:
         """Order random jobs until that time, once a second."""
         host = Host(
@@ -216,6 +222,7 @@ class World:
 
         def wire(direction: str, data: bytes) -> None:
             self._trace.update(struct.pack("<d", self.now) + name + direction.encode() + data)
+            self.passed(line, direction, data)
             if direction == ">" and hoist in self._watches:
                 self._watches[hoist].sent(data, self.now)
             if watch is not None:
@@ -223,7 +230,10 @@ class World:
 
         dice = self._random(f"cable {line}")
         end = self._floor.lines[line]
-        return Cable(self.agenda, dice, self._delays.link, end, lambda: self._floor.refuses(line), wire)
+        cable = Cable(self.agenda, dice, self._delays.link, end, lambda: self._floor.refuses(line), wire)
+        if hoist in self._watches:
+            cable.heard = self._watches[hoist].heard
+        return cable
 
     def _watch(self, vehicle: VehicleId) -> LineWatch:
         device = self._floor.devices[vehicle]

@@ -6,7 +6,12 @@ from pathlib import Path
 from typer.testing import CliRunner, Result
 
 from app.cli import app
+from app.domain.ids import Actor, StationId
+from app.domain.layout import PulseSet
+from app.domain.records import StationDest
+from app.domain.units import Pulses, Timestamp
 from app.plant import read
+from app.store.ledger import SqlLedger
 from tests.plant.exchange.layouts import OPENTCS, RING
 
 
@@ -132,3 +137,19 @@ def test_two_plants_are_compared(tmp_path: Path) -> None:
     assert run("diff", SMALL, SMALL).stdout == "no difference\n"
     bad = written(tmp_path, "bad.yaml", "barcodes: {}\n")
     assert run("diff", SMALL, bad).exit_code == 2
+
+
+def test_what_is_under_way_in_a_database_is_named(tmp_path: Path) -> None:
+    new = written(tmp_path, "new.yaml", SMALL.read_text(encoding="utf-8").replace("at: 106", "at: 107"))
+    missing = run("diff", SMALL, new, "--database", f"sqlite:///{tmp_path / 'none.db'}")
+    assert missing.exit_code == 2
+    assert "it holds no plant" in missing.stdout
+    database = f"sqlite:///{tmp_path / 'plant.db'}"
+    ledger = SqlLedger(database, "small", "test", lambda: Timestamp(0.0))
+    ledger.load()
+    pulses = PulseSet(Pulses(1), Pulses(2), Pulses(3))
+    ledger.commit([StationDest(StationId("P2"), 1, pulses, Actor("kim"), "rest", Timestamp(0.0))])
+    ledger.close()
+    result = run("diff", SMALL, new, "--database", database)
+    assert result.exit_code == 1
+    assert "breaks: station P2: its DEST was taught at 106" in result.stdout

@@ -10,7 +10,20 @@ from app.domain.records import HistoryEvent, Intent, IntentState, Record
 from app.domain.units import Barcode, Timestamp
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.dialects import DEFAULT
-from app.protocols.itsc.messages import NOTHING, Action, Code, Element, Enq, Etb, Move, Sbuf
+from app.protocols.itsc.messages import (
+    NOTHING,
+    Action,
+    Code,
+    Element,
+    Enq,
+    Etb,
+    Mode,
+    Move,
+    Resp2,
+    Sbuf,
+    Status1,
+    Status2,
+)
 from app.sim.oracle import Books, LineWatch, Oracle
 from app.sim.truth import Truth
 from tests.sim.plants import line
@@ -39,6 +52,7 @@ class Court:
         self.oracle = Oracle(plant, self.truth)
         self.books = Books(self.oracle)
         self.watch = LineWatch(plant.vehicles[0], CODEC, self.books, self.oracle)
+        self.said(Mode.AUTO, 0.5)
 
     @property
     def verdict(self) -> list[str]:
@@ -46,6 +60,11 @@ class Court:
 
     def kept(self, *records: Record) -> None:
         self.books.committed(records, 1.0)
+
+    def said(self, mode: Mode, at: float, cmd_id: int = 1) -> None:
+        """A STATUS arrives at the controller."""
+        body = Resp2(Status1(), Status2(mode=mode), 1001, 0)
+        self.watch.heard(CODEC.encode(Enq(1, cmd_id, int(Code.STATUS), body), strict=False), at)
 
     def sent(self, code: Code, body: Move | Sbuf | None, cmd_id: int = 5) -> None:
         kind = Etb if isinstance(body, Move) else Enq
@@ -144,6 +163,38 @@ def test_a_vehicle_whose_tail_is_in_a_door_that_is_not_open_is_a_violation() -> 
     assert court.verdict == ["at 1.000 s: V1 is in DOOR1, which is not open"]
 
 
+@pytest.mark.parametrize("mode", [Mode.MANT, Mode.SEMI])
+def test_a_motion_out_of_auto_is_a_violation_and_an_echo_of_an_older_status_is_none(mode: Mode) -> None:
+    court = Court()
+    court.kept(intent(5), intent(6))
+    court.said(mode, 0.6, 2)
+    court.sent(Code.MOVE, path((0, Action.STOP)))
+    assert court.verdict == [f"at 1.000 s: V1 was sent 1044 in {mode.name}"]
+    court.said(Mode.AUTO, 0.7, 3)
+    court.said(mode, 0.8, 2)
+    court.sent(Code.MOVE, path((0, Action.STOP)), 6)
+    assert len(court.verdict) == 1
+
+
+def test_a_motion_on_an_old_status_or_on_none_of_this_connection_is_a_violation() -> None:
+    court = Court()
+    court.kept(intent(5), intent(6))
+    court.said(Mode.AUTO, -2.5, 2)
+    court.sent(Code.MOVE, path((0, Action.STOP)))
+    court.watch.heard(None, 0.9)
+    court.sent(Code.MOVE, path((0, Action.STOP)), 6)
+    assert court.verdict == [
+        "at 1.000 s: V1 was sent 1044 on a STATUS 3.5 s old",
+        "at 1.000 s: V1 was sent 1044 before any STATUS of this connection",
+    ]
+
+
+def test_two_jobs_of_one_name_are_a_violation() -> None:
+    court = Court()
+    court.kept(JOB, replace(JOB, order=2))
+    assert court.verdict == ["at 1.000 s: there are two jobs J"]
+
+
 def test_a_move_without_a_durable_intent_is_a_violation() -> None:
     court = Court()
     court.sent(Code.MOVE, path((0, Action.STOP)))
@@ -189,6 +240,8 @@ def test_a_motion_command_while_the_vehicle_carries_one_out_is_a_violation() -> 
     court = Court()
     court.kept(intent(5), intent(6))
     busy = LineWatch(line().vehicles[0], CODEC, court.books, court.oracle, lambda: Code.PICKUP_FROM_PORT)
+    court.watch = busy
+    court.said(Mode.AUTO, 0.5)
     for cmd_id in (5, 5):
         busy.sent(CODEC.encode(Etb(1, cmd_id, int(Code.MOVE), path((0, Action.STOP))), strict=False), 1.0)
     busy.sent(CODEC.encode(Enq(1, 9, int(Code.STATUS), NOTHING)), 1.0)
