@@ -472,6 +472,8 @@ class Scripted:
                 return self._walk(request)
             case r.StageVehicle():
                 return r.Accepted(Topic.VEHICLES, request.vehicle or "V001")
+            case AcknowledgeAlarm() if request.alarm not in self.reader.wrong:
+                return Refusal("not-found", f"There is no alarm {request.alarm}.")
             case AcknowledgeAlarm():
                 row = replace(self.reader.wrong[request.alarm], acknowledged=NOW, acknowledged_by=request.actor)
                 self.reader.wrong[request.alarm] = row

@@ -46,6 +46,7 @@ async def test_without_topics_a_watcher_gets_all_but_commands(app: FastAPI) -> N
         await socket.accepted()
         snapshot = await socket.frame()
         assert sorted(snapshot["objects"]) == [
+            "alarms",
             "carriers",
             "closures",
             "controller",
@@ -55,6 +56,7 @@ async def test_without_topics_a_watcher_gets_all_but_commands(app: FastAPI) -> N
             "stations",
             "teaching",
             "vehicles",
+            "walks",
         ]
         assert snapshot["objects"]["vehicles"]["V001"]["bits"][0] == {"name": "MODE", "value": 3, "meaning": "AUTO"}
 

@@ -112,7 +112,11 @@ def test_a_walk_is_begun_entered_and_accepted_over_a_kill(room: Room) -> None:
 
 
 def test_an_incident_is_exported_and_opened_elsewhere(room: Room, tmp_path: Path) -> None:
-    wait_until(lambda: room.get("/history/span")["from"] is not None, "the recording")
+    def recorded() -> bool:
+        span = room.get("/history/span")
+        return span["from"] is not None and span["to"] > span["from"]
+
+    wait_until(recorded, "the recording")
     span = room.get("/history/span")
     file = tmp_path / "incident.hoistway.gz"
     room.run("incident-export.sh", span["from"], span["to"], str(file))
