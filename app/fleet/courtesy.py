@@ -146,7 +146,9 @@ class Courtesy:
             return
         if self._let_agv(asker, other, Purpose.GIVE_WAY) or asker.barcode is None or asker.ahead:
             return
-        if asker.fit and asker.at_rest and not self._books.track.may_rest(asker.barcode):
+        may_rest = self._books.track.may_rest
+        # After a restart it may hold the mouth of a corridor ahead of it too, for want of knowing which way it stands.
+        if asker.fit and asker.at_rest and not all(may_rest(b) for b in self._books.traffic.held(asker.id)):
             self._let_agv(other, asker, Purpose.BACK_OUT)
 
     def _wanted(self, asker: VehicleNow) -> set[Barcode]:

@@ -93,3 +93,10 @@ def test_a_campaign_that_tried_too_little_says_what_never_happened() -> None:
     assert "slow disk" in tally.missing(reached(plant))
     tally.counts.update(reached(plant))
     assert tally.missing(reached(plant)) == []
+
+
+@pytest.mark.parametrize(("name", "seed"), [("hall", 43)])
+def test_a_seed_that_failed_once_is_sound(name: str, seed: int) -> None:
+    """hall 43: an AGV that was killed for at a corridor's mouth kept the one inside from coming out."""
+    plant = plant_of(name)
+    assert play(plant, draw(plant, seed)).wrong == ()

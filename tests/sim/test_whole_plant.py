@@ -17,7 +17,7 @@ from app.sim.truth import Act
 from app.sim.world import Result, World
 
 PLANTS = Path(__file__).parents[2] / "plants"
-HALF_AN_HOUR, ONE_HOUR, TWO_HOURS = 1800.0, 3600.0, 7200.0
+HALF_AN_HOUR, ONE_HOUR = 1800.0, 3600.0
 AGAIN = """
 import json, sys
 from dataclasses import asdict
@@ -56,22 +56,20 @@ def plain(result: Result) -> dict[str, Any]:
     return found
 
 
-def test_two_hours_under_load_end_every_job_break_no_rule_and_begin_the_same_in_every_process() -> None:
-    elsewhere = begun_elsewhere("demo", HALF_AN_HOUR, TWO_HOURS, "4711")
+def test_half_an_hour_under_load_ends_every_job_breaks_no_rule_and_is_the_same_in_every_process() -> None:
+    """Two hours of it: ``make campaign``."""
+    elsewhere = begun_elsewhere("demo", HALF_AN_HOUR, HALF_AN_HOUR, "4711")
     world = World(plant_of("demo"), 1)
-    world.work(until=TWO_HOURS, keep_open=8)
+    world.work(until=HALF_AN_HOUR, keep_open=8)
     world.run(HALF_AN_HOUR)
-    early = world.result()
-    world.run(TWO_HOURS)
     assert world.finish(1800.0)
     here = world.result()
     there, _ = elsewhere.communicate()
     assert here.violations == ()
     assert here.open == ()
     assert here.completed == here.ended == here.takes == here.puts
-    assert here.completed > 500
-    assert early.completed > 100, "what is compared would be too little"
-    assert json.loads(there) == plain(early)
+    assert here.completed > 100
+    assert json.loads(there) == plain(here)
 
 
 def test_an_hour_in_the_agv_hall_ends_every_job_through_its_door_and_is_the_same_in_every_process() -> None:
