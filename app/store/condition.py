@@ -73,6 +73,7 @@ def _locked(path: Path) -> str | None:
         descriptor = os.open(f"{path}.lock", os.O_RDONLY | os.O_CLOEXEC)
     except FileNotFoundError:
         return None
+    who = ""
     try:
         who = os.pread(descriptor, 1000, 0).decode(errors="replace").strip()
         if who:

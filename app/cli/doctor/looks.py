@@ -27,7 +27,7 @@ def everything(config: Path | None, *, reach: bool, **given: object) -> list[Fou
 
     found = list(machine.looks())
     try:
-        settings = load(config, **given)
+        settings = load(config, None, **given)
     except SettingsError as error:
         return [*found, wrong("settings", error.message, error.remedy or "docs/operations.md")]
     found.append(well("settings", f"server at {settings.host}:{settings.port}, database {_shown(settings.database)}"))
