@@ -127,7 +127,7 @@ function AgvFacts({ agv }: { agv: Agv }) {
         <Fact name={t("in_position")}>{flag(agv.in_position)}</Fact>
         <Fact name={t("charges_now")}>{flag(agv.charging)}</Fact>
         <Fact name={t("last_tag")}>{agv.tag}</Fact>
-        {agv.beyond && <Fact name={t("beyond")}>{agv.beyond}</Fact>}
+        {agv.toward && <Fact name={t("beyond")}>{agv.toward}</Fact>}
         <Fact name={t("path")}>{agv.path}</Fact>
       </dl>
     </section>
