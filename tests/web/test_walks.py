@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
 from playwright.sync_api import expect
 
-from app.domain.ids import CarrierId, StationId
+from app.domain.ids import Actor, CarrierId, StationId
 from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, Sight, StartWalk
 from tests.web.staffed import Staffed, staffed
 from tools.chromium import installed
@@ -24,7 +25,11 @@ def plant(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
         yield plant
 
 
-def asked(plant: Staffed, kind: type) -> list[object]:
+T = TypeVar("T")
+LEE = Actor("lee")
+
+
+def asked(plant: Staffed, kind: type[T]) -> list[T]:
     return [request for request in plant.server.controller.seen if isinstance(request, kind)]
 
 
@@ -54,12 +59,12 @@ def test_a_walk_is_begun_entered_at_a_place_and_from_a_file_and_taken_for_true(p
         walk.get_by_role("button", name="Take it for true").click()
         walk.get_by_role("button", name="Sure?").click()
         expect(walk).to_contain_text("accepted")
-    assert asked(plant, StartWalk) == [StartWalk("lee", "after the outage", ())]
+    assert asked(plant, StartWalk) == [StartWalk(LEE, "after the outage", ())]
     assert [request.sights for request in asked(plant, EnterSights)] == [
         (Sight(StationId("L3"), present=False),),
         (Sight(StationId("L3"), present=True, carrier=CarrierId("F7")),),
     ]
-    assert asked(plant, AcceptWalk) == [AcceptWalk("lee", 1)]
+    assert asked(plant, AcceptWalk) == [AcceptWalk(LEE, 1)]
 
 
 def test_a_walk_is_given_up_with_a_reason_by_those_who_may(plant: Staffed) -> None:
@@ -77,5 +82,5 @@ def test_a_walk_is_given_up_with_a_reason_by_those_who_may(plant: Staffed) -> No
         walk.get_by_role("button", name="Abandon").click()
         walk.get_by_role("button", name="Sure?").click()
         expect(walk).to_contain_text("abandoned")
-    assert asked(plant, StartWalk)[-1] == StartWalk("lee", "spot check", (StationId("L3"), StationId("P1")))
-    assert asked(plant, AbandonWalk) == [AbandonWalk("lee", 1, "nobody had time")]
+    assert asked(plant, StartWalk)[-1] == StartWalk(LEE, "spot check", (StationId("L3"), StationId("P1")))
+    assert asked(plant, AbandonWalk) == [AbandonWalk(LEE, 1, "nobody had time")]
