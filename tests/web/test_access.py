@@ -15,6 +15,7 @@ from app.runtime.reception import LOG_IN_LIFE
 from app.store.chain import Checked
 from tests.api.receptions import PASSWORD, ROOT
 from tests.api.scripted import NOW
+from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.staffed import Staffed, log_in, staffed
 from tools.chromium import browser, installed
@@ -248,3 +249,21 @@ def test_the_audit_is_searched_gone_through_page_by_page_checked_and_saved(plant
         expect(page.locator("[data-chain=broken]")).to_contain_text("Broken at #13")
     reader.broken = None
     reader.asked[:] = before
+
+
+@pytest.mark.parametrize(("theme", "language"), [("dark", "ko"), ("light", "en")])
+def test_the_rooms_of_an_administrator_and_what_a_viewer_may_not_press_are_accessible(
+    plant: Staffed, theme: str, language: str
+) -> None:
+    found: dict[str, list[str]] = {}
+    for name, places in {"kim": ["access", "audit", "walks", "webhooks"], "vic": ["map?drive=D1", "access"]}.items():
+        with plant.visitor(theme=theme, language=language) as page:
+            found[f"{name} logs in"] = faults(page)
+            log_in(page, name)
+            expect(page.locator(".link.live")).to_be_visible()
+            page.locator("header .account > button").click()
+            for place in places:
+                page.evaluate("(place) => { location.hash = `#/${place}`; }", place)
+                page.evaluate("document.querySelectorAll('details').forEach((box) => { box.open = true; })")
+                found[f"{name} {place}"] = faults(page)
+    assert {place: wrong for place, wrong in found.items() if wrong} == {}

@@ -25,6 +25,7 @@ import { VehiclePanel } from "./VehiclePanel";
 import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
 import { Walks } from "./Walks";
+import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
@@ -105,6 +106,8 @@ function Room() {
       return <Walks />;
     case "access":
       return <Staff />;
+    case "webhooks":
+      return <Webhooks />;
     case "audit":
       return <Audit />;
     case "teaching":

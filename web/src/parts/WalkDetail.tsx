@@ -1,5 +1,6 @@
 /** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */
 import { useSignal } from "@preact/signals";
+import { refusal } from "../access";
 import { call, post } from "../api";
 import { csvOf, rowsOf, save } from "../csv";
 import { changes } from "../store";
@@ -132,7 +133,7 @@ function Files({ walk, places, asking }: { walk: Walk; places: WalkPlace[]; aski
       <button type="button" onClick={write}>
         {t("save_csv")}
       </button>
-      {walk.state === "open" && (
+      {walk.state === "open" && refusal("POST /walks/{walk}/places") === "" && (
         <label class="file">
           <span>{t("read_csv")}</span>
           <input
