@@ -1048,6 +1048,7 @@ Span = TypedDict(
         'from': 'str | None',
         'to': 'str | None',
         'bytes': 'int',
+        'incident': 'dict[str, Any] | None',
     },
 )
 
