@@ -13,8 +13,8 @@ $(READY): requirements/dev.txt pyproject.toml
 	@test -n "$(PYTHON)" || { echo "Hoistway needs Python 3.11 or newer: install it, or say make setup PYTHON=/path/to/python3"; exit 1; }
 	$(PYTHON) -m venv .venv && $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements/dev.txt && $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable . && touch $(READY)
 
-run: $(READY)  ## simulate the demo plant, control it, print where to look
-	@$(BIN)/hoistway demo
+run: $(READY)  ## simulate the demo plant, control it, print where to look; elsewhere: make run PORT=18080
+	@$(BIN)/hoistway demo $(if $(PORT),--port $(PORT))
 
 test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.py)
 	$(BIN)/pytest -n auto --dist loadgroup

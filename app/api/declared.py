@@ -249,6 +249,11 @@ OTHERS: Json = {
             {"open": _FLAG, "name": _nullable(_TEXT), "person": _FLAG, "roles": _list(_TEXT), "scopes": _list(_TEXT)}
         ),
     },
+    "Call": {
+        "description": "Method and path under /api/v1, which roles may, and whether the caller may (all, where nobody has to "
+        "say who they are).",
+        **_object({"call": _TEXT, "roles": _list(_TEXT), "allowed": _FLAG}),
+    },
     "User": _object(
         {
             "name": _TEXT,

@@ -264,6 +264,9 @@ class MemoryReader:
         actor: str | None = None,
         action: str | None = None,
         target: str | None = None,
+        accepted: bool | None = None,
+        begin: float | None = None,
+        end: float | None = None,
         before: int | None = None,
         limit: int = 100,
     ) -> Sequence[tuple[int, AuditRow]]:
@@ -271,6 +274,7 @@ class MemoryReader:
             (seq, row)
             for seq, row in enumerate(self.asked, 1)
             if actor in (None, row.actor) and action in (None, row.action) and target in (None, row.target)
+            if accepted in (None, row.accepted) and (begin or 0) <= row.at and (end is None or row.at < end)
         ]
         return [one for one in reversed(found) if before is None or one[0] < before][:limit]
 

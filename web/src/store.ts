@@ -1,5 +1,6 @@
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 import { batch, computed, signal } from "@preact/signals";
+import * as access from "./access";
 import { wrongs } from "./alarms";
 import * as api from "./api";
 import { joins } from "./ends";
@@ -22,7 +23,6 @@ export const layout = signal<Layout | null>(null);
 export const track = computed(() => (layout.value ? new Track(layout.value) : null));
 export const link = signal<LinkState>("connecting");
 export const heardAt = signal(0);
-export const keyWanted = signal(false);
 export const selected = signal<Selection>(null);
 export const notice = signal("");
 /** Rises once a second, for whatever shows an age. */
@@ -290,20 +290,19 @@ let watcher: Watcher | null = null;
 async function address(after: number | null): Promise<string | null> {
   const query = new URLSearchParams({ topics: TOPICS });
   if (after !== null) query.set("after", String(after));
-  if (api.hasKey()) {
-    try {
-      query.set("ticket", (await api.post<{ ticket: string }>("/live/ticket")).ticket);
-    } catch (error) {
-      if (error instanceof api.Refused && error.status === 401) return null;
-      throw error;
-    }
+  // Asked for where nobody has to log in, too: that may have changed, and a socket cannot say why it was refused.
+  try {
+    query.set("ticket", (await api.post<{ ticket: string }>("/live/ticket")).ticket);
+  } catch (error) {
+    if (error instanceof api.Refused && error.status === 401) return null;
+    throw error;
   }
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   return `${scheme}://${location.host}/api/v1/live?${query}`;
 }
 
-/** Read the layout, then watch; waits for a key if the server wants one, and for the server if it is not there. */
-export async function start(): Promise<void> {
+/** Read the layout, then watch; waits for a log-in if the server wants one, and for the server if it is not there. */
+async function start(): Promise<void> {
   try {
     layout.value = await api.get<Layout>("/layout");
   } catch (error) {
@@ -316,7 +315,7 @@ export async function start(): Promise<void> {
 }
 
 export function begin(): void {
-  api.onKeyWanted(() => (keyWanted.value = true));
+  access.begin(() => void (watcher ? watcher.open() : start()));
   window.setInterval(() => tick.value++, 1000);
   void start();
 }

@@ -1,7 +1,9 @@
 import { room } from "../route";
-import { controller, keyWanted, selected } from "../store";
+import { asked } from "../access";
+import { controller, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
+import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
 import { DevicePanel } from "./DevicePanel";
@@ -10,7 +12,7 @@ import { Header, Rooms } from "./Header";
 import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
-import { KeyPrompt } from "./KeyPrompt";
+import { LogIn } from "./LogIn";
 import { StationPanel } from "./StationPanel";
 import { Stations } from "./Stations";
 import { Statistics } from "./Statistics";
@@ -39,7 +41,8 @@ export function App() {
           <Jobs />
         </aside>
       </main>
-      {keyWanted.value && <KeyPrompt />}
+      {asked.value && <LogIn />}
+      <Barred />
     </div>
   );
 }

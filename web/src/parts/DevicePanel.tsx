@@ -156,7 +156,7 @@ function Commands({ id, commands }: { id: string; commands: readonly ("open" | "
     <>
       <div class="buttons" data-commands={id}>
         {commands.map((command) => (
-          <Sure key={command} label={t(`cmd_${command}`)} does={() => send(command)} />
+          <Sure key={command} needs="POST /devices/{device}/commands" label={t(`cmd_${command}`)} does={() => send(command)} />
         ))}
       </div>
       <Problem error={error.value} />

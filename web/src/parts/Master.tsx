@@ -24,11 +24,12 @@ export function Master() {
           ))}
           <Reasoned
             decisions={[
-              { label: t("pause"), does: (reason) => post("/controller/pause", { reason }) },
-              { label: t("stop_all"), grave: true, does: (reason) => post("/controller/stop", { reason }) },
-              { label: t("resume"), bare: true, does: () => post("/controller/resume") },
+              { label: t("pause"), needs: "POST /controller/pause", does: (reason) => post("/controller/pause", { reason }) },
+              { label: t("stop_all"), needs: "POST /controller/stop", grave: true, does: (reason) => post("/controller/stop", { reason }) },
+              { label: t("resume"), needs: "POST /controller/resume", bare: true, does: () => post("/controller/resume") },
               ...emergencies.map((kind) => ({
                 label: t(`release_${kind}`),
+                needs: "POST /controller/emergency/release" as const,
                 grave: true,
                 does: (reason: string) => post("/controller/emergency/release", { kind, reason }),
               })),

@@ -67,6 +67,7 @@ function Versions({ kind, id }: { kind: "station" | "vehicle"; id: string }) {
           decisions={[
             {
               label: t("roll_back", old.value ?? 0),
+              needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
               grave: true,
               does: async (reason) => {
                 await post(`${path}/rollback`, { version: old.value, reason }, { "If-Match": `"${newest.version}"` });

@@ -1,11 +1,13 @@
 /** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { namesItself } from "../access";
 import { actor, get, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { layout, selected, tick, vehicleNow } from "../store";
 import { language, said, t, tell, type Word } from "../texts";
 import type { Agv, Traffic, Vehicle } from "../types";
+import { Button } from "./Button";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
@@ -276,9 +278,13 @@ function Decide({ vehicle }: { vehicle: Vehicle }) {
         value={reason.value}
         onInput={(event) => (reason.value = event.currentTarget.value)}
       />
-      <button type="submit" title={releasing && !actor() ? t("your_name") : ""}>
+      <Button
+        needs={releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold"}
+        type="submit"
+        title={releasing && namesItself.value && !actor() ? t("your_name") : ""}
+      >
         {t(releasing ? "release" : "hold")}
-      </button>
+      </Button>
       <Problem error={error.value} />
     </form>
   );
