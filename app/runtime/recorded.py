@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from app.domain.drive_requests import Word
@@ -47,7 +48,7 @@ class Recorded:
         self.hub = Hub(self.model)
         record = ControllerRecord(ControllerState.PAUSED, "a recording")
         view = view_of_controller(self.plant.name, record, 0, incident.made, ())  # type: ignore[arg-type]
-        self.hub.publish([Update(Topic.CONTROLLER, self.plant.name, view)])
+        self.hub.publish([Update(Topic.CONTROLLER, self.plant.name, replace(view, recording=True))])
         self._track = Track(self.plant)
         self._router = Router(self._track)
 

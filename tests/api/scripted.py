@@ -429,11 +429,13 @@ class Scripted:
         self.reader.asked.append(AuditRow(NOW, request.actor, type(request).__name__, "", "", accepted))
         return reply
 
-    def happen(self, event: str, job: str | None = None, vehicle: str | None = None) -> HistoryEvent:
+    def happen(
+        self, event: str, job: str | None = None, vehicle: str | None = None, at: Timestamp = NOW
+    ) -> HistoryEvent:
         """Let an event happen: kept, then published."""
         row = HistoryEvent(
             len(self.reader.past) + 1,
-            NOW,
+            at,
             event,
             7,
             JobId(job) if job else None,

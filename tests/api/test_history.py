@@ -12,7 +12,7 @@ from app.api.application import application
 from app.runtime.incident import NoIncident, read
 from app.runtime.recorded import Recorded
 from app.settings import Settings
-from tests.api.recordings import STATE_AT_START, recorded
+from tests.api.recordings import JOB, STATE_AT_START, recorded
 from tests.api.scripted import PLANT, Scripted
 
 pytestmark = pytest.mark.anyio
@@ -39,7 +39,7 @@ async def test_a_moment_is_the_state_before_it_with_what_changed_since(client: h
     }
     moved = {"barcode": "1002", "activity": "moving", "job": None}
     assert (await at("2025-12-31T23:59:10Z"))["vehicles"] == {"V001": moved}
-    assert (await at("2025-12-31T23:59:11Z"))["jobs"] == {"J1": {"id": "J1", "state": "queued"}}
+    assert (await at("2025-12-31T23:59:11Z"))["jobs"] == {"J1": JOB}
     assert (await at("2026-01-01T00:00:00Z")) == {"vehicles": {"V001": {**moved, "barcode": "1003"}}, "jobs": {}}
     early = await client.get("/history", params={"at": "2025-12-31T23:58:00Z"})
     assert (early.status_code, early.json()["detail"]) == (404, "Nothing was recorded by then.")
@@ -55,7 +55,7 @@ async def test_changes_of_a_period_come_in_pages(client: httpx.AsyncClient) -> N
             break
         asked["after"] = page["next"]
     assert [(one["topic"], one["value"]) for one in seen] == [
-        ("jobs", {"id": "J1", "state": "queued"}),
+        ("jobs", JOB),
         ("vehicles", {"barcode": "1003"}),
     ]
 

@@ -1,5 +1,6 @@
 import { render } from "preact";
 import { App } from "./parts/App";
+import * as player from "./past/player";
 import * as route from "./route";
 import { begin } from "./store";
 import { language, speak } from "./texts";
@@ -9,5 +10,6 @@ import "./style.css";
 theme.begin();
 speak(language.value);
 route.begin();
+player.begin();
 begin();
 render(<App />, document.getElementById("page") as HTMLElement);
