@@ -187,7 +187,7 @@ function Export() {
         <span>{t(label)}</span>
         <input type="datetime-local" step="1" value={local(Math.floor(value))} onChange={(event) => set(Date.parse(event.currentTarget.value) / 1000 || 0)} />
       </label>
-      <button type="button" class="plain" title={t("take_moment")} aria-label={`${t(label)}: ${t("take_moment")}`} onClick={() => set(moment.value)}>
+      <button type="button" class="plain" title={t("take_moment")} aria-label={`${t(label)} ${t("here")}`} onClick={() => set(moment.value)}>
         {t("here")}
       </button>
     </>

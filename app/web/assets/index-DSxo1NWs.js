@@ -6749,7 +6749,7 @@ function Export() {
 		type: "button",
 		class: "plain",
 		title: t("take_moment"),
-		"aria-label": `${t(label)}: ${t("take_moment")}`,
+		"aria-label": `${t(label)} ${t("here")}`,
 		onClick: () => set(moment.value),
 		children: t("here")
 	})] });
