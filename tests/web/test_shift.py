@@ -10,6 +10,7 @@ from playwright.sync_api import Page, expect
 
 from tests.api.recordings import recorded
 from tests.e2e.processes import answers, free_ports, quick_plant, running, wait_until
+from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.whole import whole
 from tools.chromium import installed
@@ -18,7 +19,6 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
-AXE = Path(__file__).parent / "axe" / "axe.min.js"
 
 
 @pytest.fixture
@@ -113,7 +113,21 @@ def close_a_rail_and_read_why(page: Page) -> None:
     expect(job.locator(".state")).to_have_text("completed")
 
 
-ROOMS = ("map", "vehicles", "jobs", "alarms", "closures", "stations", "teaching", "statistics", "playback")
+ROOMS = (
+    "map",
+    "vehicles",
+    "jobs",
+    "alarms",
+    "closures",
+    "stations",
+    "teaching",
+    "statistics",
+    "walks",
+    "access",
+    "audit",
+    "webhooks",
+    "playback",
+)
 CHOSEN = ("", "vehicle=V001", "station=ETCH01-P1", "device=DOOR1", "drive=STK01-LIFT")
 
 
@@ -130,13 +144,7 @@ def test_every_room_and_panel_is_accessible(page: Page, theme: str, tmp_path: Pa
             page.goto(f"{server.url}#/{place}")
             expect(page.locator(".link.live, .then-at")).to_be_visible()
             page.evaluate("document.querySelectorAll('details').forEach((box) => { box.open = true; })")
-            page.evaluate(AXE.read_text(encoding="utf-8"))
-            result = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
-            wrong = [
-                f"{rule['id']}: {node['html'][:120]}: {node['failureSummary'][:300]}"
-                for rule in result["violations"]
-                for node in rule["nodes"][:3]
-            ]
+            wrong = faults(page)
             if wrong:
                 found[place] = wrong
         assert found == {}

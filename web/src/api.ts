@@ -116,6 +116,16 @@ export async function bytes(path: string): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await (await fetched(path)).arrayBuffer());
 }
 
+/** Send a file as it is. */
+export async function upload<T>(path: string, text: string, kind: string): Promise<T> {
+  const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": document.documentElement.lang || "en", "Content-Type": kind };
+  if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
+  if (actor()) headers["X-Actor"] = headerText(actor());
+  const response = await fetch(`/api/v1${path}`, { method: "POST", headers, body: text, signal: AbortSignal.timeout(TIMEOUT) });
+  if (!response.ok) throw await refusal(response);
+  return (await response.json()) as T;
+}
+
 /** Let the browser save what a path gives. A link could not carry the access key. */
 export async function download(path: string, name: string): Promise<void> {
   const response = await fetched(path);

@@ -6,6 +6,7 @@ import { begin } from "./store";
 import { language, speak } from "./texts";
 import * as theme from "./theme";
 import "./style.css";
+import "./past.css";
 
 theme.begin();
 speak(language.value);

@@ -3,6 +3,7 @@ import { asked } from "../access";
 import { controller, inPast, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
+import { Audit } from "./Audit";
 import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
@@ -16,6 +17,7 @@ import { LogIn } from "./LogIn";
 import { PastPanel } from "./PastPanels";
 import { PastEvents, Playback } from "./Playback";
 import { StationPanel } from "./StationPanel";
+import { Staff } from "./Staff";
 import { Stations } from "./Stations";
 import { Statistics } from "./Statistics";
 import { Teaching } from "./Teaching";
@@ -24,6 +26,8 @@ import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
 import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
+import { Walks } from "./Walks";
+import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
@@ -124,6 +128,14 @@ function Room() {
       return <Closing />;
     case "stations":
       return <Stations />;
+    case "walks":
+      return <Walks />;
+    case "access":
+      return <Staff />;
+    case "webhooks":
+      return <Webhooks />;
+    case "audit":
+      return <Audit />;
     case "teaching":
       return <Teaching />;
     case "statistics":
