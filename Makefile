@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 UV := $(BIN)/uv pip compile pyproject.toml --universal --no-strip-extras --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
 
-.PHONY: setup run test campaign soak coverage check bench lock web
+.PHONY: setup run test campaign soak coverage check bench docs lock web
 .DELETE_ON_ERROR:
 
 setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
@@ -33,6 +33,9 @@ check: $(READY)  ## format, lint, types, import contracts; no tests
 
 bench: $(READY)  ## all benchmarks, each against its floor in the same run
 	$(BIN)/python -m tests.bench
+
+docs: $(READY)  ## the documentation as a site with a search, in site/html; fails for a link that leads nowhere
+	$(BIN)/python -m tools.site
 
 lock:  ## pin every dependency with hashes, for all Python versions and systems
 	$(UV) -o requirements/runtime.txt && $(UV) --group dev -o requirements/dev.txt
