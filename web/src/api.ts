@@ -91,6 +91,16 @@ export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
 export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
   call<T>("POST", path, body, extra);
 
+/** Send a file as it is. */
+export async function upload<T>(path: string, text: string, kind: string): Promise<T> {
+  const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": document.documentElement.lang || "en", "Content-Type": kind };
+  if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
+  if (actor()) headers["X-Actor"] = headerText(actor());
+  const response = await fetch(`/api/v1${path}`, { method: "POST", headers, body: text, signal: AbortSignal.timeout(TIMEOUT) });
+  if (!response.ok) throw await refusal(response);
+  return (await response.json()) as T;
+}
+
 /** Let the browser save what a path gives. A link could not carry the access key. */
 export async function download(path: string, name: string): Promise<void> {
   const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};

@@ -7,11 +7,11 @@ import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
-import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
+import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle, Walk } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
-const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
+const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
 /** Compares names as people do: V2 before V10. */
 export const NATURAL = new Intl.Collator(undefined, { numeric: true });
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
@@ -41,6 +41,7 @@ export const closures = new Map<string, Closure>();
 const alarms = new Map<string, Alarm>();
 /** Proposals and sessions of teaching; their details are asked for. */
 const teaching = new Map<string, { id: number; state: string }>();
+const walks = new Map<string, Walk>();
 const controllers = new Map<string, Controller>();
 const ended = new Map<string, Job>();
 const maps: { [T in Topic]: Map<string, Objects[T]> } = {
@@ -54,6 +55,7 @@ const maps: { [T in Topic]: Map<string, Objects[T]> } = {
   closures,
   teaching,
   alarms,
+  walks,
 };
 
 export const changes = {
@@ -67,6 +69,7 @@ export const changes = {
   closures: signal(0),
   teaching: signal(0),
   alarms: signal(0),
+  walks: signal(0),
 };
 const touched = new Set<Topic>();
 

@@ -3,6 +3,7 @@ import { asked } from "../access";
 import { controller, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
+import { Audit } from "./Audit";
 import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
@@ -14,6 +15,7 @@ import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { LogIn } from "./LogIn";
 import { StationPanel } from "./StationPanel";
+import { Staff } from "./Staff";
 import { Stations } from "./Stations";
 import { Statistics } from "./Statistics";
 import { Teaching } from "./Teaching";
@@ -22,6 +24,8 @@ import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
 import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
+import { Walks } from "./Walks";
+import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
@@ -98,6 +102,14 @@ function Room() {
       return <Closing />;
     case "stations":
       return <Stations />;
+    case "walks":
+      return <Walks />;
+    case "access":
+      return <Staff />;
+    case "webhooks":
+      return <Webhooks />;
+    case "audit":
+      return <Audit />;
     case "teaching":
       return <Teaching />;
     case "statistics":

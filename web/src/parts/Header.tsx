@@ -3,6 +3,7 @@ import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubl
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
 import { Account } from "./Account";
+import { KeptOff } from "./Kept";
 import { Master } from "./Master";
 import { language, said, speak, t, tell, type Word } from "../texts";
 import { choose, theme } from "../theme";
@@ -19,6 +20,7 @@ export function Header() {
       </h1>
       <span class="plant">{layout.value?.name ?? ""}</span>
       <ControllerState />
+      <KeptOff />
       <Master />
       <span class="grow" />
       <Counts />
