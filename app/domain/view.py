@@ -576,6 +576,26 @@ View = (
 )
 
 
+SHOWN: Mapping[Topic, tuple[type, ...]] = {
+    Topic.CONTROLLER: (ControllerView,),
+    Topic.VEHICLES: (VehicleView,),
+    Topic.JOBS: (JobView,),
+    Topic.STATIONS: (StationView,),
+    Topic.CARRIERS: (CarrierView,),
+    Topic.EVENTS: (EventView,),
+    Topic.COMMANDS: (CommandView,),
+    Topic.DEVICES: (DeviceView,),
+    Topic.DRIVES: (DriveView,),
+    Topic.OPERATIONS: (OperationView,),
+    Topic.PARAMETERS: (ParameterView,),
+    Topic.TEACHING: (TeachingSessionView, ProposalView),
+    Topic.CLOSURES: (ClosureView,),
+    Topic.ALARMS: (AlarmView,),
+    Topic.WALKS: (WalkView,),
+}
+"""What the objects of each topic are."""
+
+
 @dataclass(frozen=True, slots=True)
 class Update:
     """A change of the read model; ``value`` None removes the object. Ended jobs leave the model (the database keeps them)."""
