@@ -219,7 +219,7 @@ def _files() -> int:
 
 def url_of(host: str, port: int, *, tls: bool = False) -> str:
     """Return where a person finds the server."""
-    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)
+    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)  # noqa: S104 (shown, not listened at)
     return f"{'https' if tls else 'http'}://{shown}:{port}"
 
 
