@@ -118,7 +118,8 @@ def rules(report: Report) -> Iterator[str]:
 @part("sweep")
 def sweep(report: Report) -> Iterator[str]:
     """Deliveries by fleet and by what is switched on."""
-    extent, rows = report.extent, []
+    extent = report.extent
+    rows: list[dict[str, Any]] = []
     mean: dict[tuple[str, int], float] = {}
     for mode, how in MODES.items():
         for vehicles in extent.fleets:
