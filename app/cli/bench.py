@@ -94,8 +94,8 @@ def traffic(
         Path | None, typer.Option(help="keep what is found there, part by part, beside what runs before have found")
     ] = None,
     table: Annotated[
-        Path | None,
-        typer.Option(help="write all that is known as a Markdown table there, goals and whether they are met"),
+        list[Path] | None,
+        typer.Option(help="write all that is known there as a Markdown table, goals and whether they are met"),
     ] = None,
 ) -> None:
     """Try the rules of traffic on a whole fab: routes, lock-ups, deliveries by fleet, hours, dispatch, speed, a drill."""
@@ -121,7 +121,7 @@ def traffic(
         peak=peak or extent.peak,
     )
     with plainly():
-        kept = Kept(json, table)
+        kept = Kept(json, table or ())
         report = Report(extent, kept.found)
         kept.keep()  # rather now than after an hour
     for name, part in PARTS.items():

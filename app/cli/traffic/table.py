@@ -12,12 +12,12 @@ BEGIN, END = "<!-- hoistway bench traffic writes from here -->\n", "<!-- to here
 
 
 class Kept:
-    """What is found, in a file (``json``) beside what was found there before, and as a table in another.
+    """What is found, in a file (``json``) beside what was found there before, and as a table in others.
 
     Raises: CannotStart: one of them cannot be read or written, or has something else in it.
     """
 
-    def __init__(self, json: Path | None, into: Path | None) -> None:
+    def __init__(self, json: Path | None, into: Sequence[Path]) -> None:
         self._json, self._into = json, into
         self.found: dict[str, Any] = _read(json) if json is not None and json.exists() else {}
 
@@ -30,12 +30,12 @@ class Kept:
         """Write what is known by now. Raises: CannotStart."""
         if self._json is not None:
             _write(self._json, dumps(self.found, indent=1) + "\n")
-        if self._into is not None:
-            before = text_of(self._into) if self._into.exists() else ""
+        for file in self._into:
+            before = text_of(file) if file.exists() else ""
             if before and BEGIN not in before and not before.startswith("| "):
                 where = f"Put the lines {BEGIN.strip()} and {END.strip()} where it is to stand, or name another file."
-                raise CannotStart(f"{self._into} has something else in it, and no place for the table. {where}")
-            _write(self._into, placed(before, self.found))
+                raise CannotStart(f"{file} has something else in it, and no place for the table. {where}")
+            _write(file, placed(before, self.found))
 
 
 def _read(file: Path) -> dict[str, Any]:
