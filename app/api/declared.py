@@ -412,7 +412,7 @@ def _document(app: FastAPI) -> Json:
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
     schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM)
-    components["schemas"] = dict(sorted(schemas.items()))
+    components["schemas"] = {name: _plain(schema) for name, schema in sorted(schemas.items())}
     components["securitySchemes"] = SECURITY
     components["responses"] = {
         "Problem": {"description": "Why not.", "content": {MEDIA_TYPE: {"schema": ref("Problem")}}}
@@ -425,6 +425,20 @@ def _document(app: FastAPI) -> Json:
             responses["default"] = {"$ref": "#/components/responses/Problem"}
             _say_who_may(operation, f"{method.upper()} {where}")
     return document
+
+
+def _plain(schema: Any) -> Any:
+    """Return a schema in which a list of so many of the same kind is said as that, not each of them by itself: most tools that
+    make clients or calls of the document know only the first."""
+    if isinstance(schema, list):
+        return [_plain(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    parts = {name: _plain(part) for name, part in schema.items() if name != "prefixItems"}
+    each = _plain(schema.get("prefixItems", []))
+    if each and "items" not in parts and all(one == each[0] for one in each):
+        return parts | {"items": each[0]}
+    return parts | ({"prefixItems": each} if each else {})
 
 
 def _say_who_may(operation: Json, name: str) -> None:

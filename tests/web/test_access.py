@@ -1,14 +1,21 @@
 """Logging in at the page: who may what, what becomes of a session that ends; users and keys, the audit."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
 from app.domain.access import Role
+from app.domain.ids import Actor
+from app.domain.records import AuditRow
 from app.domain.requests import CreateJob
+from app.domain.units import Timestamp
 from app.runtime.reception import LOG_IN_LIFE
+from app.store.chain import Checked
 from tests.api.receptions import PASSWORD, ROOT
+from tests.api.scripted import NOW
+from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.staffed import Staffed, log_in, staffed
 from tools.chromium import browser, installed
@@ -140,3 +147,123 @@ def test_where_nobody_has_to_log_in_everything_can_be_pressed_and_people_name_th
         assert page.ask("document.querySelector('header .account')") is None
         assert page.ask("document.querySelectorAll('.barred').length") == 0
         assert page.complaints == []
+
+
+# -- users, keys, the audit -------------------------------------------------------------------------------------------
+
+
+def press_twice(scope: Locator, name: str) -> None:
+    """Press a button that wants to be pressed twice."""
+    scope.get_by_role("button", name=name, exact=True).click()
+    scope.get_by_role("button", name="Sure?", exact=True).click()
+
+
+def test_an_administrator_adds_somebody_changes_their_roles_and_disables_them(plant: Staffed) -> None:
+    with plant.at_work("kim", "access") as page:
+        form = page.get_by_role("form", name="Add a person")
+        form.get_by_label("Name").fill("ola")
+        form.get_by_label("Password").fill("short")
+        form.get_by_label("viewer").check()
+        form.get_by_role("button", name="Add a person").click()
+        expect(form.locator(".problem")).to_contain_text("10")
+        form.get_by_label("Password").fill("horse battery 9")
+        form.get_by_role("button", name="Add a person").click()
+        expect(form.locator(".done")).to_contain_text("ola may log in now")
+        page.locator("[data-row=ola] button").click()
+        change = page.locator("[data-user=ola]")
+        change.get_by_label("operator").check()
+        press_twice(change, "Change the roles")
+        expect(page.locator("[data-row=ola]")).to_contain_text("viewer, operator")
+        change.get_by_label("New password").fill("another horse 10")
+        press_twice(change, "Give a new password")
+        expect(change.locator(".done")).to_contain_text("logged out")
+        press_twice(change, "Disable")
+        expect(page.locator("[data-row=ola]")).to_contain_text("disabled")
+    ola = plant.desk.user("ola")
+    assert ola is not None
+    assert (set(ola.roles), ola.disabled, str(ola.created_by)) == ({Role.VIEWER, Role.OPERATOR}, True, "kim")
+
+
+def test_a_key_is_shown_once_copied_and_revoked(plant: Staffed) -> None:
+    with plant.at_work("kim", "access") as page:
+        page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+        page.get_by_role("button", name="Keys", exact=True).click()
+        form = page.get_by_role("form", name="Issue a key")
+        form.get_by_label("Name").fill("mes-7")
+        form.get_by_label("MES").check()
+        form.get_by_role("button", name="Issue a key").click()
+        key = form.get_by_label("The new key").input_value()
+        assert key.startswith("hwk_")
+        form.get_by_role("button", name="Copy").click()
+        expect(form.get_by_role("button", name="Copied")).to_be_visible()
+        assert page.evaluate("navigator.clipboard.readText()") == key
+        form.get_by_role("button", name="Put away").click()
+        assert key not in page.content()
+        row = page.locator("[data-row='mes-7']")
+        expect(row).to_contain_text("active")
+        press_twice(row, "Revoke")
+        expect(row).to_contain_text("revoked")
+    assert plant.desk.access.caller(key.encode()) is None
+
+
+def test_only_administrators_see_who_is_known(plant: Staffed) -> None:
+    with plant.at_work("lee", "access") as page:
+        expect(page.locator(".room .nothing")).to_contain_text(
+            "This needs the role administrator. You are lee, with operator."
+        )
+
+
+def test_the_audit_is_searched_gone_through_page_by_page_checked_and_saved(plant: Staffed) -> None:
+    reader = plant.server.controller.reader
+    before = list(reader.asked)
+    reader.asked[:] = [
+        AuditRow(
+            Timestamp(NOW + i), Actor("kim" if i % 2 else "lee"), "PauseController", "", f"row {i}", accepted=i != 7
+        )
+        for i in range(230)
+    ]
+    with plant.at_work("lee", "audit") as page:
+        rows = page.locator(".room tbody tr")
+        expect(rows).to_have_count(100)
+        expect(rows.first).to_contain_text("row 229")
+        page.get_by_role("button", name="Older").click()
+        expect(rows.first).to_contain_text("row 129")
+        page.get_by_role("button", name="Older").click()
+        expect(rows).to_have_count(30)
+        page.get_by_role("button", name="Newer").click()
+        expect(rows.first).to_contain_text("row 129")
+        search = page.get_by_role("search")
+        search.get_by_label("Who").fill("kim")
+        search.get_by_label("Result").select_option("false")
+        search.get_by_role("button", name="Find").click()
+        expect(rows).to_have_count(1)
+        expect(rows.first).to_contain_text("row 7")
+        with page.expect_download() as saved:
+            search.get_by_role("button", name="Save as CSV").click()
+        text = Path(saved.value.path()).read_text(encoding="utf-8-sig")
+        assert text.splitlines()[1:] == ["8,2026-01-01T00:00:07.000Z,kim,PauseController,,row 7,false"]
+        page.get_by_role("button", name="Check the chain").click()
+        expect(page.locator("[data-chain=whole]")).to_contain_text("230 rows up to #230")
+        reader.broken = Checked(12, 12, "00", 13, "the row was changed, or one before it was taken out or put in")
+        page.get_by_role("button", name="Check the chain").click()
+        expect(page.locator("[data-chain=broken]")).to_contain_text("Broken at #13")
+    reader.broken = None
+    reader.asked[:] = before
+
+
+@pytest.mark.parametrize(("theme", "language"), [("dark", "ko"), ("light", "en")])
+def test_the_rooms_of_an_administrator_and_what_a_viewer_may_not_press_are_accessible(
+    plant: Staffed, theme: str, language: str
+) -> None:
+    found: dict[str, list[str]] = {}
+    for name, places in {"kim": ["access", "audit", "walks", "webhooks"], "vic": ["map?drive=D1", "access"]}.items():
+        with plant.visitor(theme=theme, language=language) as page:
+            found[f"{name} logs in"] = faults(page)
+            log_in(page, name)
+            expect(page.locator(".link.live")).to_be_visible()
+            page.locator("header .account > button").click()
+            for place in places:
+                page.evaluate("(place) => { location.hash = `#/${place}`; }", place)
+                page.evaluate("document.querySelectorAll('details').forEach((box) => { box.open = true; })")
+                found[f"{name} {place}"] = faults(page)
+    assert {place: wrong for place, wrong in found.items() if wrong} == {}

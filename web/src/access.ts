@@ -65,6 +65,12 @@ function keep(next: Kept | null): void {
   else sessionStorage.removeItem(KEPT);
 }
 
+/** All roles there are: each may at least look. */
+export const allRoles = computed(() => {
+  const lists = [...rulings.value.values()].map(({ roles }) => roles);
+  return lists.reduce((longest, roles) => (roles.length > longest.length ? roles : longest), []);
+});
+
 /** Roles in words, for people. */
 export const inWords = (roles: string[]): string => roles.map((role) => said(`role_${role}`)).join(", ");
 

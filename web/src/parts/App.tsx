@@ -1,8 +1,9 @@
 import { room } from "../route";
 import { asked } from "../access";
-import { controller, selected } from "../store";
+import { controller, inPast, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
+import { Audit } from "./Audit";
 import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
@@ -13,7 +14,10 @@ import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { LogIn } from "./LogIn";
+import { PastPanel } from "./PastPanels";
+import { PastEvents, Playback } from "./Playback";
 import { StationPanel } from "./StationPanel";
+import { Staff } from "./Staff";
 import { Stations } from "./Stations";
 import { Statistics } from "./Statistics";
 import { Teaching } from "./Teaching";
@@ -22,9 +26,12 @@ import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
 import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
+import { Walks } from "./Walks";
+import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
+  if (inPast.value || room.value === "playback") return <Past />;
   return (
     <div class="page">
       <Header />
@@ -38,6 +45,29 @@ export function App() {
           {pick?.kind === "device" && <DevicePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "drive" && <DrivePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "job" && <JobPanel key={pick.id} id={pick.id} />}
+          <Jobs />
+        </aside>
+      </main>
+      {asked.value && <LogIn />}
+      <Barred />
+    </div>
+  );
+}
+
+/** What was: nothing on it can be commanded. */
+function Past() {
+  const pick = selected.value;
+  return (
+    <div class="page past">
+      <Header />
+      <Rooms />
+      <main>
+        <section class="left">
+          <Playback />
+        </section>
+        <aside class={pick ? "telling" : ""}>
+          {pick && <PastPanel key={`${pick.kind} ${pick.id}`} pick={pick} />}
+          <PastEvents />
           <Jobs />
         </aside>
       </main>
@@ -98,6 +128,14 @@ function Room() {
       return <Closing />;
     case "stations":
       return <Stations />;
+    case "walks":
+      return <Walks />;
+    case "access":
+      return <Staff />;
+    case "webhooks":
+      return <Webhooks />;
+    case "audit":
+      return <Audit />;
     case "teaching":
       return <Teaching />;
     case "statistics":

@@ -9,6 +9,8 @@ import { said, t, tell } from "../texts";
 import type { Closure, ClosurePreview, ZoneNow } from "../types";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
+import { ClosedBefore } from "./ClosedBefore";
+import { KeptList } from "./Kept";
 import { Name } from "./Name";
 import { Reasoned } from "./Reasoned";
 
@@ -29,7 +31,9 @@ export function Closures() {
               <Line key={closure.id} closure={closure} />
             ))}
           </ul>
+          <KeptList />
           <Zones />
+          <ClosedBefore />
         </div>
         <Close />
       </div>

@@ -7,6 +7,7 @@ import { deviceNow, layout, lookAt, machines, passers, presence, selected, tick 
 import { t, tell } from "../texts";
 import type { Device } from "../types";
 import { DeviceDecisions } from "./DeviceDecisions";
+import { DeviceMore } from "./DeviceMore";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
@@ -60,6 +61,7 @@ export function DeviceBody({ id }: { id: string }) {
       </dl>
       <Commands id={id} commands={COMMANDS[kind]} />
       {now && <DeviceDecisions device={now} />}
+      {now && kind !== "charger" && <DeviceMore device={now} />}
     </>
   );
 }

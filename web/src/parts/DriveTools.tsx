@@ -8,6 +8,8 @@ import { t } from "../texts";
 import type { Backup, Drive, Operation } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
+import { DriveMore } from "./DriveMore";
+import { DriveWatch } from "./DriveWatch";
 import { Outcome } from "./Parameters";
 import { Reasoned } from "./Reasoned";
 import { Sure } from "./Sure";
@@ -17,7 +19,9 @@ export function DriveTools({ drive }: { drive: Drive }) {
   return (
     <>
       <Jog drive={drive} path={path} />
+      <DriveWatch path={path} />
       <Backups drive={drive} path={path} />
+      <DriveMore drive={drive} path={path} />
       <details class="part acts">
         <summary>{t("lockout")}</summary>
         <Reasoned

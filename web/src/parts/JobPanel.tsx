@@ -7,6 +7,7 @@ import { changes, ENDED, jobList, layout, tick } from "../store";
 import { happening, said, t, tell } from "../texts";
 import type { Assignment, Happening, Job, JobWhy } from "../types";
 import { Button } from "./Button";
+import { CutOff } from "./Kept";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
@@ -43,6 +44,8 @@ export function JobPanel({ id }: { id: string }) {
           <b>{t("waits")}</b> {tell(job.reason)}
         </p>
       )}
+      {!over && <CutOff id={job.source} />}
+      {!over && <CutOff id={job.destination} />}
       <dl>
         <Fact name={t("source")}>
           <Name id={job.source} />

@@ -12,9 +12,11 @@ import { Fact } from "./Panel";
 import { Changes, Pulses } from "./Pulses";
 import { Reasoned } from "./Reasoned";
 import { Table } from "./Table";
+import { TeachingFiles } from "./TeachingFiles";
+import { TeachingRaw } from "./TeachingRaw";
 
-type Tab = "proposals" | "sessions" | "drift" | "dry_run";
-const TABS: Tab[] = ["proposals", "sessions", "drift", "dry_run"];
+type Tab = "proposals" | "sessions" | "drift" | "dry_run" | "files" | "raw";
+const TABS: Tab[] = ["proposals", "sessions", "drift", "dry_run", "files", "raw"];
 
 export function Teaching() {
   const tab = useSignal<Tab>("proposals");
@@ -25,7 +27,7 @@ export function Teaching() {
         <span class="tabs">
           {TABS.map((name) => (
             <button type="button" key={name} aria-pressed={tab.value === name} onClick={() => (tab.value = name)}>
-              {t(name)}
+              {t(name === "files" || name === "raw" ? `teaching_${name}` : name)}
             </button>
           ))}
         </span>
@@ -34,6 +36,8 @@ export function Teaching() {
       {tab.value === "sessions" && <Sessions />}
       {tab.value === "drift" && <Drift />}
       {tab.value === "dry_run" && <DryRun />}
+      {tab.value === "files" && <TeachingFiles />}
+      {tab.value === "raw" && <TeachingRaw />}
     </section>
   );
 }

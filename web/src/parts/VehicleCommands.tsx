@@ -45,6 +45,9 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
             ))}
           {agv && <Sure needs="POST /vehicles/{vehicle}/commands" label={t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on")} does={() => send({ command: "agv_charge", on: !vehicle.agv?.charging })} />}
         </div>
+        <div class="acts-row">
+          <Sure needs="POST /vehicles/{vehicle}/park" label={t("park")} does={() => void asking.ask(() => post(`${path}/park`), t("sent"))} />
+        </div>
         <Move send={send} />
         {!agv && <Handle send={send} />}
         {!agv && <Display send={send} />}

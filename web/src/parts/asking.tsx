@@ -74,7 +74,7 @@ export function Field(props: {
   label: string;
   value: Signal<string>;
   name?: string;
-  type?: "text" | "number" | "password" | "search";
+  type?: "text" | "number" | "password" | "search" | "datetime-local";
   list?: string;
   required?: boolean;
   min?: number;

@@ -1,0 +1,17511 @@
+// node_modules/preact/dist/preact.mjs
+var n$1;
+var t$3;
+var r$2;
+var u$3;
+var i$2;
+var f$3;
+var o$3;
+var e$2;
+var l$2;
+var c$2;
+var a$3;
+var h$3 = Symbol.for("pv");
+var p$3 = {};
+var y$3 = [];
+var v$2 = /^m(i|n|o|s|text|space)$/;
+var w$3 = Array.isArray;
+var d$2 = y$3.slice;
+var _$2 = Object.assign;
+function g$3(n) {
+	n && n.parentNode && n.remove();
+}
+function k$2(n, t, r) {
+	var u, i, f, o = {}, e = arguments.length;
+	for (f in t) "key" == f ? u = t[f] : "ref" == f && "function" != typeof n ? i = t[f] : o[f] = t[f];
+	return e > 2 && (o.children = e > 3 ? d$2.call(arguments, 2) : r), m$3(n, o, u, i, null);
+}
+function m$3(r, u, i, f, o) {
+	var e = {
+		type: r,
+		props: u,
+		key: i,
+		ref: f,
+		__k: null,
+		__: null,
+		__b: 0,
+		__e: null,
+		__c: null,
+		constructor: h$3,
+		__v: o || ++t$3,
+		__i: -1,
+		__u: 0
+	};
+	return !o && n$1.vnode && n$1.vnode(e), e;
+}
+function $(n) {
+	return n.children;
+}
+function x$1(n, t) {
+	this.props = n, this.context = t, this.__g = 0;
+}
+function S$1(n, t) {
+	if (null == t) return n.__ && S$1(n.__, n.__i + 1);
+	for (var r; t < n.__k.length; t++) if ((r = n.__k[t]) && r.__e) return r.__e;
+	return "function" != typeof n.type || n.props.__P ? null : S$1(n);
+}
+function C$1(t) {
+	var r, u = t.__v, i = u.__e, f = [], o = [], e = t.__P;
+	e && ((r = _$2({ constructor: h$3 }, u)).__v = u.__v + 1, n$1.vnode && n$1.vnode(r), z$1(e, r, u, t.__n, e.namespaceURI, 32 & u.__u ? [i] : null, f, i || S$1(u), 32 & u.__u, o), r.__v = u.__v, r.__.__k[r.__i] = r, E$1(f, r, o), u.__ = u.__e = null, r.__e != i && j$1(r));
+}
+function j$1(n) {
+	if ((n = n.__) && n.__c && !n.props.__P) return n.__e = null, n.__k.some(function(t) {
+		return t && (n.__e = t.__e);
+	}), j$1(n);
+}
+function L(t) {
+	(8 & t.__g || (t.__g |= 8, u$3.push(t), f$3++)) && i$2 == n$1.debounceRendering || ((i$2 = n$1.debounceRendering) || queueMicrotask)(H);
+}
+function H() {
+	try {
+		for (var n, t = 1; u$3.length;) u$3.length > t && u$3.sort(o$3), n = u$3.shift(), t = u$3.length, 8 & n.__g && C$1(n);
+	} finally {
+		(f$3 = u$3.length) && (i$2 || queueMicrotask)(H);
+	}
+}
+function I(n, t, r, u, i, f, o, e, l, c, a) {
+	var s, h, v, w, d, _, g = u.__k || y$3, k = t.length;
+	for (l = q(r, t, g, l, k), s = 0; s < k; s++) null != (v = r.__k[s]) && (h = ~v.__i && g[v.__i] || p$3, v.__i = s, _ = z$1(n, v, h, i, f, o, e, l, c, a), w = v.__e, (h.ref != v.ref || 8 & h.__u) && (h.ref && G(h.ref, null, v, h), v.ref && a.push(v.ref, v.__c || w, v)), d = d || w, 4 & v.__u ? (l = A$2(v, l, n, !h.__v), h.__e && (h.__e = null)) : "function" == typeof v.type && void 0 !== _ ? l = _ : w && (l = w.nextSibling), v.__u &= -21);
+	return r.__e = d, l;
+}
+function q(n, t, r, u, i) {
+	var f, o, e, l, c, a, s, p, y, v = r.length, d = v, _ = 0, g = 0, k = n.__k = Array(i);
+	for (f = 0; f < i; f++) null != (o = t[f]) && "boolean" != typeof o && "function" != typeof o ? ("object" != typeof o || o.constructor === String ? o = k[f] = m$3(null, o) : w$3(o) ? o = k[f] = m$3($, { children: o }) : o.constructor === h$3 && o.__b ? o = k[f] = m$3(o.type, o.props, o.key, o.ref, o.__v) : k[f] = o, l = f + _, o.__ = n, o.__b = n.__b + 1, e = null, ~(c = o.__i = P(o, r, l, d)) && (d--, (e = r[c]) && (e.__u |= 2)), e && e.__v ? (o.__u |= 16, c == l - 1 ? _-- : c == l + 1 ? _++ : c != l && (c > l ? _-- : _++, g = 1)) : (~c || (i > v ? _-- : i < v && _++), "function" != typeof o.type && (o.__u |= 4))) : k[f] = null;
+	if (g) {
+		for (a = [], s = [], f = 0; f < i; f++) if ((o = k[f]) && 16 & o.__u) {
+			for (_ = 0, p = a.length; _ < p;) a[y = _ + p >> 1] < o.__i ? _ = y + 1 : p = y;
+			a[_] = o.__i, s[f] = _ + 1;
+		}
+		for (_ = a.length; f--;) s[f] && (s[f] == _ ? _-- : k[f].__u |= 4);
+	}
+	if (d) for (f = 0; f < v; f++) !(e = r[f]) || 2 & e.__u || (e.__e == u && (u = S$1(e)), J(e, e));
+	return u;
+}
+function A$2(n, t, r, u) {
+	var i, f, o, e;
+	if ("function" == typeof n.type) {
+		if (n.props.__P) return t;
+		if (i = n.__k) for (f = 0; f < i.length; f++) i[f] && (i[f].__ = n, t = A$2(i[f], t, r, !1));
+		return t;
+	}
+	for (t && !t.parentNode && (t = S$1(n)) && !t.parentNode && (t = null), o = n.__e, e = t; e && 8 == e.nodeType;) e = e.nextSibling;
+	for (o != e && (!u && r.moveBefore && o.parentNode ? r.moveBefore(o, t) : r.insertBefore(o, t || null)), t = o; (t = t && t.nextSibling) && 8 == t.nodeType && !t.data.startsWith("$s"););
+	return t;
+}
+function P(n, t, r, u) {
+	var i, f = n.key, o = n.type, e = t[r], l = e && !(2 & e.__u);
+	if (null === e && null == f || l && f == e.key && o == e.type) return r;
+	if (u > (l ? 1 : 0)) {
+		for (i = r - 1; i >= 0; i--) if ((e = t[i]) && !(2 & e.__u) && f == e.key && o == e.type) return i;
+		for (i = r + 1; i < t.length; i++) if ((e = t[i]) && !(2 & e.__u) && f == e.key && o == e.type) return i;
+	}
+	return -1;
+}
+function T$1(n, t, r) {
+	r ??= "", "-" == t[0] ? n.setProperty(t, r) : n[t] = r;
+}
+function N(n, t, r, u, i) {
+	var f, o;
+	if ("style" == t) if ("string" == typeof r) n.style.cssText = r;
+	else {
+		if ("string" == typeof u && (n.style.cssText = u = ""), u) for (t in u) r && t in r || T$1(n.style, t);
+		if (r) for (t in r) u && r[t] == u[t] || T$1(n.style, t, r[t]);
+	}
+	else if ("o" == t[0] && "n" == t[1]) "function" != typeof r && (r = null), "function" != typeof u && (u = null), (n.__e || (n.__e = {}))[t] = r, r && u || (o = a$3[t] || (a$3[t] = V(t)), (n.__a || (n.__a = {}))[t] = c$2, f = t != (t = t.replace(l$2, "$1")), (t = t.slice(2))[0] < "a" && (t = t.toLowerCase()), r ? n.addEventListener(t, o, f) : n.removeEventListener(t, o, f));
+	else {
+		if ("http://www.w3.org/2000/svg" == i) t = t.replace(/xlink(H|:h)/, "h").replace(/sName$/, "s");
+		else if ("width" != t && "height" != t && "href" != t && "list" != t && "form" != t && "tabIndex" != t && "download" != t && "rowSpan" != t && "colSpan" != t && "role" != t && "popover" != t && t in n) try {
+			n[t] = null == r ? "" : r;
+			return;
+		} catch (n) {}
+		if ("function" == typeof r) return;
+		null == r || !1 === r && "-" != t[4] ? n.removeAttribute(t) : n.setAttribute(t, "popover" == t && 1 == r ? "" : r);
+	}
+}
+function V(t) {
+	return function(r) {
+		var u = this.__e;
+		if (u) {
+			if (u = u[t], null == r[e$2]) r[e$2] = c$2++;
+			else if (r[e$2] < this.__a[t]) return;
+			return u(n$1.event ? n$1.event(r) : r);
+		}
+	};
+}
+function z$1(t, r, u, i, f, o, e, l, c, a) {
+	var s, p, v, d, k, b, m, M, C, j, L, H, q, A, O, P, T, N, V = r.type;
+	if (r.constructor !== h$3) return null;
+	128 & u.__u && (c = 32 & u.__u, s = u.__c.__z) && (r.__u |= c, p = o = [], 8 == s.nodeType ? l = B$1(s, o) : o.push(s), l = o[0] || l), (s = n$1.__b) && s(r);
+	n: if ("function" == typeof V) {
+		v = e.length;
+		try {
+			if (M = r.props, C = (s = V.prototype) && s.render, j = (s = V.contextType) && i[s.__c], L = s ? j ? j.props.value : s.__ : i, (d = u.__c) ? (r.__c = d, 2 & d.__g && (d.__g |= 1)) : (C ? r.__c = d = new V(M, L) : (r.__c = d = new x$1(M, L), d.constructor = V, d.render = K), j && j.sub(d), d.state || (d.state = {}), d.__n = i, d.__g |= 8, d.__h = [], d.__k = []), C && (d.__s || (d.__s = d.state), V.getDerivedStateFromProps && (d.__s == d.state && (d.__s = _$2({}, d.__s)), _$2(d.__s, V.getDerivedStateFromProps(M, d.__s)))), k = d.props, b = d.state, d.__v = r, u.__c) {
+				if (M !== k && C && !V.getDerivedStateFromProps && d.componentWillReceiveProps && d.componentWillReceiveProps(M, L), r.__v == u.__v && !(8 & d.__g) || !(4 & d.__g) && d.shouldComponentUpdate && !1 === d.shouldComponentUpdate(M, d.__s, L)) {
+					r.__v != u.__v && (d.props = M, d.state = d.__s, d.__g &= -9), r.__e = u.__e, r.__k = u.__k, r.__k.some(function(n) {
+						n && (n.__ = r);
+					}), y$3.push.apply(d.__h, d.__k), d.__k = [], d.__h.length && e.push(d), l = S$1(u);
+					break n;
+				}
+				d.componentWillUpdate && d.componentWillUpdate(M, d.__s, L), C && d.componentDidUpdate && d.__h.push(function() {
+					d.componentDidUpdate(k, b, m);
+				});
+			} else C && !V.getDerivedStateFromProps && d.componentWillMount && d.componentWillMount(), C && d.componentDidMount && d.__h.push(d.componentDidMount);
+			d.context = L, d.props = M, d.__P = t, d.__g &= -5, H = n$1.__r, q = C ? 25 : 0;
+			do
+				d.__g &= -9, H && H(r), s = d.render(d.props, d.state = d.__s, d.context);
+			while (8 & d.__g && ++q < 25);
+			C && (y$3.push.apply(d.__h, d.__k), d.__k = []), d.state = d.__s, d.getChildContext && (i = _$2({}, i, d.getChildContext())), C && u.__c && d.getSnapshotBeforeUpdate && (m = d.getSnapshotBeforeUpdate(k, b)), A = s && s.type === $ && null == s.key ? s.props.children : s, M.__P && (s = l, f = (t = M.__P).namespaceURI, c = o = null, u.props && u.props.__P != t && (u.__k.some(function(n) {
+				n && J(n, n);
+			}), u.__k = null), l = u.__k ? S$1(u, 0) : null), l = I(t, w$3(A) ? A : [A], r, u, i, f, o, e, l, c, a), M.__P && (r.__e = null, l = s), r.__u &= -161, p && p.some(g$3), d.__h.length && e.push(d), 1 & d.__g && (d.__g &= -4);
+		} catch (t) {
+			if (e.length = v, r.__v = null, c || o) if (t && t.then) {
+				if (r.__u |= 128 | c, o) {
+					for (~(T = o.indexOf(l || void 0)) || (T = o.length); (N = o[T - 1]) && 8 == N.nodeType;) T--;
+					for (; T < o.length; T++) if (N = o[T]) if (o[T] = null, O) {
+						if (N == P) break;
+					} else {
+						if (8 != N.nodeType) break;
+						N.data.startsWith("$s") && (P = B$1(O = N));
+					}
+				}
+				if (!O) {
+					for (; l && 8 == l.nodeType && l.nextSibling;) l = l.nextSibling;
+					O = l;
+				}
+				(s = B$1(O = r.__c.__z || (r.__c.__z = O))) ? (r.__e = O, l = s) : r.__e = l, l = l && l.nextSibling;
+			} else o && o.some(g$3);
+			else r.__e = u.__e;
+			r.__k || (r.__k = u.__k || []), t && t.then || D$1(r), n$1.__e(t, r, u);
+		}
+	} else l = r.__e = F$1(u.__e, r, u, i, f, o, e, c, a, t);
+	return (s = n$1.diffed) && s(r), l;
+}
+function B$1(n, t) {
+	if (n && 8 == n.nodeType && n.data.startsWith("$s")) for (var r = 1; n = n.nextSibling;) {
+		if (8 == n.nodeType) {
+			if (n.data.startsWith("$s")) r++;
+			else if (n.data.startsWith("/$s") && !--r) return n;
+		}
+		t && t.push(n);
+	}
+}
+function D$1(n) {
+	n && (n.__c && (n.__c.__g |= 4), n.__k && n.__k.some(D$1));
+}
+function E$1(t, r, u) {
+	for (var i = 0; i < u.length;) G(u[i++], u[i++], u[i++]);
+	n$1.__c && n$1.__c(r, t), t.some(function(r) {
+		try {
+			t = r.__h, r.__h = [], t.some(function(n) {
+				n.call(r);
+			});
+		} catch (t) {
+			n$1.__e(t, r.__v);
+		}
+	});
+}
+function F$1(t, r, u, i, f, o, e, l, c, a) {
+	var s, h, y, _, k, b, m, M, $ = u.props || p$3, x = r.props, C = r.type;
+	if ("svg" == C ? f = "http://www.w3.org/2000/svg" : "math" == C ? f = "http://www.w3.org/1998/Math/MathML" : f || (f = "http://www.w3.org/1999/xhtml"), o) {
+		for (s = 0; s < o.length; s++) if ((k = o[s]) && (C ? k.localName == C : 3 == k.nodeType)) {
+			t = k, o[s] = null;
+			break;
+		}
+	}
+	if (!t) {
+		if (M = a.ownerDocument || document, !C) return M.createTextNode(x);
+		t = M.createElementNS(f, C, x.is ? x : a), l && (n$1.__m && n$1.__m(r, o), l = !1), o = null;
+	}
+	if (C) {
+		if (a = "template" == C && t.content || t, o = "textarea" == C && null != x.defaultValue ? null : o && d$2.call(a.childNodes), !l && o) for ($ = {}, s = 0; s < t.attributes.length; s++) $[(k = t.attributes[s]).name] = k.value;
+		for (s in $) k = $[s], "dangerouslySetInnerHTML" == s ? y = k : "children" == s || s in x || "value" == s && "defaultValue" in x || "checked" == s && "defaultChecked" in x || N(t, s, null, k, f);
+		for (s in x) k = x[s], "children" == s ? _ = k : "dangerouslySetInnerHTML" == s ? h = k : "value" == s ? b = k : "checked" == s ? m = k : l && "function" != typeof k || $[s] === k || N(t, s, k, $[s], f);
+		h ? (l || y && (h.__html == y.__html || h.__html == t.innerHTML) || (t.innerHTML = h.__html), r.__k = []) : (y && (t.textContent = ""), ("foreignObject" == C || "http://www.w3.org/1998/Math/MathML" == f && v$2.test(C)) && (f = "http://www.w3.org/1999/xhtml"), I(a, w$3(_) ? _ : [_], r, u, i, f, o, e, o ? o[0] : u.__k && S$1(u, 0), l, c), o && o.some(g$3)), l && "textarea" != C || (s = "value", "progress" == C && null == b ? t.removeAttribute(s) : null == b || b === t[s] && ("progress" != C || b) || N(t, s, b, $[s], f), s = "checked", null != m && m != t[s] && N(t, s, m, $[s], f));
+	} else $ === x || l && t.data == x || (t.data = x);
+	return t;
+}
+function G(t, r, u, i) {
+	try {
+		"function" == typeof t ? r ? r.__x = t(r) || 1 : i && (i = i.__c || i.__e) && (r = i.__x) && (i.__x = null, "function" == typeof r ? r() : t(null)) : t.current = r;
+	} catch (t) {
+		n$1.__e(t, u);
+	}
+}
+function J(t, r, u) {
+	var i, f, o, e;
+	if (n$1.unmount && n$1.unmount(t), !(i = t.ref) || i.current && i.current != t.__e || G(i, null, r, t), i = t.__c) {
+		if (i.componentWillUnmount) try {
+			i.componentWillUnmount();
+		} catch (t) {
+			n$1.__e(t, r);
+		}
+		i.__P = i.__n = null;
+	}
+	if (i = t.__k) for (e = 0; e < i.length; e++) i[e] && J(i[e], r, "function" != typeof t.type || u && !t.props.__P);
+	!u && (i = t.__c) && (i = i.__z) && (f = B$1(i, o = [])) && (i == t.__e && o.some(g$3), g$3(f), g$3(i)), u || g$3(t.__e), t.__e = t.__c = t.__ = null;
+}
+function K(n, t, r) {
+	return this.constructor(n, r);
+}
+function Q(t, r) {
+	var u, i, f, o;
+	n$1.__ && n$1.__(t, r), 9 == r.nodeType && (r = r.documentElement), i = (u = t && 32 & t.__u) ? null : r.__k, r.__k = m$3($, { children: [t] }), f = [], o = [], z$1(r, r.__k, i || p$3, p$3, r.namespaceURI, i ? null : r.firstChild ? d$2.call(r.childNodes) : null, f, i ? i.__e : r.firstChild, u, o), E$1(f, r.__k, o), r.__k.props.children = null;
+}
+n$1 = { __e: function(n, t, r, u) {
+	for (var i, o, e; t = t.__;) if ((i = t.__c) && !(1 & i.__g)) {
+		i.__g |= 4;
+		try {
+			if ((e = (o = i.constructor) && o.getDerivedStateFromError) && i.setState(o.getDerivedStateFromError(n)), i.componentDidCatch && (i.componentDidCatch(n, u || {}), e = 1), e && 8 & i.__g) return void (i.__g |= 2);
+		} catch (t) {
+			n = t;
+		}
+	}
+	throw f$3 = 0, n;
+} }, t$3 = 0, r$2 = function(n) {
+	return null != n && n.constructor === h$3;
+}, x$1.prototype.setState = function(n, t) {
+	var r = this.__s;
+	r && r != this.state || (r = this.__s = _$2({}, this.state)), "function" == typeof n && (n = n(_$2({}, r), this.props)), n && (_$2(r, n), this.__v && (t && this.__k.push(t), L(this)));
+}, x$1.prototype.forceUpdate = function(n) {
+	this.__v && (this.__g |= 4, n && this.__h.push(n), L(this));
+}, x$1.prototype.render = $, u$3 = [], f$3 = 0, o$3 = function(n, t) {
+	return n.__v.__b - t.__v.__b;
+}, e$2 = Symbol(), l$2 = /(PointerCapture)$|Capture$/i, c$2 = 0, a$3 = {};
+// node_modules/preact/hooks/dist/hooks.mjs
+var t$2;
+var r$1;
+var u$2;
+var i$1;
+var o$2 = Object.is;
+var f$2 = 0;
+var c$1 = [];
+var e$1 = [];
+var a$2 = n$1;
+var v$1 = a$2.__b;
+var l$1 = a$2.__r;
+var m$2 = a$2.diffed;
+var h$2 = a$2.__c;
+var s$1 = a$2.unmount;
+var p$2 = a$2.__;
+function y$2(n, t) {
+	a$2.__h && a$2.__h(r$1, n, f$2 || t), f$2 = 0;
+	var u = r$1.__H || (r$1.__H = {
+		__: [],
+		__h: []
+	});
+	return n >= u.__.length && u.__.push({}), u.__[n];
+}
+function A$1(n, u) {
+	var i = y$2(t$2++, 3);
+	!a$2.__s && E(i.__H, u) && (i.__P = !0, i.__ = n, i.u = u, r$1.__H.__h.push(i));
+}
+function T(n) {
+	return f$2 = 5, w$2(function() {
+		return { current: n };
+	}, []);
+}
+function w$2(n, r) {
+	var u = y$2(t$2++, 7);
+	return E(u.__H, r) && (u.__ = n(), u.__H = r), u.__;
+}
+function g$2() {
+	var n;
+	do {
+		for (; n = e$1.shift();) try {
+			C(n);
+		} catch (t) {
+			a$2.__e(t, { __: (n = n.__P) && n.__v });
+		}
+		for (; n = c$1.shift();) {
+			var t = n.__H;
+			if (n.__P && t) try {
+				t.__h.some(C), t.__h.some(D), t.__h = [];
+			} catch (r) {
+				t.__h = [], a$2.__e(r, n.__v);
+			}
+		}
+	} while (e$1.length);
+}
+a$2.__b = function(n) {
+	r$1 = null, v$1 && v$1(n);
+}, a$2.__ = function(n, t) {
+	n && t.__k && t.__k.__m && (n.__m = t.__k.__m), p$2 && p$2(n, t);
+}, a$2.__r = function(n) {
+	l$1 && l$1(n), t$2 = 0;
+	var i = (r$1 = n.__c).__H;
+	i && (u$2 == r$1 ? r$1.__h = [] : (i.__h.some(C), i.__h.some(D), t$2 = 0), i.__h = [], i.__.some(function(n) {
+		n.__N && (n.__ = n.__N), n.u = n.__N = void 0;
+	})), u$2 = r$1;
+}, a$2.diffed = function(n) {
+	m$2 && m$2(n);
+	var t = n.__c;
+	t && t.__H && (t.__H.__h.length && B(c$1.push(t)), t.__H.__.some(function(n) {
+		n.u && (n.__H = n.u);
+	})), u$2 = r$1 = null;
+}, a$2.__c = function(n, t) {
+	t.some(function(n) {
+		try {
+			n.__h.some(C), n.__h = n.__h.filter(function(n) {
+				return !n.__ || D(n);
+			});
+		} catch (t) {
+			n.__h = [function() {
+				throw t;
+			}];
+		}
+	}), h$2 && h$2(n, t);
+}, a$2.unmount = function(n) {
+	s$1 && s$1(n);
+	var t, r, u = n.__c;
+	u && u.__H && (u.__H.__.some(function(u) {
+		try {
+			if (u.__P && u.__c) {
+				if (void 0 === r) {
+					for (r = n.__; r && (!r.__c || !r.__c.__P);) r = r.__;
+					r = r && r.__c;
+				}
+				u.__P = r, B(e$1.push(u));
+			} else C(u);
+		} catch (n) {
+			t = n;
+		}
+	}), u.__H = void 0, t && a$2.__e(t, u.__v));
+};
+var k$1 = "function" == typeof requestAnimationFrame;
+function z(n) {
+	var t, r = function() {
+		clearTimeout(u), k$1 && cancelAnimationFrame(t), setTimeout(n);
+	}, u = setTimeout(r, 35);
+	k$1 && (t = requestAnimationFrame(r));
+}
+function B(n) {
+	1 != n && i$1 == a$2.requestAnimationFrame || ((i$1 = a$2.requestAnimationFrame) || z)(g$2);
+}
+function C(n) {
+	var t = r$1, u = n.__c;
+	"function" == typeof u && (n.__c = void 0, u()), r$1 = t;
+}
+function D(n) {
+	var t = r$1;
+	n.__c = n.__(), r$1 = t;
+}
+function E(n, t) {
+	return !n || n.length != t.length || t.some(function(t, r) {
+		return !o$2(t, n[r]);
+	});
+}
+// node_modules/@preact/signals-core/dist/signals-core.module.js
+var i = Symbol.for("preact-signals");
+function t$1() {
+	if (!(v > 1)) {
+		var i, t = !1;
+		(function() {
+			var i = c;
+			c = void 0;
+			while (void 0 !== i) {
+				var t = i.S;
+				if (t.v === i.v) {
+					for (var r = t.t; void 0 !== r; r = r.x) if (r.i === i.i) r.i = t.i;
+				}
+				i = i.o;
+			}
+		})();
+		while (void 0 !== h$1) {
+			var r = h$1;
+			h$1 = void 0;
+			s++;
+			while (void 0 !== r) {
+				var n = r.u;
+				r.u = void 0;
+				r.f &= -3;
+				if (!(8 & r.f) && w$1(r)) try {
+					r.c();
+				} catch (r) {
+					if (!t) {
+						i = r;
+						t = !0;
+					}
+				}
+				r = n;
+			}
+		}
+		s = 0;
+		v--;
+		if (t) throw i;
+	} else v--;
+}
+function r(i) {
+	if (v > 0) return i();
+	u$1 = ++e;
+	v++;
+	try {
+		return i();
+	} finally {
+		t$1();
+	}
+}
+var n;
+var o$1 = void 0;
+function f$1(i) {
+	var t = o$1, r = n;
+	o$1 = void 0;
+	n = void 0;
+	try {
+		return i();
+	} finally {
+		o$1 = t;
+		n = r;
+	}
+}
+var h$1 = void 0;
+var v = 0;
+var s = 0;
+var e = 0;
+var u$1 = 0;
+var c = void 0;
+var a$1 = 0;
+function d$1(i) {
+	if (void 0 !== o$1) {
+		var t = i.n;
+		if (void 0 === t || t.t !== o$1) {
+			t = {
+				i: 0,
+				S: i,
+				p: o$1.s,
+				n: void 0,
+				t: o$1,
+				e: void 0,
+				x: void 0,
+				r: t
+			};
+			if (void 0 !== o$1.s) o$1.s.n = t;
+			o$1.s = t;
+			i.n = t;
+			if (32 & o$1.f) i.S(t);
+			return t;
+		} else if (-1 === t.i) {
+			t.i = 0;
+			if (void 0 !== t.n) {
+				t.n.p = t.p;
+				if (void 0 !== t.p) t.p.n = t.n;
+				t.p = o$1.s;
+				t.n = void 0;
+				o$1.s.n = t;
+				o$1.s = t;
+			}
+			return t;
+		}
+	}
+}
+function l(i, t) {
+	this.v = i;
+	this.i = 0;
+	this.n = void 0;
+	this.t = void 0;
+	this.l = 0;
+	this.W = null == t ? void 0 : t.watched;
+	this.Z = null == t ? void 0 : t.unwatched;
+	this.name = null == t ? void 0 : t.name;
+}
+l.prototype.brand = i;
+l.prototype.h = function() {
+	return !0;
+};
+l.prototype.S = function(i) {
+	var t = this, r = this.t;
+	if (r !== i && void 0 === i.e) {
+		i.x = r;
+		this.t = i;
+		if (void 0 !== r) r.e = i;
+		else f$1(function() {
+			var i;
+			null == (i = t.W) || i.call(t);
+		});
+	}
+};
+l.prototype.U = function(i) {
+	var t = this;
+	if (void 0 !== this.t) {
+		var r = i.e, n = i.x;
+		if (void 0 !== r) {
+			r.x = n;
+			i.e = void 0;
+		}
+		if (void 0 !== n) {
+			n.e = r;
+			i.x = void 0;
+		}
+		if (i === this.t) {
+			this.t = n;
+			if (void 0 === n) f$1(function() {
+				var i;
+				null == (i = t.Z) || i.call(t);
+			});
+		}
+	}
+};
+l.prototype.subscribe = function(i) {
+	var t = this;
+	return x(function() {
+		var r = t.value;
+		f$1(function() {
+			return i(r);
+		});
+	}, { name: "sub" });
+};
+l.prototype.valueOf = function() {
+	return this.value;
+};
+l.prototype.toString = function() {
+	return this.value + "";
+};
+l.prototype.toJSON = function() {
+	return this.value;
+};
+l.prototype.peek = function() {
+	var i = this;
+	return f$1(function() {
+		return i.value;
+	});
+};
+Object.defineProperty(l.prototype, "value", {
+	get: function() {
+		var i = d$1(this);
+		if (void 0 !== i) i.i = this.i;
+		return this.v;
+	},
+	set: function(i) {
+		if (i !== this.v) {
+			if (s > 100) throw new Error("Cycle detected");
+			(function(i) {
+				if (0 !== v && 0 === s) {
+					if (i.l !== u$1) {
+						i.l = u$1;
+						c = {
+							S: i,
+							v: i.v,
+							i: i.i,
+							o: c
+						};
+					}
+				}
+			})(this);
+			this.v = i;
+			this.i++;
+			a$1++;
+			v++;
+			try {
+				for (var r = this.t; void 0 !== r; r = r.x) r.t.N();
+			} finally {
+				t$1();
+			}
+		}
+	}
+});
+function y$1(i, t) {
+	return new l(i, t);
+}
+function w$1(i) {
+	for (var t = i.s; void 0 !== t; t = t.n) if (t.S.i !== t.i || !t.S.h() || t.S.i !== t.i) return !0;
+	return !1;
+}
+function b$1(i) {
+	for (var t = i.s; void 0 !== t; t = t.n) {
+		var r = t.S.n;
+		if (void 0 !== r) t.r = r;
+		t.S.n = t;
+		t.i = -1;
+		if (void 0 === t.n) {
+			i.s = t;
+			break;
+		}
+	}
+}
+function _$1(i) {
+	var t = i.s, r = void 0;
+	while (void 0 !== t) {
+		var n = t.p;
+		if (-1 === t.i) {
+			t.S.U(t);
+			if (void 0 !== n) n.n = t.n;
+			if (void 0 !== t.n) t.n.p = n;
+		} else r = t;
+		t.S.n = t.r;
+		if (void 0 !== t.r) t.r = void 0;
+		t = n;
+	}
+	i.s = r;
+}
+function j(i, t) {
+	l.call(this, void 0, t);
+	this.x = i;
+	this.s = void 0;
+	this.g = a$1 - 1;
+	this.f = 4;
+}
+j.prototype = new l();
+j.prototype.h = function() {
+	this.f &= -3;
+	if (1 & this.f) return !1;
+	if (32 == (36 & this.f)) return !0;
+	this.f &= -5;
+	if (this.g === a$1) return !0;
+	this.g = a$1;
+	this.f |= 1;
+	if (this.i > 0 && !w$1(this)) {
+		this.f &= -2;
+		return !0;
+	}
+	var i = o$1;
+	try {
+		b$1(this);
+		o$1 = this;
+		var t = this.x();
+		if (16 & this.f || this.v !== t || 0 === this.i) {
+			this.v = t;
+			this.f &= -17;
+			this.i++;
+		}
+	} catch (i) {
+		this.v = i;
+		this.f |= 16;
+		this.i++;
+	}
+	o$1 = i;
+	_$1(this);
+	this.f &= -2;
+	return !0;
+};
+j.prototype.S = function(i) {
+	if (void 0 === this.t) {
+		this.f |= 36;
+		for (var t = this.s; void 0 !== t; t = t.n) t.S.S(t);
+	}
+	l.prototype.S.call(this, i);
+};
+j.prototype.U = function(i) {
+	if (void 0 !== this.t) {
+		l.prototype.U.call(this, i);
+		if (void 0 === this.t) {
+			this.f &= -33;
+			for (var t = this.s; void 0 !== t; t = t.n) t.S.U(t);
+		}
+	}
+};
+j.prototype.N = function() {
+	if (!(2 & this.f)) {
+		this.f |= 6;
+		for (var i = this.t; void 0 !== i; i = i.x) i.t.N();
+	}
+};
+Object.defineProperty(j.prototype, "value", { get: function() {
+	if (1 & this.f) throw new Error("Cycle detected");
+	var i = d$1(this);
+	this.h();
+	if (void 0 !== i) i.i = this.i;
+	if (16 & this.f) throw this.v;
+	return this.v;
+} });
+function O(i, t) {
+	return new j(i, t);
+}
+function p$1(i) {
+	var r = i.j;
+	i.j = void 0;
+	if ("function" == typeof r) {
+		v++;
+		var n = o$1;
+		o$1 = void 0;
+		try {
+			r();
+		} catch (t) {
+			i.f &= -2;
+			i.f |= 8;
+			g$1(i);
+			throw t;
+		} finally {
+			o$1 = n;
+			t$1();
+		}
+	}
+}
+function g$1(i) {
+	for (var t = i.s; void 0 !== t; t = t.n) t.S.U(t);
+	i.x = void 0;
+	i.s = void 0;
+	p$1(i);
+}
+function S(i) {
+	if (o$1 !== this) throw new Error("Out-of-order effect");
+	_$1(this);
+	o$1 = i;
+	this.f &= -2;
+	try {
+		if (8 & this.f) g$1(this);
+	} finally {
+		t$1();
+	}
+}
+function m$1(i, t) {
+	this.x = i;
+	this.j = void 0;
+	this.s = void 0;
+	this.u = void 0;
+	this.f = 32;
+	this.name = null == t ? void 0 : t.name;
+	if (n) n.push(this);
+}
+m$1.prototype.c = function() {
+	var i = this.S();
+	try {
+		if (8 & this.f) return;
+		if (void 0 === this.x) return;
+		var t = this.x();
+		if ("function" == typeof t) this.j = t;
+	} finally {
+		i();
+	}
+};
+m$1.prototype.S = function() {
+	if (1 & this.f) throw new Error("Cycle detected");
+	this.f |= 1;
+	this.f &= -9;
+	p$1(this);
+	b$1(this);
+	v++;
+	var i = o$1;
+	o$1 = this;
+	return S.bind(this, i);
+};
+m$1.prototype.N = function() {
+	if (!(2 & this.f)) {
+		this.f |= 2;
+		this.u = h$1;
+		h$1 = this;
+	}
+};
+m$1.prototype.d = function() {
+	this.f |= 8;
+	if (!(1 & this.f)) g$1(this);
+};
+m$1.prototype.dispose = function() {
+	this.d();
+};
+function x(i, t) {
+	var r = new m$1(i, t);
+	try {
+		r.c();
+	} catch (i) {
+		r.d();
+		throw i;
+	}
+	var n = r.d.bind(r);
+	n[Symbol.dispose] = n;
+	return n;
+}
+// node_modules/@preact/signals/dist/signals.module.js
+var h;
+var p;
+var m = "undefined" != typeof window && !!window.__PREACT_SIGNALS_DEVTOOLS__;
+var g = [];
+x(function() {
+	h = this.N;
+})();
+function b(i, n) {
+	n$1[i] = n.bind(null, n$1[i] || function() {});
+}
+function y(i) {
+	if (p) {
+		var n = p;
+		p = void 0;
+		n();
+	}
+	p = i && i.S();
+}
+function w(i) {
+	var n = this, r = i.data, t = useSignal(r);
+	t.name = "ReactiveDom";
+	t.value = r;
+	var e = w$2(function() {
+		var i = n, r = n.__v;
+		while (r = r.__) if (r.__c) {
+			r.__c.__$f |= 4;
+			break;
+		}
+		var o = O(function() {
+			var i = t.value.value;
+			return 0 === i ? 0 : !0 === i ? "" : i || "";
+		}), e = O(function() {
+			return !Array.isArray(o.value) && !r$2(o.value);
+		}), u = x(function() {
+			this.N = M$1;
+			if (e.value) {
+				var n = o.value;
+				if (i.__v && i.__v.__e && 3 === i.__v.__e.nodeType) i.__v.__e.data = n;
+			}
+		}), c = n.__$u.d;
+		n.__$u.d = function() {
+			u();
+			c.call(this);
+		};
+		return [e, o];
+	}, []), u = e[0], c = e[1];
+	return u.value ? c.peek() : c.value;
+}
+w.displayName = "ReactiveTextNode";
+Object.defineProperties(l.prototype, {
+	constructor: {
+		configurable: !0,
+		value: k$2($, null).constructor
+	},
+	type: {
+		configurable: !0,
+		value: w
+	},
+	props: {
+		configurable: !0,
+		get: function() {
+			var i = this;
+			return { data: { get value() {
+				return i.value;
+			} } };
+		}
+	},
+	__b: {
+		configurable: !0,
+		value: 1
+	}
+});
+b("__b", function(i, n) {
+	y();
+	if ("string" == typeof n.type) {
+		var r, t = n.props;
+		for (var f in t) if ("children" !== f) {
+			var o = t[f];
+			if (o instanceof l) {
+				if (!r) n.__np = r = {};
+				r[f] = o;
+				t[f] = o.peek();
+			}
+		}
+	}
+	i(n);
+});
+b("__r", function(i, r) {
+	i(r);
+	if (r.type !== $) {
+		y();
+		var t, f = r.__c;
+		if (f) {
+			f.__$f &= -2;
+			if (void 0 === (t = f.__$u)) f.__$u = t = function(i, n) {
+				var r;
+				x(function() {
+					r = this;
+				}, { name: n });
+				r.c = i;
+				return r;
+			}(function(i) {
+				return function() {
+					var n;
+					if (m) null == (n = this.y) || n.call(this);
+					i.__$f |= 1;
+					i.setState({});
+				};
+			}(f), "function" == typeof r.type ? r.type.displayName || r.type.name : "");
+		}
+		y(t);
+	}
+});
+b("__e", function(i, n, r, t) {
+	y();
+	i(n, r, t);
+});
+b("diffed", function(i, n) {
+	y();
+	var r;
+	if ("string" == typeof n.type && (r = n.__e)) {
+		var t = n.__np, f = n.props, o = r.U;
+		if (o) for (var e in o) {
+			var u = o[e];
+			if (!(void 0 === u || t && e in t)) {
+				u.d();
+				o[e] = void 0;
+			}
+		}
+		if (t) {
+			if (!o) {
+				o = {};
+				r.U = o;
+			}
+			for (var a in t) {
+				var c = o[a], v = t[a];
+				if (void 0 === c) {
+					c = k(r, a, v, f);
+					o[a] = c;
+				} else c.o(v, f);
+			}
+		}
+	}
+	i(n);
+});
+function k(i, n, r, t) {
+	var f = n in i && void 0 === i.ownerSVGElement, o = y$1(r);
+	return {
+		o: function(i, n) {
+			o.value = i;
+			t = n;
+		},
+		d: x(function() {
+			this.N = M$1;
+			var r = o.value.value;
+			if (t[n] !== r) {
+				t[n] = r;
+				if (f) i[n] = r;
+				else if (null != r && (!1 !== r || "-" === n[4])) i.setAttribute(n, r);
+				else i.removeAttribute(n);
+			}
+		})
+	};
+}
+b("unmount", function(i, n) {
+	if ("string" == typeof n.type) {
+		var r = n.__e;
+		if (r) {
+			var t = r.U;
+			if (t) {
+				r.U = void 0;
+				for (var f in t) {
+					var o = t[f];
+					if (o) o.d();
+				}
+			}
+		}
+		var e = n.__np;
+		if (e) {
+			var u = n.props;
+			for (var a in e) u[a] = e[a];
+		}
+		n.__np = void 0;
+	} else {
+		var c = n.__c;
+		if (c) {
+			c.__$f |= 8;
+			var v = c.__$u;
+			if (v) {
+				c.__$u = void 0;
+				v.d();
+			}
+		}
+	}
+	i(n);
+});
+b("__h", function(i, n, r, t) {
+	if (t < 3) n.__$f |= 2;
+	i(n, r, t);
+});
+x$1.prototype.shouldComponentUpdate = function(i, n) {
+	if (this.__R) return !0;
+	var r = this.__$u, t = r && void 0 !== r.s;
+	for (var f in n) return !0;
+	if (this.__f || "boolean" == typeof this.u && !0 === this.u) {
+		var o = 2 & this.__$f;
+		if (!(t || o || 4 & this.__$f)) return !0;
+		if (1 & this.__$f) return !0;
+	} else {
+		if (!(t || 4 & this.__$f)) return !0;
+		if (3 & this.__$f) return !0;
+	}
+	for (var e in i) if ("__source" !== e && i[e] !== this.props[e]) return !0;
+	for (var u in this.props) if (!(u in i)) return !0;
+	return !1;
+};
+function useSignal(i, n) {
+	return w$2(function() {
+		return y$1(i, n);
+	}, []);
+}
+var A = function(i) {
+	queueMicrotask(function() {
+		queueMicrotask(i);
+	});
+};
+function F() {
+	r(function() {
+		var i;
+		while (i = g.shift()) h.call(i);
+	});
+}
+function M$1() {
+	if (1 === g.push(this)) (n$1.requestAnimationFrame || A)(F);
+}
+// src/api.ts
+/** REST: who asks, with which key, and what the server says when it does not want to. */
+/** A refusal of the server (RFC 9457), or of the network. */
+var Refused = class extends Error {
+	status;
+	remedy;
+	field;
+	constructor(status, message, remedy = "", field = "") {
+		super(message);
+		this.status = status;
+		this.remedy = remedy;
+		this.field = field;
+	}
+};
+var KEY = "hoistway.key";
+var ACTOR = "hoistway.actor";
+var TIMEOUT = 35e3;
+var key$1 = sessionStorage.getItem(KEY) ?? "";
+var wantsKey = () => void 0;
+var forbidden = () => void 0;
+/** Server's clock minus ours, ms, from the Date header (whole seconds). */
+var skew = 0;
+function onKeyWanted(call) {
+	wantsKey = call;
+}
+/** Whoever is here may not do what was asked for. */
+function onForbidden(call) {
+	forbidden = call;
+}
+function useKey$1(given) {
+	key$1 = given;
+	sessionStorage.setItem(KEY, given);
+}
+function actor() {
+	return localStorage.getItem(ACTOR) ?? "";
+}
+function nameActor(name) {
+	localStorage.setItem(ACTOR, name.trim());
+}
+/** The server's time, ms. */
+function serverNow() {
+	return Date.now() + skew;
+}
+/** A header carries bytes; the server reads them as UTF-8. */
+function headerText(text) {
+	return String.fromCharCode(...new TextEncoder().encode(text));
+}
+var notNow = () => "";
+/** Nothing may be asked of the plant while this says why not. */
+function forbidWhile(why) {
+	notNow = why;
+}
+/** Who is there may be said at any time, and the stream goes on. */
+var ALWAYS = /^\/(session|live)(\/|$)/;
+async function call(method, path, body, extra = {}) {
+	const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
+	if (why) throw new Refused(0, why);
+	const headers = {
+		Accept: "application/json",
+		"Accept-Language": document.documentElement.lang || "en",
+		...extra
+	};
+	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
+	if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
+	if (body !== void 0) headers["Content-Type"] = "application/json";
+	const init = {
+		method,
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	};
+	if (body !== void 0) init.body = JSON.stringify(body);
+	let response;
+	try {
+		response = await fetch(`/api/v1${path}`, init);
+	} catch {
+		throw new Refused(0, "The server does not answer.");
+	}
+	const date = Date.parse(response.headers.get("date") ?? "");
+	if (Math.abs(date + 500 - serverNow()) > 1500) skew = date + 500 - Date.now();
+	if (response.ok) return response.status === 204 ? void 0 : await response.json();
+	throw await refusal$1(response);
+}
+async function refusal$1(response) {
+	if (response.status === 401) wantsKey();
+	if (response.status === 403) forbidden();
+	const problem = await response.json().catch(() => ({}));
+	const text = (name) => typeof problem[name] === "string" ? problem[name] : "";
+	return new Refused(response.status, text("detail") || text("title") || `${response.status} ${response.statusText}`, text("remedy"), text("field"));
+}
+var get = (path) => call("GET", path);
+var post = (path, body, extra) => call("POST", path, body, extra);
+async function fetched(path) {
+	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
+	const response = await fetch(`/api/v1${path}`, {
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	}).catch(() => {
+		throw new Refused(0, "The server does not answer.");
+	});
+	if (!response.ok) throw await refusal$1(response);
+	return response;
+}
+async function bytes(path) {
+	return new Uint8Array(await (await fetched(path)).arrayBuffer());
+}
+/** Send a file as it is. */
+async function upload(path, text, kind) {
+	const headers = {
+		Accept: "application/json",
+		"Accept-Language": document.documentElement.lang || "en",
+		"Content-Type": kind
+	};
+	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
+	if (actor()) headers["X-Actor"] = headerText(actor());
+	const response = await fetch(`/api/v1${path}`, {
+		method: "POST",
+		headers,
+		body: text,
+		signal: AbortSignal.timeout(TIMEOUT)
+	});
+	if (!response.ok) throw await refusal$1(response);
+	return await response.json();
+}
+/** Let the browser save what a path gives. A link could not carry the access key. */
+async function download(path, name) {
+	const response = await fetched(path);
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(await response.blob());
+	link.download = name;
+	link.click();
+	URL.revokeObjectURL(link.href);
+}
+async function alive() {
+	try {
+		return (await fetch("/healthz", {
+			signal: AbortSignal.timeout(3e3),
+			cache: "no-store"
+		})).ok;
+	} catch {
+		return false;
+	}
+}
+/** A name for an order that may be sent again. randomUUID exists on secure pages only. */
+function freshKey() {
+	const bytes = crypto.getRandomValues(/* @__PURE__ */ new Uint8Array(12));
+	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
+}
+// ../app/texts/en.json
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"Full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\"}");
+var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
+var events$1 = {
+	"TransferInitiated": "Transfer initiated",
+	"VehicleAssigned": "Vehicle assigned",
+	"VehicleUnassigned": "Vehicle unassigned",
+	"VehicleDeparted": "Vehicle departed",
+	"VehicleArrived": "Vehicle arrived",
+	"Transferring": "Transferring",
+	"VehicleAcquireStarted": "Vehicle acquire started",
+	"VehicleAcquireCompleted": "Vehicle acquire completed",
+	"CarrierInstalled": "Carrier installed",
+	"CarrierRemoved": "Carrier removed",
+	"VehicleDepositStarted": "Vehicle deposit started",
+	"VehicleDepositCompleted": "Vehicle deposit completed",
+	"TransferCompleted": "Transfer completed",
+	"TransferAbortInitiated": "Transfer abort initiated",
+	"TransferAbortCompleted": "Transfer abort completed",
+	"TransferAbortFailed": "Transfer abort failed",
+	"TransferCancelInitiated": "Transfer cancel initiated",
+	"TransferCancelCompleted": "Transfer cancel completed",
+	"TransferCancelFailed": "Transfer cancel failed",
+	"TransferPaused": "Transfer paused",
+	"TransferResumed": "Transfer resumed",
+	"AlarmSet": "Alarm set",
+	"AlarmCleared": "Alarm cleared",
+	"VehicleHeld": "Vehicle held",
+	"VehicleReleased": "Vehicle released",
+	"VehicleRemoved": "Vehicle removed",
+	"VehicleInstalled": "Vehicle installed",
+	"VehicleBrokenDown": "Vehicle broken down",
+	"VehicleMended": "Vehicle mended",
+	"TransferUpdated": "Transfer updated",
+	"ControllerAuto": "Controller auto",
+	"ControllerPausing": "Controller pausing",
+	"ControllerPaused": "Controller paused",
+	"PortStateChanged": "Port state changed",
+	"CarrierLocationChanged": "Carrier location changed",
+	"TeachingApproved": "Teaching approved",
+	"PlaceClosing": "Place closing",
+	"TeachingSessionOpened": "Teaching session opened",
+	"ZoneResumed": "Zone resumed",
+	"TeachingSessionEnded": "Teaching session ended",
+	"TeachingTaken": "Teaching taken",
+	"DriveParameterWritten": "Drive parameter written",
+	"DriveOnline": "Drive online",
+	"TeachingImported": "Teaching imported",
+	"DriveOffline": "Drive offline",
+	"EmergencySet": "Emergency set",
+	"PlaceClosed": "Place closed",
+	"TeachingRejected": "Teaching rejected",
+	"TeachingCodeUnknown": "Teaching code unknown",
+	"EmergencyReleased": "Emergency released",
+	"PlaceOpened": "Place opened",
+	"TeachingRolledBack": "Teaching rolled back",
+	"DeviceChanged": "Device changed",
+	"DriveErrorCleared": "Drive error cleared",
+	"ZonePaused": "Zone paused",
+	"DriveErrorSet": "Drive error set",
+	"WalkStarted": "Walk started",
+	"WalkEnded": "Walk ended"
+};
+// ../app/texts/ko.json
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\"}");
+var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
+var events = {
+	"TransferInitiated": "반송 시작 등록",
+	"VehicleAssigned": "차량 배정",
+	"VehicleUnassigned": "차량 배정 해제",
+	"VehicleDeparted": "차량 출발",
+	"VehicleArrived": "차량 도착",
+	"Transferring": "반송 중",
+	"VehicleAcquireStarted": "적재 시작",
+	"VehicleAcquireCompleted": "적재 완료",
+	"CarrierInstalled": "캐리어 탑재",
+	"CarrierRemoved": "캐리어 하역",
+	"VehicleDepositStarted": "이재 시작",
+	"VehicleDepositCompleted": "이재 완료",
+	"TransferCompleted": "반송 완료",
+	"TransferAbortInitiated": "중단 시작",
+	"TransferAbortCompleted": "중단 완료",
+	"TransferAbortFailed": "중단 실패",
+	"TransferCancelInitiated": "취소 시작",
+	"TransferCancelCompleted": "취소 완료",
+	"TransferCancelFailed": "취소 실패",
+	"TransferPaused": "반송 일시정지",
+	"TransferResumed": "반송 재개",
+	"AlarmSet": "알람 발생",
+	"AlarmCleared": "알람 해제",
+	"VehicleHeld": "차량 보류",
+	"VehicleReleased": "차량 해제",
+	"VehicleRemoved": "차량 제거",
+	"VehicleInstalled": "차량 투입",
+	"VehicleBrokenDown": "차량 고장",
+	"VehicleMended": "차량 복구",
+	"TransferUpdated": "반송 변경",
+	"ControllerAuto": "제어기 자동",
+	"ControllerPausing": "제어기 일시정지 중",
+	"ControllerPaused": "제어기 일시정지",
+	"PortStateChanged": "포트 상태 변경",
+	"CarrierLocationChanged": "캐리어 위치 변경",
+	"TeachingApproved": "티칭 승인",
+	"PlaceClosing": "폐쇄 진행",
+	"TeachingSessionOpened": "티칭 세션 시작",
+	"ZoneResumed": "구역 재개",
+	"TeachingSessionEnded": "티칭 세션 종료",
+	"TeachingTaken": "티칭 수신",
+	"DriveParameterWritten": "드라이브 파라미터 변경",
+	"DriveOnline": "드라이브 온라인",
+	"TeachingImported": "티칭 가져오기",
+	"DriveOffline": "드라이브 오프라인",
+	"EmergencySet": "비상 상황 발생",
+	"PlaceClosed": "폐쇄 완료",
+	"TeachingRejected": "티칭 반려",
+	"TeachingCodeUnknown": "알 수 없는 티칭 코드",
+	"EmergencyReleased": "비상 상황 해제",
+	"PlaceOpened": "폐쇄 해제",
+	"TeachingRolledBack": "티칭 되돌림",
+	"DeviceChanged": "장치 상태 변경",
+	"DriveErrorCleared": "드라이브 오류 해제",
+	"ZonePaused": "구역 일시정지",
+	"DriveErrorSet": "드라이브 오류 발생",
+	"WalkStarted": "재고 점검 시작",
+	"WalkEnded": "재고 점검 종료"
+};
+// src/sayings.ts
+/** Sentences within sentences are translated too, so deep. */
+var DEPTH = 4;
+var KEPT$4 = 2e3;
+var Sayings = class {
+	list;
+	known = /* @__PURE__ */ new Map();
+	/** Two catalogues of the same keys; {0}, {1} … are slots. */
+	constructor(from, to) {
+		this.list = Object.entries(from).map(([key, text]) => ({
+			pattern: patternOf(text),
+			other: to[key] ?? text,
+			weight: text.replace(/\{\d\}/g, "").length
+		}));
+		this.list.sort((a, b) => b.weight - a.weight);
+	}
+	translate(sentence) {
+		if (!sentence) return sentence;
+		const known = this.known.get(sentence);
+		if (known !== void 0) return known;
+		const found = this.retold(sentence, DEPTH);
+		if (this.known.size >= KEPT$4) this.known.clear();
+		this.known.set(sentence, found);
+		return found;
+	}
+	retold(sentence, depth) {
+		for (const { pattern, other } of this.list) {
+			const match = pattern.exec(sentence);
+			if (!match) continue;
+			return other.replace(/\{(\d)\}/g, (_, slot) => {
+				const part = match.groups?.[`s${slot}`] ?? "";
+				return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
+			});
+		}
+		return sentence;
+	}
+};
+/** What stands first is a name, or several: a clause within a sentence is none by itself. */
+function patternOf(text) {
+	const parts = text.split(/(\{\d\})/).filter(Boolean).map((part, i) => {
+		const slot = /^\{(\d)\}$/.exec(part);
+		return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+	});
+	return new RegExp(`^${parts.join("")}$`, "s");
+}
+// src/texts.ts
+/**
+* Every word of the page, in both languages, from the catalogue that the API and the command line speak from as well
+* (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
+*/
+var KEPT$3 = "hoistway.language";
+var kept$4 = localStorage.getItem(KEPT$3);
+var language = y$1(kept$4 === "en" || kept$4 === "ko" ? kept$4 : navigator.language.startsWith("ko") ? "ko" : "en");
+var sayings = new Sayings(sayings$2, sayings$1);
+function speak(next) {
+	localStorage.setItem(KEPT$3, next);
+	language.value = next;
+	document.documentElement.lang = next;
+}
+/** A word or sentence; {0}, {1} … are replaced. */
+function t(word, ...values) {
+	const text = (language.value === "ko" ? page : page$1)[word];
+	return values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+}
+/** The server's word for a state, translated if we know it. */
+function said(word) {
+	return Object.hasOwn(page$1, word) ? t(word) : word.replaceAll("_", " ");
+}
+/** A sentence of the server, translated as far as the catalogue knows it. */
+function tell(sentence) {
+	if (language.value === "en") return sentence;
+	return Object.hasOwn(page, sentence) ? said(sentence) : sayings.translate(sentence);
+}
+/** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */
+function happening(event) {
+	return (language.value === "ko" ? events : events$1)[event] ?? event.replace(/([a-z])([A-Z])/g, "$1 $2");
+}
+// src/access.ts
+/** Who is at the page and which calls they may make: the server says both, and when they have to say so again. */
+var KEPT$2 = "hoistway.session";
+/** Looked so often whether the token is to be renewed, ms. */
+var LOOK = 15e3;
+/** A server that does not answer is asked again after so long, ms. */
+var LATER = 2e3;
+var me = y$1(null);
+/** Whether somebody has to say who they are before the page can go on. */
+var asked$2 = y$1(false);
+/** Rises whenever it becomes known who is there: what was refused before is read again. */
+var round$2 = y$1(0);
+/** Why a button that was pressed does nothing for who is here. */
+var barred$1 = y$1("");
+var rulings = y$1(/* @__PURE__ */ new Map());
+var session = y$1(kept$3());
+function kept$3() {
+	try {
+		return JSON.parse(sessionStorage.getItem(KEPT$2) ?? "null");
+	} catch {
+		return null;
+	}
+}
+function keep(next) {
+	session.value = next;
+	if (next) sessionStorage.setItem(KEPT$2, JSON.stringify(next));
+	else sessionStorage.removeItem(KEPT$2);
+}
+/** All roles there are: each may at least look. */
+var allRoles = O(() => {
+	return [...rulings.value.values()].map(({ roles }) => roles).reduce((longest, roles) => roles.length > longest.length ? roles : longest, []);
+});
+/** Roles in words, for people. */
+var inWords = (roles) => roles.map((role) => said(`role_${role}`)).join(", ");
+/** Why who is here may not make a call; "" where they may, or where the server is to say so itself. */
+function refusal(call) {
+	const who = me.value;
+	const ruling = rulings.value.get(call);
+	if (!who || who.open || !ruling || ruling.allowed) return "";
+	return t("needs_role", inWords(ruling.roles), who.name ?? "", inWords(who.roles) || t("none"));
+}
+/** Whether the people who work here are named by themselves: nobody logs in, or a machine's key speaks for somebody. */
+var namesItself = O(() => me.value === null || me.value.open || !me.value.person);
+/** Ask the server who this is and what they may. `anew`: somebody has just said who they are. */
+async function learn(anew = false) {
+	const [who, calls] = await Promise.all([get("/session"), get("/session/calls")]);
+	if (JSON.stringify(who) === JSON.stringify(me.value) && !anew) return;
+	rulings.value = new Map(calls.items.map((ruling) => [ruling.call, ruling]));
+	me.value = who;
+	barred$1.value = "";
+	round$2.value++;
+}
+function take({ token, expires, until }) {
+	const [now, end] = [serverNow(), Date.parse(expires)];
+	useKey$1(token);
+	keep({
+		renew: now + (end - now) / 2,
+		expires: end,
+		until: Date.parse(until)
+	});
+}
+/** Log in with a password. Raises Refused. */
+async function logIn(name, password) {
+	take(await post("/session", {
+		name,
+		password
+	}));
+	await learn(true);
+	asked$2.value = false;
+}
+/** Use a machine's key. Raises Refused. */
+async function useKey(key) {
+	keep(null);
+	useKey$1(key);
+	await learn(true);
+	asked$2.value = false;
+}
+/** Log out, and begin with an empty page: nothing of what was shown stays. */
+async function logOut() {
+	if (me.value?.person) await call("DELETE", "/session").catch(() => void 0);
+	useKey$1("");
+	keep(null);
+	location.reload();
+}
+async function renew() {
+	const now = session.value;
+	if (!now || asked$2.value || serverNow() < now.renew) return;
+	keep({
+		...now,
+		renew: serverNow() + LOOK
+	});
+	try {
+		take(await post("/session/renew"));
+	} catch {}
+}
+/** Ask whenever the server wants to know; `go` begins, and goes on after each log-in. */
+function begin$5(go) {
+	onKeyWanted(() => asked$2.value = true);
+	onForbidden(() => void learn().catch(() => void 0));
+	window.setInterval(() => void renew(), LOOK);
+	const first = () => {
+		learn().catch((error) => {
+			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(first, LATER);
+		});
+	};
+	first();
+	renew();
+	let before = round$2.value;
+	round$2.subscribe((now) => {
+		if (now !== before) go();
+		before = now;
+	});
+}
+// src/alarms.ts
+function wrongs({ controller, vehicles, devices, drives }) {
+	return [
+		...controller ? ofController(controller) : [],
+		...[...vehicles].flatMap(ofVehicle),
+		...[...devices].flatMap(ofDevice),
+		...[...drives].flatMap(ofDrive)
+	].sort((a, b) => Number(b.grave) - Number(a.grave) || (b.since ?? "").localeCompare(a.since ?? ""));
+}
+function ofController(controller) {
+	const of = (key, cause, since = null) => ({
+		key: `controller ${key}`,
+		source: controller.plant,
+		kind: "controller",
+		grave: true,
+		cause,
+		remedy: "",
+		since
+	});
+	return [
+		...controller.trouble ? [of("trouble", controller.trouble)] : [],
+		...controller.emergencies.map((words) => of(words, words)),
+		...controller.circles.map((words) => of(words, words))
+	];
+}
+function ofVehicle(vehicle) {
+	const { hold, lockout, link } = vehicle;
+	const of = (grave, cause, remedy, since) => ({
+		key: `vehicle ${vehicle.id}`,
+		source: vehicle.id,
+		kind: "vehicle",
+		grave,
+		cause,
+		remedy,
+		since
+	});
+	if (vehicle.oper === "alarm") return [of(true, [vehicle.code ? `0x${vehicle.code.toString(16).toUpperCase().padStart(4, "0")} ${vehicle.code_name}`.trim() : "", hold?.reason].filter(Boolean).join(": ") || "alarm", hold?.remedy ?? "", hold?.since ?? null)];
+	if (lockout) return [of(false, `locked out by ${lockout.owner}: ${lockout.reason}`, "", lockout.since)];
+	if (hold) return [of(false, hold.reason, hold.remedy, hold.since)];
+	return link.up || vehicle.activity === "off_rail" ? [] : [of(false, `it is not connected: ${link.reason}`, "", link.since)];
+}
+function ofDevice(device) {
+	const cause = device.alarm || device.contradiction;
+	if (!cause) return [];
+	return [{
+		key: `device ${device.id}`,
+		source: device.id,
+		kind: "device",
+		grave: Boolean(device.alarm),
+		cause,
+		remedy: device.remedy,
+		since: device.since
+	}];
+}
+function ofDrive(drive) {
+	const of = (grave, cause) => [{
+		key: `drive ${drive.id}`,
+		source: drive.id,
+		kind: "drive",
+		grave,
+		cause,
+		remedy: drive.remedy,
+		since: drive.seen
+	}];
+	if (drive.online && drive.mode === "error") return of(true, drive.error || drive.meaning);
+	return drive.online === false ? of(false, drive.reason) : [];
+}
+// src/ends.ts
+var worldOfKind = (kind) => kind === "agv_buffer" ? "agv" : "hoist";
+/** Who serves a station, or what a vehicle is; null: there is none of that name. */
+function worldOf(layout, id) {
+	const station = layout?.stations.find((one) => one.id === id);
+	if (station) return worldOfKind(station.kind);
+	const vehicle = layout?.vehicles.find((one) => one.id === id);
+	return vehicle ? vehicle.kind === "agv" ? "agv" : "hoist" : null;
+}
+/** Whether a job can go from one to the other; what is not chosen yet forbids nothing. */
+function joins(layout, source, destination) {
+	const [from, to] = [worldOf(layout, source), worldOf(layout, destination)];
+	return from === null || to === null || from === to;
+}
+// src/live.ts
+/** Takes frames in order; tells when a number is missing, or when the server has begun another history. */
+var Stream = class {
+	sink;
+	seq = null;
+	/** Number of the last event taken, null before the first snapshot. */
+	lastEvent = null;
+	constructor(sink) {
+		this.sink = sink;
+	}
+	/** A new connection starts with its own snapshot and numbers. */
+	restart() {
+		this.seq = null;
+	}
+	/** Takes a message; returns what to do about it. */
+	take(text) {
+		const frame = JSON.parse(text);
+		switch (frame.type) {
+			case "snapshot": return this.snapshot(frame);
+			case "change": return this.change(frame);
+			case "event":
+				this.events(frame.events ?? []);
+				return null;
+			case "resync":
+				this.seq = null;
+				return null;
+			case "error":
+				this.sink.problem(frame.problem?.detail ?? "The server refused the live stream.");
+				return null;
+			default: return null;
+		}
+	}
+	snapshot(frame) {
+		const last = frame.last_event ?? 0;
+		const anew = this.lastEvent !== null && last < this.lastEvent;
+		if (anew) this.sink.forget();
+		this.seq = frame.seq ?? 0;
+		this.sink.snapshot(frame.objects ?? {}, last);
+		if (anew || this.lastEvent === null) this.lastEvent = last;
+		return anew ? "reconnect" : null;
+	}
+	change(frame) {
+		if (this.seq === null) return null;
+		if (frame.seq !== this.seq + 1) {
+			this.seq = null;
+			return { say: JSON.stringify({ resync: true }) };
+		}
+		this.seq = frame.seq;
+		for (const { topic, key, value } of frame.changes ?? []) this.sink.change(topic, key, value);
+		this.sink.changed();
+		return null;
+	}
+	events(events) {
+		const news = events.filter((event) => this.lastEvent === null || event.seq > this.lastEvent);
+		const last = news.at(-1);
+		if (last === void 0) return;
+		this.lastEvent = last.seq;
+		this.sink.events(news);
+	}
+};
+var PAUSES = [
+	300,
+	1e3,
+	2e3,
+	4e3
+];
+/** Silence on a quiet plant is normal; after this many ms we ask the server whether it is still there. */
+var SILENCE = 1e4;
+/** Keeps one stream open, for ever. */
+var Watcher = class {
+	stream;
+	door;
+	socket = null;
+	failures = 0;
+	heard = Date.now();
+	timer = 0;
+	constructor(stream, door) {
+		this.stream = stream;
+		this.door = door;
+		window.setInterval(() => void this.listen(), SILENCE / 2);
+		window.addEventListener("online", () => this.again(0));
+	}
+	async open() {
+		window.clearTimeout(this.timer);
+		if (this.socket) return;
+		let address = null;
+		try {
+			address = await this.door.address(this.stream.lastEvent);
+		} catch {
+			this.again();
+			return;
+		}
+		if (address === null || this.socket) return;
+		const socket = new WebSocket(address);
+		this.socket = socket;
+		this.stream.restart();
+		socket.onmessage = (message) => this.take(socket, String(message.data));
+		socket.onclose = () => this.closed(socket);
+	}
+	take(socket, text) {
+		if (socket !== this.socket) return;
+		this.heard = Date.now();
+		this.failures = 0;
+		const answer = this.stream.take(text);
+		if (answer === "reconnect") {
+			this.socket = null;
+			socket.close();
+			this.again(0);
+			return;
+		}
+		if (answer) socket.send(answer.say);
+		this.door.state("live");
+	}
+	closed(socket) {
+		if (socket !== this.socket) return;
+		this.socket = null;
+		this.again();
+	}
+	again(pause) {
+		if (this.socket) return;
+		this.door.state("lost");
+		window.clearTimeout(this.timer);
+		const wait = pause ?? PAUSES[Math.min(this.failures++, PAUSES.length - 1)];
+		this.timer = window.setTimeout(() => void this.open(), wait);
+	}
+	async listen() {
+		const socket = this.socket;
+		if (!socket || socket.readyState !== WebSocket.OPEN || Date.now() - this.heard < SILENCE) return;
+		if (await this.door.alive()) this.heard = Date.now();
+		else if (socket === this.socket) {
+			this.socket = null;
+			socket.close();
+			this.again();
+		}
+	}
+};
+// src/past/then.ts
+var LINK = {
+	up: true,
+	since: "",
+	reason: "",
+	frames_in: 0,
+	frames_out: 0,
+	garbled: 0,
+	resends: 0,
+	duplicates: 0,
+	round_trip_ms: null
+};
+var BLANK = {
+	id: "",
+	dev_id: 0,
+	dialect: "",
+	address: "",
+	state: "",
+	activity: "",
+	service: "",
+	link: LINK,
+	mode: null,
+	oper: null,
+	code: null,
+	code_name: "",
+	loaded: null,
+	carrier: null,
+	barcode: null,
+	dist: null,
+	seq: null,
+	status1: null,
+	status2: null,
+	bits: [],
+	job: null,
+	goal: null,
+	waiting: "",
+	granted: [],
+	covered: [],
+	hold: null,
+	lockout: null,
+	seen: null,
+	parked: false
+};
+var GONE = {
+	...LINK,
+	up: false
+};
+/** A vehicle as it was recorded, or one that was shown with what has changed of it. */
+function ofThen(id, now) {
+	return {
+		...BLANK,
+		...now,
+		id,
+		link: now["activity"] === "absent" ? GONE : LINK
+	};
+}
+// src/shows.ts
+/** As custom properties of the style sheet, which has them for each theme. */
+var LOOKS = {
+	idle: "var(--look-idle)",
+	moving: "var(--look-moving)",
+	waiting: "var(--look-waiting)",
+	handling: "var(--look-handling)",
+	charging: "var(--look-charging)",
+	held: "var(--look-held)",
+	alarm: "var(--look-alarm)",
+	gone: "var(--look-gone)"
+};
+var LOOK_OF = {
+	idle: "idle",
+	moving: "moving",
+	waiting: "waiting",
+	busy: "waiting",
+	paused: "waiting",
+	acquiring: "handling",
+	depositing: "handling",
+	charging: "charging",
+	settling: "held",
+	held: "held",
+	locked_out: "held",
+	recovering: "held",
+	alarm: "alarm",
+	absent: "gone",
+	off_rail: "gone"
+};
+function lookOf(vehicle) {
+	if (vehicle.oper === "alarm" && vehicle.activity !== "absent") return "alarm";
+	const look = LOOK_OF[vehicle.activity] ?? "idle";
+	return look === "idle" && !vehicle.link.up ? "gone" : look;
+}
+var DEVICE_LOOKS = {
+	open: "var(--device-open)",
+	closed: "var(--device-closed)",
+	cart: "var(--device-cart)",
+	no_cart: "var(--device-no_cart)",
+	charging: "var(--device-charging)",
+	free: "var(--device-free)",
+	busy: "var(--device-busy)",
+	unknown: "var(--device-unknown)",
+	error: "var(--device-error)",
+	silent: "var(--device-silent)"
+};
+/** How a door or buffer looks: what it said counts only while it is heard. A charger says nothing itself. */
+function lookOfDevice(device, charging = false) {
+	if (device?.kind === "charger") return charging || device.vehicles?.length ? "charging" : "free";
+	if (!device?.fresh) return "silent";
+	const state = device.state ?? "unknown";
+	return Object.hasOwn(DEVICE_LOOKS, state) ? state : "unknown";
+}
+var MODES = {
+	parameter_select: 0,
+	parameter_value: 0,
+	monitoring: 0,
+	jog: 0,
+	error: 0
+};
+/** The sign beside a name for what colour alone does not say: an alarm, or that nobody knows. */
+function signOfDevice(device, look) {
+	if (device?.alarm || look === "error") return "!";
+	return look === "unknown" || look === "silent" ? "?" : look === "busy" ? "…" : "";
+}
+/** Its colour, or that of an alarm. */
+function colourOfDevice(device, look) {
+	return DEVICE_LOOKS[device?.alarm ? "error" : look];
+}
+/** What a drive does, in one word: that of its mode, or why there is none. */
+function lookOfDrive(drive) {
+	if (drive.online === null) return {
+		word: "not_heard",
+		tone: "wait"
+	};
+	if (!drive.online) return {
+		word: "offline",
+		tone: "bad"
+	};
+	if (drive.mode === null) return {
+		word: "online",
+		tone: "calm"
+	};
+	const tone = drive.mode === "error" ? "bad" : drive.mode === "jog" ? "go" : drive.mode === "monitoring" ? "good" : "calm";
+	return {
+		word: Object.hasOwn(MODES, drive.mode) ? drive.mode : "online",
+		tone
+	};
+}
+/** A distance in hundredths, as people read it. */
+function hundredths(distance) {
+	return (distance / 100).toFixed(2);
+}
+var TONES$2 = {
+	queued: "calm",
+	waiting: "wait",
+	transferring: "go",
+	paused: "wait",
+	cancelling: "wait",
+	aborting: "wait",
+	completed: "good",
+	failed: "bad",
+	cancelled: "calm",
+	aborted: "bad"
+};
+/** 7 s, 3:05, 1:02:10, 3 d. */
+function span(ms) {
+	const s = Math.max(0, Math.floor(ms / 1e3));
+	const two = (n) => String(n).padStart(2, "0");
+	if (s < 60) return `${s} s`;
+	if (s < 3600) return `${Math.floor(s / 60)}:${two(s % 60)}`;
+	if (s < 86400) return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
+	return `${Math.floor(s / 86400)} d`;
+}
+function elapsed(job, now) {
+	return span((job.ended ? Date.parse(job.ended) : now) - Date.parse(job.created));
+}
+/** Time of day at this place. */
+/** Day and time of day, for what may lie long ago. */
+function moment$1(iso) {
+	const at = new Date(iso);
+	return Number.isNaN(at.getTime()) ? "" : `${at.toLocaleDateString("sv-SE")} ${clock(iso)}`;
+}
+function clock(iso) {
+	const at = new Date(iso);
+	return Number.isNaN(at.getTime()) ? "" : at.toLocaleTimeString("en-GB", { hour12: false });
+}
+// src/grid.ts
+/** Things by where they are, in squares: whoever looks for neighbours need not look at all. Pure. */
+var CELL$1 = 5e3;
+var Grid = class {
+	cells = /* @__PURE__ */ new Map();
+	put(thing) {
+		const key = keyOf$2(Math.floor(thing.x / CELL$1), Math.floor(thing.y / CELL$1));
+		const there = this.cells.get(key);
+		if (there) there.push(thing);
+		else this.cells.set(key, [thing]);
+	}
+	/** All within a distance to either side, and some more. */
+	*around(x, y, reach) {
+		const to = (value) => Math.floor(value / CELL$1);
+		for (let i = to(x - reach); i <= to(x + reach); i++) for (let j = to(y - reach); j <= to(y + reach); j++) yield* this.cells.get(keyOf$2(i, j)) ?? [];
+	}
+};
+/** One number for two: fabs are a few hundred squares wide. */
+var keyOf$2 = (i, j) => (i + 32768) * 65536 + (j + 32768);
+// src/track.ts
+/** The track as drawn: edges as curves, places along them, and the way between two barcodes. Pure. */
+var STEPS$1 = 8;
+var minus = (a, b) => ({
+	x: a.x - b.x,
+	y: a.y - b.y
+});
+var unit = (v) => {
+	const size = Math.hypot(v.x, v.y) || 1;
+	return {
+		x: v.x / size,
+		y: v.y / size
+	};
+};
+var dot = (a, b) => a.x * b.x + a.y * b.y;
+var Track = class {
+	points = /* @__PURE__ */ new Map();
+	ways = /* @__PURE__ */ new Map();
+	next = /* @__PURE__ */ new Map();
+	before = /* @__PURE__ */ new Map();
+	/** Barcodes on the floor: tape of AGVs, and all that hangs together with it. */
+	floor;
+	box;
+	/** Barcodes by where they are. */
+	grid = new Grid();
+	from = /* @__PURE__ */ new Map();
+	constructor(layout) {
+		for (const { barcode, x, y, park } of layout.points) {
+			this.points.set(barcode, {
+				x,
+				y,
+				park
+			});
+			this.grid.put({
+				x,
+				y
+			});
+		}
+		for (const edge of layout.edges) {
+			if (!this.points.has(edge.start) || !this.points.has(edge.end)) continue;
+			push(this.next, edge.start, edge);
+			push(this.before, edge.end, edge);
+		}
+		for (const edges of this.next.values()) for (const edge of edges) {
+			const way = this.draw(edge);
+			this.ways.set(keyOf$1(edge), way);
+			push(this.from, edge.start, way);
+		}
+		this.floor = this.connected([...layout.stations.filter((station) => station.kind === "agv_buffer").map((station) => station.barcode), ...layout.chargers.map((charger) => charger.barcode)]);
+		const xs = layout.points.map((p) => p.x);
+		const ys = layout.points.map((p) => p.y);
+		this.box = {
+			x0: least(xs, Math.min),
+			x1: least(xs, Math.max),
+			y0: least(ys, Math.min),
+			y1: least(ys, Math.max)
+		};
+	}
+	way(start, end) {
+		return this.from.get(start)?.find((way) => way.edge.end === end);
+	}
+	/** Whether the same piece is driven the other way, too. */
+	twoWay(edge) {
+		return this.way(edge.end, edge.start) !== void 0;
+	}
+	/** Place at `mm` of travel along an edge. */
+	along(way, mm) {
+		const total = way.at.at(-1) ?? 0;
+		const want = Math.min(Math.max(mm / way.edge.length, 0), 1) * total;
+		let i = 1;
+		while (i < way.at.length - 1 && (way.at[i] ?? 0) < want) i++;
+		const a = way.pts[i - 1];
+		const b = way.pts[i];
+		const from = way.at[i - 1] ?? 0;
+		const f = (want - from) / ((way.at[i] ?? 0) - from || 1);
+		const angle = Math.atan2(b.y - a.y, b.x - a.x);
+		return {
+			x: a.x + (b.x - a.x) * f,
+			y: a.y + (b.y - a.y) * f,
+			angle
+		};
+	}
+	/** Place of a barcode, heading as one that has arrived there. */
+	spot(barcode) {
+		const point = this.points.get(barcode);
+		if (!point) return void 0;
+		const tangent = this.tangent(barcode, this.before.get(barcode)?.[0] ?? this.next.get(barcode)?.[0]);
+		return {
+			x: point.x,
+			y: point.y,
+			angle: Math.atan2(tangent.y, tangent.x)
+		};
+	}
+	/** Barcodes from `start` to `end` by the fewest edges, both included; undefined if more than `limit` edges. */
+	path(start, end, limit = 24) {
+		if (start === end) return [start];
+		const from = /* @__PURE__ */ new Map([[start, ""]]);
+		let edge = [start];
+		for (let depth = 0; depth < limit && edge.length > 0; depth++) {
+			const further = [];
+			for (const here of edge) for (const step of this.next.get(here) ?? []) {
+				if (from.has(step.end)) continue;
+				from.set(step.end, here);
+				if (step.end === end) return trace(from, end);
+				further.push(step.end);
+			}
+			edge = further;
+		}
+	}
+	/** All barcodes that hang together with these, whichever way the track is driven. */
+	connected(starts) {
+		const found = new Set(starts.filter((start) => this.points.has(start)));
+		for (const here of found) {
+			for (const edge of this.next.get(here) ?? []) found.add(edge.end);
+			for (const edge of this.before.get(here) ?? []) found.add(edge.start);
+		}
+		return found;
+	}
+	chord(edge) {
+		return minus(this.points.get(edge.end), this.points.get(edge.start));
+	}
+	/** Direction at a barcode for an edge that ends or starts there: that of straight track if there is any, else of the arc. */
+	tangent(barcode, own) {
+		if (!own) return {
+			x: 1,
+			y: 0
+		};
+		const mine = this.chord(own);
+		const ins = this.before.get(barcode) ?? [];
+		const outs = this.next.get(barcode) ?? [];
+		const others = own.end === barcode ? outs : ins;
+		const best = (edges) => edges.toSorted((a, b) => dot(unit(this.chord(b)), unit(mine)) - dot(unit(this.chord(a)), unit(mine)))[0];
+		const straight = best([...ins, ...outs].filter((edge) => !edge.curve && edge !== own));
+		if (!own.curve) return unit(mine);
+		if (straight && dot(unit(this.chord(straight)), unit(mine)) > 0) return unit(this.chord(straight));
+		const other = best(others);
+		if (!other) return unit(mine);
+		const theirs = this.chord(other);
+		const [l1, l2] = [Math.hypot(mine.x, mine.y) || 1, Math.hypot(theirs.x, theirs.y) || 1];
+		return unit({
+			x: mine.x / l1 / l1 + theirs.x / l2 / l2,
+			y: mine.y / l1 / l1 + theirs.y / l2 / l2
+		});
+	}
+	draw(edge) {
+		const a = this.points.get(edge.start);
+		const b = this.points.get(edge.end);
+		const pts = edge.curve ? arc(a, b, this.tangent(edge.start, edge), this.tangent(edge.end, edge)) : [a, b];
+		const at = [0];
+		for (let i = 1; i < pts.length; i++) {
+			const step = minus(pts[i], pts[i - 1]);
+			at.push((at[i - 1] ?? 0) + Math.hypot(step.x, step.y));
+		}
+		const [xs, ys] = [pts.map((p) => p.x), pts.map((p) => p.y)];
+		return {
+			edge,
+			pts,
+			at,
+			box: {
+				x0: Math.min(...xs),
+				x1: Math.max(...xs),
+				y0: Math.min(...ys),
+				y1: Math.max(...ys)
+			}
+		};
+	}
+};
+/** A cubic with these directions at its ends, as near to an arc of a circle as a cubic gets. */
+function arc(a, b, ta, tb) {
+	const chord = Math.hypot(b.x - a.x, b.y - a.y);
+	const turn = Math.acos(Math.min(1, Math.max(-1, dot(ta, tb))));
+	const reach = turn < .01 ? chord / 3 : chord * (2 / 3) * Math.tan(turn / 4) / Math.sin(turn / 2);
+	const c1 = {
+		x: a.x + ta.x * reach,
+		y: a.y + ta.y * reach
+	};
+	const c2 = {
+		x: b.x - tb.x * reach,
+		y: b.y - tb.y * reach
+	};
+	return Array.from({ length: 9 }, (_, i) => {
+		const t = i / STEPS$1;
+		const u = 1 - t;
+		const [k0, k1, k2, k3] = [
+			u * u * u,
+			3 * u * u * t,
+			3 * u * t * t,
+			t * t * t
+		];
+		return {
+			x: k0 * a.x + k1 * c1.x + k2 * c2.x + k3 * b.x,
+			y: k0 * a.y + k1 * c1.y + k2 * c2.y + k3 * b.y
+		};
+	});
+}
+function keyOf$1(edge) {
+	return `${edge.start}>${edge.end}`;
+}
+function trace(from, end) {
+	const path = [end];
+	for (let at = from.get(end); at; at = from.get(at)) path.push(at);
+	return path.reverse();
+}
+function push(map, key, value) {
+	const list = map.get(key);
+	if (list) list.push(value);
+	else map.set(key, [value]);
+}
+function least(values, pick) {
+	return values.length ? values.reduce((a, b) => pick(a, b)) : 0;
+}
+// src/store.ts
+/** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
+var EVENTS_SHOWN = 200;
+var ENDED_SHOWN = 100;
+var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
+/** Compares names as people do: V2 before V10. */
+var NATURAL = new Intl.Collator(void 0, { numeric: true });
+var ENDED = /* @__PURE__ */ new Set([
+	"completed",
+	"failed",
+	"cancelled",
+	"aborted"
+]);
+var layout = y$1(null);
+var track = O(() => layout.value ? new Track(layout.value) : null);
+var link = y$1("connecting");
+var heardAt = y$1(0);
+var selected = y$1(null);
+var notice = y$1("");
+/** Rises once a second, for whatever shows an age. */
+var tick = y$1(0);
+var happenings = y$1([]);
+/** Source and destination of the order being written: the map and the panels fill them too. */
+var order = {
+	source: y$1(""),
+	destination: y$1(""),
+	carrier: y$1("")
+};
+var vehicles = /* @__PURE__ */ new Map();
+var jobs = /* @__PURE__ */ new Map();
+var stations = /* @__PURE__ */ new Map();
+var carriers = /* @__PURE__ */ new Map();
+var devices = /* @__PURE__ */ new Map();
+var drives = /* @__PURE__ */ new Map();
+var closures = /* @__PURE__ */ new Map();
+var alarms = /* @__PURE__ */ new Map();
+/** Proposals and sessions of teaching; their details are asked for. */
+var teaching = /* @__PURE__ */ new Map();
+var walks = /* @__PURE__ */ new Map();
+var controllers = /* @__PURE__ */ new Map();
+var ended = /* @__PURE__ */ new Map();
+var maps = {
+	controller: controllers,
+	vehicles,
+	jobs,
+	stations,
+	carriers,
+	devices,
+	drives,
+	closures,
+	teaching,
+	alarms,
+	walks
+};
+var changes = {
+	controller: y$1(0),
+	vehicles: y$1(0),
+	jobs: y$1(0),
+	stations: y$1(0),
+	carriers: y$1(0),
+	devices: y$1(0),
+	drives: y$1(0),
+	closures: y$1(0),
+	teaching: y$1(0),
+	alarms: y$1(0),
+	walks: y$1(0)
+};
+var touched = /* @__PURE__ */ new Set();
+var controller = O(() => {
+	changes.controller.value;
+	return controllers.values().next().value ?? null;
+});
+/** Rises when a vehicle comes or goes: they are sorted then only. */
+var members = y$1(0);
+var vehicleOrder = O(() => {
+	members.value;
+	return [...vehicles.keys()].sort((a, b) => NATURAL.compare(a, b));
+});
+var vehicleList = O(() => {
+	changes.vehicles.value;
+	return vehicleOrder.value.flatMap((id) => vehicles.get(id) ?? []);
+});
+/** Doors, buffers and chargers in the order of the plant file. */
+var machines = O(() => {
+	const { doors = [], buffers = [], chargers: places = [] } = layout.value ?? {};
+	const of = (list, kind) => list.map(({ id }) => ({
+		id,
+		kind
+	}));
+	return [
+		...of(doors, "door"),
+		...of(buffers, "buffer"),
+		...of(places, "charger")
+	];
+});
+/** What is wrong now, whatever moment is shown. */
+var troubles = O(() => {
+	changes.vehicles.value;
+	changes.devices.value;
+	changes.drives.value;
+	aside.value;
+	const now = inPast.value ? live : maps;
+	const [first = null] = now.controller.values();
+	controller.value;
+	return wrongs({
+		controller: first,
+		vehicles: now.vehicles.values(),
+		devices: now.devices.values(),
+		drives: now.drives.values()
+	});
+});
+var driveList = O(() => {
+	changes.drives.value;
+	return [...drives.values()].sort(byId);
+});
+function byId(a, b) {
+	return NATURAL.compare(a.id, b.id);
+}
+var closureList = O(() => {
+	changes.closures.value;
+	return [...closures.values()].sort((a, b) => b.id - a.id);
+});
+/** What is wrong now, newest first. */
+var alarmList = O(() => {
+	changes.alarms.value;
+	return [...alarms.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
+});
+var stationList = O(() => {
+	changes.stations.value;
+	return [...stations.values()].sort(byId);
+});
+var carrierList = O(() => {
+	changes.carriers.value;
+	return [...carriers.values()].sort(byId);
+});
+/** Open and ended jobs, newest first; of the past the open ones. */
+var jobList = O(() => {
+	changes.jobs.value;
+	if (inPast.value) return [...jobs.values()].sort((a, b) => b.order - a.order);
+	return [...jobs.values(), ...[...ended.values()].filter((job) => !jobs.has(job.id))].sort((a, b) => b.order - a.order);
+});
+function vehicleNow(id) {
+	changes.vehicles.value;
+	return vehicles.get(id);
+}
+function stationNow(id) {
+	changes.stations.value;
+	return stations.get(id);
+}
+function deviceNow(id) {
+	changes.devices.value;
+	return devices.get(id);
+}
+/** Choose a door, buffer or charger; a buffer is shown with the station that it belongs to. */
+function chooseDevice(id) {
+	const station = layout.value?.stations.find((one) => one.buffer === id);
+	selected.value = station ? {
+		kind: "station",
+		id: station.id
+	} : {
+		kind: "device",
+		id
+	};
+}
+function driveNow(id) {
+	changes.drives.value;
+	return drives.get(id);
+}
+/** AGVs that charge at a charger: those on their way there are named by the server, too. */
+function chargingAt(id) {
+	const tag = layout.value?.chargers.find((charger) => charger.id === id)?.barcode;
+	return [...vehicles.values()].filter((one) => one.activity === "charging" && one.barcode === tag).map((one) => one.id);
+}
+/** How a door, buffer or charger looks. */
+function lookAt(id) {
+	const device = devices.get(id);
+	if (!layout.value?.chargers.some((charger) => charger.id === id)) return lookOfDevice(device);
+	const taken = chargingAt(id).length > 0;
+	return device ? lookOfDevice(device, taken) : taken ? "charging" : "free";
+}
+/** Who is in a door or will pass it, or charges at a charger. */
+function passers(id) {
+	return [.../* @__PURE__ */ new Set([...devices.get(id)?.vehicles ?? [], ...chargingAt(id)])];
+}
+/** Who is at which machine, as one text: it changes far less often than the vehicles do. */
+var presence = O(() => {
+	changes.devices.value;
+	changes.vehicles.value;
+	return machines.value.map(({ id }) => `${id} ${passers(id).join()}`).join();
+});
+/** Choose an end of the order; an end at the other side that no vehicle could join to it is forgotten. */
+function orderFrom(id) {
+	order.source.value = id;
+	if (!joins(layout.value, id, order.destination.value)) order.destination.value = "";
+}
+function orderTo(id) {
+	order.destination.value = id;
+	if (!joins(layout.value, order.source.value, id)) order.source.value = "";
+}
+function isTopic(name) {
+	return name in maps;
+}
+/** Whether the past is shown: then the maps have what was, and the stream goes on in books kept aside. */
+var inPast = y$1(false);
+/** The server replays a recorded incident: there is no present. */
+var recording = y$1(false);
+var live = maps;
+/** Rises when the books kept aside change. */
+var aside = y$1(0);
+/** Show something other than the present. */
+function lookBack() {
+	if (inPast.value) return;
+	live = Object.fromEntries(Object.entries(maps).map(([topic, map]) => [topic, new Map(map)]));
+	inPast.value = true;
+	showWhole({});
+	shown();
+}
+/** Show the present again. */
+function backToNow() {
+	if (!inPast.value) return;
+	fill$1(Object.fromEntries(Object.entries(live).map(([topic, map]) => [topic, Object.fromEntries(map)])));
+	live = maps;
+	inPast.value = false;
+	members.value++;
+	shown();
+	refreshEnded();
+}
+/** Show these objects of the past and no others. */
+function showWhole(objects) {
+	fill$1({
+		...objects,
+		vehicles: Object.fromEntries(Object.entries(objects["vehicles"] ?? {}).map(([id, now]) => [id, ofThen(id, now)]))
+	});
+	members.value++;
+}
+/** Show a change of the past; of a vehicle there is only what is other than before. */
+function showChange([, topic, key, value]) {
+	if (!isTopic(topic)) return;
+	const map = maps[topic];
+	put(map, topic, key, topic === "vehicles" && value !== null ? ofThen(key, {
+		...vehicles.get(key),
+		...value
+	}) : value);
+}
+function put(map, topic, key, value) {
+	if (topic === "vehicles" && map === vehicles && (value === null || !map.has(key))) members.value++;
+	if (value === null) map.delete(key);
+	else map.set(key, value);
+	touched.add(topic);
+}
+function fill$1(objects, books = maps) {
+	for (const topic of Object.keys(books)) {
+		const map = books[topic];
+		map.clear();
+		for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
+		touched.add(topic);
+	}
+}
+/** One round for all that changed: what shows several topics is drawn once. */
+function shown() {
+	r(() => {
+		for (const topic of touched) changes[topic].value++;
+		touched.clear();
+	});
+}
+function flush() {
+	r(() => {
+		heardAt.value = Date.now();
+		if (inPast.value) aside.value++;
+		else shown();
+	});
+}
+var sink = {
+	snapshot(objects, lastEvent) {
+		const [now] = Object.values(objects["controller"] ?? {});
+		recording.value = now?.recording ?? false;
+		fill$1(objects, live);
+		if (!inPast.value) members.value++;
+		flush();
+		refreshEnded();
+		if (happenings.value.length === 0) earlier(lastEvent);
+	},
+	change(topic, key, value) {
+		if (!isTopic(topic)) return;
+		if (inPast.value) {
+			const map = live[topic];
+			if (value === null) map.delete(key);
+			else map.set(key, value);
+			return;
+		}
+		put(maps[topic], topic, key, value);
+		if (value === null && topic === "jobs") refreshSoon();
+	},
+	changed: flush,
+	events: remember,
+	forget() {
+		happenings.value = [];
+	},
+	problem(text) {
+		notice.value = text;
+	}
+};
+function remember(events) {
+	const known = new Set(happenings.value.map((event) => event.seq));
+	happenings.value = [...happenings.value, ...events.filter((event) => !known.has(event.seq))].sort((a, b) => b.seq - a.seq).slice(0, EVENTS_SHOWN);
+}
+async function earlier(last) {
+	if (last < 1) return;
+	try {
+		remember((await get(`/events?after=${Math.max(0, last - 60)}&limit=60`)).items);
+	} catch {}
+}
+var refreshing = 0;
+/** Jobs leave the live model when they end: the list asks for how they ended. */
+function refreshSoon() {
+	window.clearTimeout(refreshing);
+	refreshing = window.setTimeout(() => void refreshEnded(), 250);
+}
+async function refreshEnded() {
+	try {
+		const { items } = await get(`/jobs?limit=${ENDED_SHOWN}`);
+		ended.clear();
+		for (const job of items) if (ENDED.has(job.state)) ended.set(job.id, job);
+		changes.jobs.value++;
+	} catch {}
+}
+var stream = new Stream(sink);
+var watcher = null;
+async function address(after) {
+	const query = new URLSearchParams({ topics: TOPICS });
+	if (after !== null) query.set("after", String(after));
+	try {
+		query.set("ticket", (await post("/live/ticket")).ticket);
+	} catch (error) {
+		if (error instanceof Refused && error.status === 401) return null;
+		throw error;
+	}
+	return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/v1/live?${query}`;
+}
+/** Read the layout, then watch; waits for a log-in if the server wants one, and for the server if it is not there. */
+async function start() {
+	try {
+		layout.value = await get("/layout");
+	} catch (error) {
+		link.value = "lost";
+		if (!(error instanceof Refused && error.status === 401)) window.setTimeout(() => void start(), 2e3);
+		return;
+	}
+	watcher ??= new Watcher(stream, {
+		address,
+		alive,
+		state: (now) => link.value = now
+	});
+	watcher.open();
+}
+function begin$4() {
+	begin$5(() => void (watcher ? watcher.open() : start()));
+	window.setInterval(() => tick.value++, 1e3);
+	start();
+}
+// src/route.ts
+/** Which room of the page is open and what is chosen in it, kept in the address: it can be sent to somebody. */
+var ROOMS = [
+	"map",
+	"vehicles",
+	"jobs",
+	"alarms",
+	"closures",
+	"stations",
+	"walks",
+	"teaching",
+	"statistics",
+	"playback",
+	"access",
+	"audit",
+	"webhooks"
+];
+var KINDS$1 = /* @__PURE__ */ new Set([
+	"vehicle",
+	"station",
+	"device",
+	"drive",
+	"job"
+]);
+var room$1 = y$1("map");
+/** The moment of the past that the address asks for, and the one that it is to name; ISO 8601. */
+var momentAsked = y$1(null);
+var momentShown = y$1(null);
+function isRoom(name) {
+	return ROOMS.includes(name);
+}
+function read() {
+	const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
+	room$1.value = isRoom(path) ? path : "map";
+	const asked = new URLSearchParams(query);
+	momentAsked.value = room$1.value === "playback" ? asked.get("at") : null;
+	const [kind, id] = [...asked].find(([name]) => KINDS$1.has(name)) ?? [];
+	if (kind && id) selected.value = {
+		kind,
+		id
+	};
+}
+/** Follow the address, and keep it up to date. */
+function begin$3() {
+	read();
+	window.addEventListener("hashchange", read);
+	x(() => {
+		const pick = selected.value;
+		const asked = new URLSearchParams(pick ? { [pick.kind]: pick.id } : {});
+		const at = momentShown.value ?? momentAsked.peek();
+		if (room$1.value === "playback" && at) asked.set("at", at);
+		const query = String(asked).replaceAll("%3A", ":");
+		const next = `#/${room$1.value}${query && `?${query}`}`;
+		if (location.hash !== next) history.replaceState(null, "", next);
+	});
+}
+// node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
+var f = Symbol.for("pv");
+var o = 0;
+Array.isArray;
+function a(t, e, n, u, a, i) {
+	e || (e = {});
+	var c, l, p = e;
+	if ("ref" in p && "function" != typeof t) for (l in p = {}, e) "ref" == l ? c = e[l] : p[l] = e[l];
+	var s = {
+		type: t,
+		props: p,
+		key: n,
+		ref: c,
+		__k: null,
+		__: null,
+		__b: 0,
+		__e: null,
+		__c: null,
+		constructor: f,
+		__v: --o,
+		__i: -1,
+		__u: 0
+	};
+	return (a || i) && (s.__source = a, s.__self = i), n$1.vnode && n$1.vnode(s), s;
+}
+// src/parts/Problem.tsx
+/** What the server said, and what would help. */
+function Problem({ error }) {
+	if (!error) return null;
+	const message = error instanceof Error ? error.message : String(error);
+	const remedy = error instanceof Refused ? error.remedy : "";
+	return /* @__PURE__ */ a("div", {
+		class: "problem",
+		role: "alert",
+		children: [/* @__PURE__ */ a("b", { children: tell(message) }), remedy && /* @__PURE__ */ a("span", { children: tell(remedy) })]
+	});
+}
+// src/parts/asking.tsx
+/** Asking the server for something, and telling what came of it. */
+function useAsking() {
+	const error = useSignal(null);
+	const done = useSignal("");
+	const busy = useSignal(false);
+	const ask = async (what, words = t("taken")) => {
+		error.value = null;
+		done.value = "";
+		busy.value = true;
+		try {
+			await what();
+			done.value = words;
+			return true;
+		} catch (failure) {
+			error.value = failure;
+			return false;
+		} finally {
+			busy.value = false;
+		}
+	};
+	return {
+		error,
+		done,
+		busy,
+		ask
+	};
+}
+/** What came of it: a refusal with what helps, or that it is done. */
+function Told({ asking }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Problem, { error: asking.error.value }), asking.done.value && /* @__PURE__ */ a("span", {
+		class: "done",
+		role: "status",
+		children: asking.done.value
+	})] });
+}
+/** What a path gives, read again whenever one of these changes; the last answer stays until the next. */
+function useRead(path, ...again) {
+	const value = useSignal(null);
+	const error = useSignal(null);
+	A$1(() => {
+		let here = true;
+		if (path !== null) get(path).then((found) => here && (value.value = found, error.value = null), (failure) => here && (error.value = failure));
+		return () => {
+			here = false;
+		};
+	}, [
+		path,
+		language.value,
+		round$2.value,
+		...again
+	]);
+	return {
+		value: value.value,
+		error: error.value
+	};
+}
+/** A labelled text or number to be written. */
+function Field(props) {
+	const { label, value, wide, hint, list, ...rest } = props;
+	return /* @__PURE__ */ a("label", {
+		class: wide ? "wide" : "",
+		children: [/* @__PURE__ */ a("span", { children: label }), /* @__PURE__ */ a("input", {
+			...rest,
+			...list ? { list } : {},
+			placeholder: hint ?? "",
+			autocomplete: "off",
+			value: value.value,
+			onInput: (event) => value.value = event.currentTarget.value
+		})]
+	});
+}
+/** A labelled choice. */
+function Choice$1(props) {
+	return /* @__PURE__ */ a("label", {
+		class: props.wide ? "wide" : "",
+		children: [/* @__PURE__ */ a("span", { children: props.label }), /* @__PURE__ */ a("select", {
+			value: props.value.value,
+			onChange: (event) => props.value.value = event.currentTarget.value,
+			children: props.of.map(([value, words]) => /* @__PURE__ */ a("option", {
+				value,
+				children: words
+			}, value))
+		})]
+	});
+}
+// src/parts/Name.tsx
+/** The name of something, which chooses it: of whatever kind there is one of that name. */
+function Name({ id }) {
+	if (!id) return null;
+	const kind = vehicles.has(id) ? "vehicle" : stations.has(id) ? "station" : devices.has(id) ? "device" : drives.has(id) ? "drive" : jobs.has(id) ? "job" : null;
+	if (!kind) return /* @__PURE__ */ a($, { children: id });
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "text",
+		onClick: () => selected.value = {
+			kind,
+			id
+		},
+		children: id
+	});
+}
+// src/parts/Button.tsx
+function Button({ needs, class: looks = "", onClick, title, type = "button", ...rest }) {
+	const why = refusal(needs);
+	if (!why) return /* @__PURE__ */ a("button", {
+		...rest,
+		title,
+		onClick,
+		type,
+		class: looks,
+		"data-needs": needs
+	});
+	const tell = (event) => {
+		event.preventDefault();
+		barred$1.value = why;
+	};
+	const { disabled: _, ...others } = rest;
+	return /* @__PURE__ */ a("button", {
+		...others,
+		type,
+		class: `${looks} barred`,
+		"data-needs": needs,
+		title: why,
+		"aria-disabled": true,
+		onClick: tell
+	});
+}
+// src/parts/Sure.tsx
+/** A button that wants to be pressed twice. */
+var PATIENCE = 3500;
+function Sure(props) {
+	const armed = useSignal(false);
+	A$1(() => {
+		if (!armed.value) return void 0;
+		const timer = window.setTimeout(() => armed.value = false, PATIENCE);
+		return () => window.clearTimeout(timer);
+	}, [armed.value]);
+	const press = () => {
+		if (armed.value) props.does();
+		armed.value = !armed.value;
+	};
+	return /* @__PURE__ */ a(Button, {
+		needs: props.needs,
+		class: `sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`,
+		disabled: props.disabled ?? false,
+		onClick: press,
+		children: armed.value ? t("sure") : props.label
+	});
+}
+// src/parts/Reasoned.tsx
+/** Decisions that want a reason: one line to write it, and the buttons. */
+function Reasoned({ decisions, title, asking, hint }) {
+	const reason = useSignal("");
+	const own = useAsking();
+	const { ask, busy } = asking ?? own;
+	const send = async ({ does }) => {
+		if (await ask(() => does(reason.value.trim()))) reason.value = "";
+	};
+	const wanted = decisions.some((one) => !one.bare || one.noted);
+	return /* @__PURE__ */ a("div", {
+		class: "stack reasoned",
+		children: [
+			title && /* @__PURE__ */ a("h3", { children: title }),
+			wanted && /* @__PURE__ */ a("input", {
+				"aria-label": hint ?? t("reason"),
+				placeholder: hint ?? t("reason"),
+				maxLength: 200,
+				value: reason.value,
+				onInput: (event) => reason.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: decisions.map((one) => {
+					const idle = busy.value || !one.bare && !reason.value.trim();
+					return one.grave ? /* @__PURE__ */ a(Sure, {
+						needs: one.needs,
+						label: one.label,
+						disabled: idle,
+						does: () => void send(one)
+					}, one.label) : /* @__PURE__ */ a(Button, {
+						needs: one.needs,
+						disabled: idle,
+						onClick: () => void send(one),
+						children: one.label
+					}, one.label);
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking: asking ?? own })
+		]
+	});
+}
+// src/parts/Table.tsx
+/** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
+var SHOWN$3 = 200;
+function compare(a, b) {
+	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
+	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
+}
+function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
+	const order = useSignal(null);
+	const shown = useSignal(SHOWN$3);
+	const by = order.value ? columns[order.value.column]?.by : void 0;
+	const sign = order.value?.down ? -1 : 1;
+	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
+	const sort = (column) => {
+		const now = order.value;
+		if (now?.column !== column) order.value = {
+			column,
+			down: false
+		};
+		else order.value = now.down ? null : {
+			column,
+			down: true
+		};
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "scroll",
+		tabIndex: 0,
+		role: "group",
+		"aria-label": label,
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "list",
+				children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((column, i) => {
+					const sorts = order.value?.column === i ? order.value.down ? "descending" : "ascending" : "none";
+					return /* @__PURE__ */ a("th", {
+						class: column.number ? "number" : "",
+						"aria-sort": column.by ? sorts : void 0,
+						children: column.by ? /* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => sort(i),
+							children: [
+								column.name,
+								" ",
+								sorts === "ascending" ? "▲" : sorts === "descending" ? "▼" : ""
+							]
+						}) : /* @__PURE__ */ a("span", { children: column.name })
+					}, column.name);
+				}) }) }), /* @__PURE__ */ a("tbody", { children: sorted.slice(0, shown.value).map((row) => {
+					const key = keyOf(row);
+					return /* @__PURE__ */ a("tr", {
+						"data-row": key,
+						class: pick ? "pick" : "",
+						"aria-selected": pick ? chosen === key : void 0,
+						onClick: (event) => {
+							if (!event.target.closest("button, input, select, a")) pick?.(row);
+						},
+						children: columns.map((column) => /* @__PURE__ */ a("td", {
+							class: column.number ? "number" : "",
+							children: column.of(row)
+						}, column.name))
+					}, key);
+				}) })]
+			}),
+			rows.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: none
+			}),
+			rows.length > shown.value && /* @__PURE__ */ a("p", {
+				class: "more-rows",
+				children: [
+					t("more_rows", rows.length - shown.value),
+					" ",
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => shown.value += SHOWN$3,
+						children: t("show_more")
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Alarms.tsx
+/** Alarms: what is wrong now with cause, remedy and who knows of it; what was; what they add up to. */
+var TABS$1 = [
+	"now",
+	"history",
+	"pareto"
+];
+function Alarms() {
+	const tab = useSignal("now");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("alarms"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "head",
+				children: [/* @__PURE__ */ a("h2", { children: [
+					t("alarms"),
+					" ",
+					alarmList.value.length
+				] }), /* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: TABS$1.map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": tab.value === name,
+						onClick: () => tab.value = name,
+						children: t(`alarms_${name}`)
+					}, name))
+				})]
+			}),
+			tab.value === "now" && /* @__PURE__ */ a(Present, {}),
+			tab.value === "history" && /* @__PURE__ */ a(History$1, {}),
+			tab.value === "pareto" && /* @__PURE__ */ a(Pareto, {})
+		]
+	});
+}
+function Present() {
+	const told = new Set(alarmList.value.map(({ source }) => source));
+	const others = troubles.value.filter((wrong) => !told.has(wrong.source));
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll alarms",
+		tabIndex: 0,
+		"aria-label": t("alarms_now"),
+		children: [
+			alarmList.value.length + others.length === 0 && /* @__PURE__ */ a("li", {
+				class: "nothing",
+				children: t("no_alarms")
+			}),
+			alarmList.value.map((alarm) => /* @__PURE__ */ a(Line$4, { alarm }, alarm.id)),
+			others.map((wrong) => /* @__PURE__ */ a(Other, { wrong }, wrong.key))
+		]
+	});
+}
+var GRAVE = /* @__PURE__ */ new Set([
+	"vehicle",
+	"device",
+	"drive",
+	"traffic",
+	"plant"
+]);
+function Line$4({ alarm }) {
+	const grave = GRAVE.has(alarm.kind);
+	const known = vehicles.has(alarm.source) || devices.has(alarm.source) || drives.has(alarm.source);
+	return /* @__PURE__ */ a("li", {
+		"data-alarm": `${alarm.kind} ${alarm.source}`,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${grave ? "" : "wait"}`,
+				title: said(alarm.kind),
+				children: grave ? "!" : "‖"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: known ? /* @__PURE__ */ a(Name, { id: alarm.source }) : alarm.source }),
+				" ",
+				tell(alarm.cause),
+				" ",
+				/* @__PURE__ */ a("small", {
+					class: "calm",
+					children: [
+						"· ",
+						clock(alarm.begun),
+						" · ",
+						said(alarm.kind)
+					]
+				})
+			] }),
+			alarm.remedy && /* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: tell(alarm.remedy)
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide",
+				children: alarm.acknowledged ? /* @__PURE__ */ a("small", {
+					class: "good",
+					children: [
+						"✓ ",
+						t("known_to", alarm.acknowledged_by ?? "", clock(alarm.acknowledged)),
+						" ",
+						alarm.note
+					]
+				}) : /* @__PURE__ */ a(Reasoned, {
+					hint: t("note"),
+					decisions: [{
+						label: t("acknowledge"),
+						needs: "POST /alarms/{alarm}/acknowledge",
+						bare: true,
+						noted: true,
+						does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note })
+					}]
+				})
+			})
+		]
+	});
+}
+/** What the page itself sees to be wrong and the server keeps no alarm for: lockouts, say. */
+function Other({ wrong }) {
+	const { kind, source } = wrong;
+	return /* @__PURE__ */ a("li", {
+		"data-alarm": wrong.key,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${wrong.grave ? "" : "wait"}`,
+				children: wrong.grave ? "!" : "‖"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				kind === "controller" ? /* @__PURE__ */ a("b", { children: t("controller") }) : /* @__PURE__ */ a("button", {
+					type: "button",
+					class: "text",
+					onClick: () => selected.value = {
+						kind,
+						id: source
+					},
+					children: /* @__PURE__ */ a("b", { children: source })
+				}),
+				" ",
+				tell(wrong.cause),
+				" ",
+				wrong.since && /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: ["· ", clock(wrong.since)]
+				})
+			] }),
+			wrong.remedy && /* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: tell(wrong.remedy)
+			})
+		]
+	});
+}
+var lasted = (alarm) => alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY;
+function History$1() {
+	const { value } = useRead("/alarms?limit=500", changes.alarms.value);
+	return /* @__PURE__ */ a(Table, {
+		label: t("alarms_history"),
+		rows: value?.items ?? [],
+		keyOf: (row) => String(row.id),
+		none: t("no_alarms_yet"),
+		columns: [
+			{
+				name: "#",
+				by: (row) => row.id,
+				of: (row) => row.id,
+				number: true
+			},
+			{
+				name: t("when"),
+				by: (row) => row.begun,
+				of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}`
+			},
+			{
+				name: t("kind"),
+				by: (row) => row.kind,
+				of: (row) => said(row.kind)
+			},
+			{
+				name: t("name"),
+				by: (row) => row.source,
+				of: (row) => /* @__PURE__ */ a(Name, { id: row.source })
+			},
+			{
+				name: t("cause"),
+				by: (row) => row.code,
+				of: (row) => tell(row.cause)
+			},
+			{
+				name: t("takes"),
+				by: lasted,
+				of: (row) => row.ended ? span(lasted(row)) : t("still"),
+				number: true
+			},
+			{
+				name: t("result"),
+				by: (row) => row.outcome,
+				of: (row) => tell(row.outcome)
+			},
+			{
+				name: t("acknowledge"),
+				by: (row) => row.acknowledged_by,
+				of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ")
+			}
+		]
+	});
+}
+function Pareto() {
+	const by = useSignal("code");
+	const { value } = useRead(`/alarms/pareto?by=${by.value}`, changes.alarms.value);
+	let sum = 0;
+	return /* @__PURE__ */ a("div", {
+		class: "scroll",
+		tabIndex: 0,
+		role: "group",
+		"aria-label": t("alarms_pareto"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [[
+					"code",
+					"source",
+					"both"
+				].map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": by.value === name,
+					onClick: () => by.value = name,
+					children: t(`pareto_${name}`)
+				}, name)), /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: t("last_week")
+				})]
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "list",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((row) => {
+					sum += row.share;
+					return /* @__PURE__ */ a("tr", { children: [
+						/* @__PURE__ */ a("td", { children: row.kind ? said(row.kind) : "" }),
+						/* @__PURE__ */ a("td", { children: [row.source, row.code && tell(row.code)].filter(Boolean).join(" · ") }),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: row.times
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: [row.minutes.toFixed(1), " min"]
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "bar",
+							children: /* @__PURE__ */ a("i", { style: { width: `${row.share * 100}%` } })
+						}),
+						/* @__PURE__ */ a("td", {
+							class: "number",
+							children: [Math.round(sum * 100), " %"]
+						})
+					] }, `${row.kind}${row.source}${row.code}`);
+				}) })
+			}),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_alarms_yet")
+			})
+		]
+	});
+}
+// src/csv.ts
+/** What a spreadsheet would take for a formula stands behind an apostrophe: names and reasons come from anybody. */
+function cell(value) {
+	if (value === null || value === void 0) return "";
+	const text = typeof value === "string" && /^[=+\-@\t\r]/.test(value) ? `'${value}` : String(value);
+	return /[",\r\n]/.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
+}
+/** Rows under the names of their columns. The mark at the beginning tells spreadsheets that it is UTF-8. */
+function csvOf(columns, rows) {
+	const lines = rows.map((row) => columns.map((name) => cell(row[name])).join(","));
+	return `\ufeff${[columns.join(","), ...lines].join("\r\n")}\r\n`;
+}
+/** Rows by the names in the first line, in lower case; blank lines are left out. Raises Error: a quotation mark too few. */
+function rowsOf(text) {
+	const lines = table(text.replace(/^\ufeff/, "")).filter((line) => line.some((one) => one.trim() !== ""));
+	const names = (lines.shift() ?? []).map((name) => name.trim().toLowerCase());
+	return lines.map((line) => Object.fromEntries(names.map((name, i) => [name, (line[i] ?? "").trim().replace(/^'(?=[=+\-@])/, "")])));
+}
+function table(text) {
+	const first = text.slice(0, text.search(/\r|\n|$/));
+	const part = first.includes(";") && !first.includes(",") ? ";" : ",";
+	const lines = [[]];
+	let [value, quoted] = ["", false];
+	const end = () => {
+		lines.at(-1)?.push(value);
+		value = "";
+	};
+	for (let i = 0; i < text.length; i++) {
+		const sign = text[i];
+		if (quoted && sign === "\"" && text[i + 1] === "\"") value += text[++i];
+		else if (sign === "\"") quoted = !quoted;
+		else if (!quoted && sign === part) end();
+		else if (!quoted && (sign === "\n" || sign === "\r")) {
+			if (sign === "\r" && text[i + 1] === "\n") i++;
+			end();
+			lines.push([]);
+		} else value += sign;
+	}
+	if (quoted) throw new Error("a quotation mark is never closed");
+	end();
+	return lines;
+}
+/** Let the browser save a text. */
+function save(text, name, kind = "text/csv") {
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(new Blob([text], { type: `${kind};charset=utf-8` }));
+	link.download = name;
+	link.click();
+	URL.revokeObjectURL(link.href);
+}
+// src/parts/Audit.tsx
+/** The audit: who asked for what, looked for by name, deed, object, outcome and time; whether its chain is whole; as a file. */
+var PAGE$1 = 100;
+/** Most rows of one file. Our choice: a browser holds them all. */
+var MOST$4 = 1e5;
+var COLUMNS = [
+	"seq",
+	"at",
+	"actor",
+	"action",
+	"target",
+	"detail",
+	"accepted"
+];
+function queryOf(given) {
+	const query = new URLSearchParams({ order: "newest" });
+	for (const [name, value] of Object.entries(given)) if (value.trim()) query.set(name, value.trim());
+	return query.toString();
+}
+/** What a field for date and time has, as the server wants it. */
+function whenOf(local) {
+	const at = new Date(local);
+	return local && !Number.isNaN(at.getTime()) ? at.toISOString() : "";
+}
+function Audit() {
+	const why = refusal("GET /audit");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("audit"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [/* @__PURE__ */ a("h2", { children: t("audit") }), !why && /* @__PURE__ */ a(Chain, {})]
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : /* @__PURE__ */ a(Rows, {})]
+	});
+}
+/** Whether each row follows from the one before it. */
+function Chain() {
+	const found = useSignal(null);
+	const rows = useSignal(0);
+	const asking = useAsking();
+	const check = () => void asking.ask(async () => {
+		found.value = null;
+		rows.value = 0;
+		let after = 0;
+		while (after !== null) {
+			const part = await get(`/audit/check?after=${after}`);
+			rows.value += part.rows;
+			after = part.next;
+			if (after === null) found.value = part;
+		}
+	}, "");
+	const now = found.value;
+	return /* @__PURE__ */ a($, { children: [
+		now && /* @__PURE__ */ a("span", {
+			class: now.broken === null ? "good" : "bad",
+			role: "status",
+			"data-chain": now.broken === null ? "whole" : "broken",
+			title: now.hash,
+			children: now.broken === null ? t("chain_whole", rows.value, now.last, now.hash.slice(0, 12)) : t("chain_broken", now.broken, tell(now.reason))
+		}),
+		asking.busy.value && /* @__PURE__ */ a("span", {
+			role: "status",
+			children: t("chain_looking", rows.value)
+		}),
+		/* @__PURE__ */ a(Told, { asking }),
+		/* @__PURE__ */ a(Button, {
+			needs: "GET /audit/check",
+			disabled: asking.busy.value,
+			onClick: check,
+			children: t("check_chain")
+		})
+	] });
+}
+function Rows() {
+	const [actor, action, target, begin, end] = [
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal("")
+	];
+	const accepted = useSignal("");
+	const query = useSignal(queryOf({}));
+	/** Where each page begins; the last is the one that is shown. */
+	const pages = useSignal([0]);
+	const asking = useAsking();
+	const again = useSignal(0);
+	const after = pages.value.at(-1) ?? 0;
+	const { value } = useRead(`/audit?${query.value}&limit=${PAGE$1}${after ? `&after=${after}` : ""}`, again.value, round$2.value);
+	const look = (event) => {
+		event.preventDefault();
+		query.value = queryOf({
+			actor: actor.value,
+			action: action.value,
+			target: target.value,
+			accepted: accepted.value,
+			from: whenOf(begin.value),
+			to: whenOf(end.value)
+		});
+		pages.value = [0];
+		again.value++;
+	};
+	const write = () => void asking.ask(async () => {
+		const rows = [];
+		let from = 0;
+		while (from !== null && rows.length < MOST$4) {
+			const page = await get(`/audit?${query.value}&limit=1000${from ? `&after=${from}` : ""}`);
+			rows.push(...page.items);
+			from = page.next;
+		}
+		save(csvOf(COLUMNS, rows), "audit.csv");
+	}, "");
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [
+			/* @__PURE__ */ a("form", {
+				class: "filters",
+				role: "search",
+				"aria-label": t("audit"),
+				onSubmit: look,
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: t("who"),
+						name: "actor",
+						value: actor
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("what"),
+						name: "action",
+						value: action,
+						list: "audit-actions"
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("on_what"),
+						name: "target",
+						value: target
+					}),
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("result"),
+						value: accepted,
+						of: [
+							["", t("all")],
+							["true", t("carried_out")],
+							["false", t("refused")]
+						]
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("since_when"),
+						name: "from",
+						type: "datetime-local",
+						value: begin
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("until_when"),
+						name: "to",
+						type: "datetime-local",
+						value: end
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "submit",
+						class: "primary",
+						children: t("find")
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: asking.busy.value,
+						onClick: write,
+						children: t("save_csv")
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "audit-actions",
+						children: [...new Set(value?.items.map((row) => row.action))].map((name) => /* @__PURE__ */ a("option", { value: name }, name))
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			/* @__PURE__ */ a(Table, {
+				label: t("audit"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.seq),
+				none: t("no_rows"),
+				columns: [
+					{
+						name: "#",
+						of: (row) => row.seq,
+						number: true
+					},
+					{
+						name: t("when"),
+						of: (row) => moment$1(row.at)
+					},
+					{
+						name: t("who"),
+						of: (row) => row.actor
+					},
+					{
+						name: t("what"),
+						of: (row) => row.action
+					},
+					{
+						name: t("on_what"),
+						of: (row) => row.target
+					},
+					{
+						name: t("result"),
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: row.accepted ? "good" : "bad",
+							children: t(row.accepted ? "carried_out" : "refused")
+						})
+					},
+					{
+						name: t("in_words"),
+						of: (row) => row.detail
+					}
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: pages.value.length < 2,
+						onClick: () => pages.value = pages.value.slice(0, -1),
+						children: ["◀ ", t("newer")]
+					}),
+					/* @__PURE__ */ a("span", {
+						class: "calm",
+						children: t("page_number", pages.value.length)
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: !value?.next,
+						onClick: () => value?.next && (pages.value = [...pages.value, value.next]),
+						children: [t("older"), " ▶"]
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Barred.tsx
+/** Says over the page why a button does nothing for who is here, until it is put away. */
+function Barred() {
+	return /* @__PURE__ */ a("div", {
+		class: "toast-place",
+		role: "status",
+		children: barred$1.value && /* @__PURE__ */ a("div", {
+			class: "toast",
+			children: [
+				/* @__PURE__ */ a("span", { children: barred$1.value }),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => {
+						barred$1.value = "";
+						asked$2.value = true;
+					},
+					children: t("log_in_as_other")
+				}),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					class: "plain",
+					"aria-label": t("close"),
+					onClick: () => barred$1.value = "",
+					children: "✕"
+				})
+			]
+		})
+	});
+}
+// src/parts/DeviceList.tsx
+/** Doors, buffers and chargers, each in one line. */
+function DeviceList() {
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll machines",
+		children: machines.value.map(({ id, kind }) => /* @__PURE__ */ a(Row$3, {
+			id,
+			kind
+		}, id))
+	});
+}
+/** What people have decided about a device: it does not do what its state alone would let one expect. */
+function barred({ lockout, out_of_service, pin }) {
+	if (lockout) return `${t("locked", lockout.owner)} ${lockout.reason}`;
+	if (out_of_service) return `${t("out_of_service")}: ${out_of_service}`;
+	return pin ? `${t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner)}: ${pin.reason}` : "";
+}
+function Row$3({ id, kind }) {
+	const device = deviceNow(id);
+	presence.value;
+	const look = lookAt(id);
+	const station = layout.value?.stations.find((one) => one.buffer === id)?.id;
+	const barcode = layout.value?.chargers.find((one) => one.id === id)?.barcode;
+	const who = kind === "buffer" ? device?.lock?.owner ?? "" : passers(id).join(", ");
+	const why = tell(device?.alarm || device?.contradiction || device && barred(device) || device?.reason || "");
+	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "row",
+		"aria-pressed": selected.value?.id === id || station !== void 0 && selected.value?.id === station,
+		"data-device": id,
+		onClick: () => chooseDevice(id),
+		children: [
+			/* @__PURE__ */ a("i", {
+				class: "dot",
+				style: { background: colourOfDevice(device, look) }
+			}),
+			/* @__PURE__ */ a("b", { children: id }),
+			/* @__PURE__ */ a("span", { children: t(kind) }),
+			/* @__PURE__ */ a("span", {
+				style: { color: DEVICE_LOOKS[look] },
+				children: t(`device_${look}`)
+			}),
+			/* @__PURE__ */ a("span", { children: station ?? barcode ?? "" }),
+			/* @__PURE__ */ a("span", { children: who }),
+			/* @__PURE__ */ a("span", {
+				class: device?.alarm ? "more bad" : "more",
+				title: why,
+				children: why
+			})
+		]
+	}) });
+}
+// src/parts/DriveList.tsx
+/** Axis drives, each in one line: what it does, or what is wrong with it. */
+function DriveList() {
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll machines",
+		children: driveList.value.map((drive) => /* @__PURE__ */ a(Row$2, { drive }, drive.id))
+	});
+}
+function Row$2({ drive }) {
+	const { word, tone } = lookOfDrive(drive);
+	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
+	const heard = drive.online === true;
+	const why = drive.online ? drive.meaning : drive.reason;
+	const choose = () => {
+		selected.value = chosen ? null : {
+			kind: "drive",
+			id: drive.id
+		};
+	};
+	return /* @__PURE__ */ a("li", { children: /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "row drives",
+		"aria-pressed": chosen,
+		"data-drive": drive.id,
+		onClick: choose,
+		children: [
+			/* @__PURE__ */ a("i", { class: `dot ${tone}` }),
+			/* @__PURE__ */ a("b", { children: drive.id }),
+			/* @__PURE__ */ a("span", {
+				title: drive.name,
+				children: drive.name
+			}),
+			/* @__PURE__ */ a("span", {
+				class: tone,
+				children: t(`drive_${word}`)
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "number",
+				children: heard && drive.distance !== null ? hundredths(drive.distance) : ""
+			}),
+			/* @__PURE__ */ a("span", {
+				class: tone === "bad" ? "more bad" : "more",
+				title: why,
+				children: why
+			})
+		]
+	}) });
+}
+// src/parts/Events.tsx
+/** What has happened, newest first. */
+var BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
+var GOOD = /TransferCompleted|AlarmCleared|VehicleReleased/;
+var SHOWN$2 = 80;
+function Events() {
+	const list = happenings.value;
+	return /* @__PURE__ */ a("ol", {
+		class: "scroll events",
+		reversed: true,
+		children: [list.length === 0 && /* @__PURE__ */ a("li", {
+			class: "nothing",
+			children: t("no_events")
+		}), list.slice(0, SHOWN$2).map((event) => /* @__PURE__ */ a(Line$3, { event }, event.seq))]
+	});
+}
+function Line$3({ event }) {
+	const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
+	const where = [event.source, event.destination].filter(Boolean).join(" → ");
+	return /* @__PURE__ */ a("li", {
+		"data-event": event.seq,
+		children: [
+			/* @__PURE__ */ a("time", { children: clock(event.ts) }),
+			/* @__PURE__ */ a("span", {
+				class: "seq",
+				children: ["#", event.seq]
+			}),
+			/* @__PURE__ */ a("b", {
+				class: tone,
+				children: happening(event.event)
+			}),
+			event.vehicle ? /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "text",
+				onClick: () => selected.value = {
+					kind: "vehicle",
+					id: event.vehicle
+				},
+				children: event.vehicle
+			}) : /* @__PURE__ */ a("span", {}),
+			/* @__PURE__ */ a("span", {
+				class: "more",
+				children: [.../* @__PURE__ */ new Set([
+					event.job,
+					event.carrier,
+					where,
+					event.result,
+					tell(event.detail)
+				])].filter(Boolean).join(" · ")
+			})
+		]
+	});
+}
+// src/parts/Frames.tsx
+/** The last packets on a line, newest first, each explained field by field. */
+var FRAMES_EVERY = 2e3;
+function Frames({ path }) {
+	const list = useSignal(null);
+	const box = T(null);
+	A$1(() => {
+		let here = true;
+		const read = async () => {
+			if (box.current?.querySelector("details[open]")) return;
+			try {
+				const { items } = await get(`${path}?lang=${language.value}`);
+				if (here) list.value = items.slice(-30).reverse();
+			} catch {}
+		};
+		read();
+		const timer = window.setInterval(() => void read(), FRAMES_EVERY);
+		return () => {
+			here = false;
+			window.clearInterval(timer);
+		};
+	}, [path, language.value]);
+	return /* @__PURE__ */ a("section", {
+		class: "frames",
+		ref: box,
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("last_frames") }),
+			list.value?.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_frames")
+			}),
+			list.value?.map((traffic) => /* @__PURE__ */ a(Frame, { traffic }, `${traffic.at}${traffic.direction}${traffic.hex}`))
+		]
+	});
+}
+function Frame({ traffic }) {
+	const rows = traffic.frames.flatMap((frame) => frame.fields);
+	const main = rows.find((row) => [
+		"CMD",
+		"MSG",
+		"MESSAGE",
+		"RESULT"
+	].includes(row.name.toUpperCase()));
+	const kind = traffic.frames.map((frame) => frame.kind.toUpperCase()).join(" + ");
+	return /* @__PURE__ */ a("details", { children: [
+		/* @__PURE__ */ a("summary", { children: [
+			/* @__PURE__ */ a("span", {
+				class: traffic.direction,
+				children: traffic.direction === "in" ? "←" : "→"
+			}),
+			/* @__PURE__ */ a("time", { children: clock(traffic.at) }),
+			/* @__PURE__ */ a("b", { children: kind }),
+			/* @__PURE__ */ a("span", {
+				class: "more",
+				children: main ? main.meaning || main.value : ""
+			})
+		] }),
+		/* @__PURE__ */ a("code", {
+			class: "hex",
+			children: traffic.hex.match(/../g)?.join(" ")
+		}),
+		/* @__PURE__ */ a("table", {
+			class: "bits",
+			children: /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("th", {
+					style: { paddingLeft: `${row.depth * .7}em` },
+					children: row.name
+				}),
+				/* @__PURE__ */ a("td", { children: row.value }),
+				/* @__PURE__ */ a("td", { children: row.meaning })
+			] }, i)) })
+		})
+	] });
+}
+/** The same, asked for only once somebody opens it. */
+function LineFrames({ path }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t("last_frames") }), open.value && /* @__PURE__ */ a(Frames, { path })]
+	});
+}
+// src/parts/LineList.tsx
+/** Lines that carry several devices: connected or not, since when and why not, how they do; and the one stop for all drives on one. */
+/** Asked so often, s. */
+var EVERY$4 = 3;
+function LineList() {
+	const { value } = useRead("/links", Math.floor(tick.value / EVERY$4));
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll alarms lines",
+		tabIndex: 0,
+		"aria-label": t("lines"),
+		children: [value?.items.length === 0 && /* @__PURE__ */ a("li", {
+			class: "nothing",
+			children: t("no_lines")
+		}), value?.items.map((line) => /* @__PURE__ */ a(Row$1, { line }, line.id))]
+	});
+}
+function Row$1({ line }) {
+	const open = useSignal(false);
+	const asking = useAsking();
+	const path = `/links/${encodeURIComponent(line.id)}`;
+	const figures = Object.entries(line.figures).map(([name, count]) => `${name.replaceAll("_", " ")} ${count}`);
+	return /* @__PURE__ */ a("li", {
+		"data-line": line.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${line.up ? "good" : ""}`,
+				children: line.up ? "●" : "✕"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: line.id }),
+				" · ",
+				line.wire.toUpperCase(),
+				" · ",
+				line.address,
+				" ·",
+				" ",
+				/* @__PURE__ */ a("span", {
+					class: line.up ? "good" : "bad",
+					children: t(line.up ? "link_up" : "link_down", line.since ? clock(line.since) : "–")
+				}),
+				!line.up && line.reason && ` · ${tell(line.reason)}`,
+				" ·",
+				" ",
+				line.devices.map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id))
+			] }),
+			/* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: figures.join(" · ")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: [
+					line.wire === "hi" && /* @__PURE__ */ a(Button, {
+						needs: "POST /links/{link}/stop",
+						class: "halt",
+						onClick: () => void asking.ask(() => post(`${path}/stop?wait=5`), t("line_stopped")),
+						children: t("stop_line")
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-expanded": open.value,
+						onClick: () => open.value = !open.value,
+						children: t("last_frames")
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			open.value && /* @__PURE__ */ a("div", {
+				class: "wide",
+				children: /* @__PURE__ */ a(Frames, { path: `${path}/frames` })
+			})
+		]
+	});
+}
+// src/parts/Below.tsx
+/** Below the map: what has happened, and the plant's other machines, each a list to look through and to choose from. */
+function Below() {
+	const tab = useSignal("events");
+	changes.devices.value;
+	const counts = {
+		events: 0,
+		devices: machines.value.length,
+		drives: driveList.value.length,
+		lines: layout.value?.links?.length ?? 0
+	};
+	const troubles = {
+		events: 0,
+		devices: machines.value.filter(({ id }) => /[!?]/.test(signOfDevice(devices.get(id), lookAt(id)))).length,
+		drives: driveList.value.filter((drive) => lookOfDrive(drive).tone === "bad").length,
+		lines: 0
+	};
+	const tabs = Object.keys(counts).filter((one) => one === "events" || counts[one] > 0);
+	const shown = tabs.includes(tab.value) ? tab.value : "events";
+	return /* @__PURE__ */ a("section", {
+		class: "card below",
+		"aria-label": t(shown),
+		children: [
+			/* @__PURE__ */ a("h2", { children: [tabs.length === 1 && t("events"), tabs.length > 1 && /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: tabs.map((one) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": shown === one,
+					onClick: () => tab.value = one,
+					children: [
+						t(one),
+						" ",
+						counts[one] || "",
+						troubles[one] > 0 && /* @__PURE__ */ a("b", {
+							class: "badge",
+							children: ["! ", troubles[one]]
+						})
+					]
+				}, one))
+			})] }),
+			shown === "events" && /* @__PURE__ */ a(Events, {}),
+			shown === "devices" && /* @__PURE__ */ a(DeviceList, {}),
+			shown === "drives" && /* @__PURE__ */ a(DriveList, {}),
+			shown === "lines" && /* @__PURE__ */ a(LineList, {})
+		]
+	});
+}
+// src/closed.ts
+/** Which track people have closed or are about to close, for the map. */
+/** Told which barcode was clicked, while somebody chooses track on the map. */
+var choosing = y$1(null);
+/** Barcodes that a closure that is only looked at would keep empty. */
+var previewed = y$1([]);
+/** Pairs of barcodes: the way from the first to the second is closed. */
+var closedWays = O(() => {
+	const list = closureList.value;
+	const barcodes = new Set(list.filter(({ kind }) => kind !== "edge" && kind !== "station").flatMap((one) => one.barcodes));
+	return [...list.filter(({ kind }) => kind === "edge").map(({ names }) => [names[0], names[1]]), ...waysInto(barcodes)];
+});
+var previewedWays = O(() => waysInto(new Set(previewed.value)));
+function waysInto(barcodes) {
+	if (barcodes.size === 0) return [];
+	return (layout.value?.edges ?? []).filter(({ end }) => barcodes.has(end)).map(({ start, end }) => [start, end]);
+}
+// src/parts/ClosedBefore.tsx
+/** What was closed before: by whom, why, how long, and who opened it. */
+function ClosedBefore() {
+	const open = useSignal(false);
+	const { value } = useRead(open.value ? "/closures/history?limit=50" : null, changes.closures.value);
+	const past = value?.items.filter(({ ended }) => ended !== null) ?? [];
+	return /* @__PURE__ */ a("details", {
+		class: "padded",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("closed_before") }),
+			open.value && value && past.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("nothing_found")
+			}),
+			/* @__PURE__ */ a("ul", { children: past.map((closure) => /* @__PURE__ */ a("li", { children: [
+				/* @__PURE__ */ a("b", { children: closure.place }),
+				" · ",
+				closure.reason,
+				" · ",
+				closure.owner,
+				" · ",
+				moment$1(closure.since),
+				" – ",
+				moment$1(closure.ended ?? ""),
+				" ",
+				/* @__PURE__ */ a("span", {
+					class: "calm",
+					children: [
+						said(closure.state),
+						" ",
+						closure.ended_by
+					]
+				})
+			] }, closure.id)) })
+		]
+	});
+}
+// src/parts/Kept.tsx
+/** What routes keep off, whom that cuts off, and how vehicles are led round it: in the header in few words, in full among the closures. */
+/** In the header, only if anything is the matter. */
+function KeptOff() {
+	const now = controller.value;
+	if (!now || now.closed_places + now.cut_off.length === 0) return null;
+	const words = [...now.closed_places ? [t("places_closed", now.closed_places)] : [], ...now.cut_off.length ? [t("stations_cut_off", now.cut_off.length)] : []];
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: `kept ${now.cut_off.length ? "bad" : "wait"}`,
+		title: now.cut_off.map(tell).join("\n"),
+		onClick: () => room$1.value = "closures",
+		children: words.join(" · ")
+	});
+}
+/** Every reason, every station cut off, and what was done about it. */
+function KeptList() {
+	const now = controller.value;
+	if (!now) return null;
+	const led = [
+		...now.led_round ? [t("led_round", now.led_round)] : [],
+		...now.led_quicker ? [t("led_quicker", now.led_quicker)] : [],
+		...now.slow_track ? [t("slow_track", now.slow_track)] : [],
+		...now.weighed ? [t("weighed", now.weighed)] : []
+	];
+	return /* @__PURE__ */ a($, { children: [
+		now.cut_off.length > 0 && /* @__PURE__ */ a(Lines, {
+			title: t("cut_off_now"),
+			lines: now.cut_off,
+			sign: "✕",
+			tone: ""
+		}),
+		now.kept_off.length > 0 && /* @__PURE__ */ a(Lines, {
+			title: t("kept_off"),
+			lines: now.kept_off,
+			sign: "⤳",
+			tone: "wait"
+		}),
+		led.length > 0 && /* @__PURE__ */ a("p", {
+			class: "padded calm",
+			"data-led": true,
+			children: [
+				t("since_start"),
+				": ",
+				led.join(" · ")
+			]
+		})
+	] });
+}
+function Lines({ title, lines, sign, tone }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h2", {
+		class: "sub",
+		children: [
+			title,
+			" ",
+			lines.length
+		]
+	}), /* @__PURE__ */ a("ul", {
+		class: "alarms",
+		"aria-label": title,
+		children: lines.map((words) => /* @__PURE__ */ a("li", { children: [/* @__PURE__ */ a("span", {
+			class: `sign ${tone}`,
+			children: sign
+		}), /* @__PURE__ */ a("span", { children: tell(words) })] }, words))
+	})] });
+}
+/** Why a station cannot be reached now; null: nothing says so. */
+function cutOff(id) {
+	return controller.value?.cut_off.find((words) => words.startsWith(`${id}: `)) ?? null;
+}
+function CutOff({ id }) {
+	const words = cutOff(id);
+	return words && /* @__PURE__ */ a("p", {
+		class: "note alarm",
+		"data-cut-off": id,
+		children: [
+			/* @__PURE__ */ a("b", { children: t("not_reachable") }),
+			" ",
+			tell(words)
+		]
+	});
+}
+// src/parts/Closures.tsx
+/** What is closed, and closing more: a look at what it would do comes first. Track can be chosen on the map above. */
+function Closures() {
+	tick.value;
+	return /* @__PURE__ */ a("section", {
+		class: "room closing",
+		"aria-label": t("closures"),
+		children: /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a("div", {
+				tabIndex: 0,
+				role: "group",
+				"aria-label": t("closures"),
+				children: [
+					/* @__PURE__ */ a("h2", {
+						class: "sub",
+						children: [
+							t("closures"),
+							" ",
+							closureList.value.length
+						]
+					}),
+					closureList.value.length === 0 && /* @__PURE__ */ a("p", {
+						class: "nothing",
+						children: t("nothing_closed")
+					}),
+					/* @__PURE__ */ a("ul", {
+						class: "alarms",
+						children: closureList.value.map((closure) => /* @__PURE__ */ a(Line$2, { closure }, closure.id))
+					}),
+					/* @__PURE__ */ a(KeptList, {}),
+					/* @__PURE__ */ a(Zones, {}),
+					/* @__PURE__ */ a(ClosedBefore, {})
+				]
+			}), /* @__PURE__ */ a(Close, {})]
+		})
+	});
+}
+function Line$2({ closure }) {
+	const left = closure.expires ? Date.parse(closure.expires) - serverNow() : null;
+	return /* @__PURE__ */ a("li", {
+		"data-closure": closure.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${closure.state === "draining" ? "wait" : ""}`,
+				children: closure.state === "draining" ? "…" : "✕"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: closure.place }),
+				" · ",
+				said(closure.state),
+				" · ",
+				said(closure.purpose),
+				": ",
+				closure.reason
+			] }),
+			/* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: [
+					closure.owner,
+					" · ",
+					t("since", clock(closure.since)),
+					left !== null && ` · ${t("ends_in", span(left))}`,
+					closure.releases.length > 0 && ` · ${t("release_wished", closure.releases.join(", "))}`
+				]
+			}),
+			closure.waiting.map((words) => /* @__PURE__ */ a("p", {
+				class: "wait",
+				children: tell(words)
+			}, words)),
+			/* @__PURE__ */ a("div", {
+				class: "wide",
+				children: /* @__PURE__ */ a(Reasoned, { decisions: [{
+					label: t("open_it"),
+					needs: "POST /closures/{closure}/open",
+					bare: true,
+					grave: true,
+					does: () => post(`/closures/${closure.id}/open`, {})
+				}] })
+			})
+		]
+	});
+}
+/** Zones of the plant: paused, stopped, resumed. */
+function Zones() {
+	const { value } = useRead("/zones", controller.value?.pauses, Math.floor(tick.value / 3));
+	if (!value?.items.length) return null;
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h2", {
+		class: "sub",
+		children: t("layer_zones")
+	}), /* @__PURE__ */ a("ul", {
+		class: "alarms zones",
+		children: value.items.map((zone) => /* @__PURE__ */ a("li", {
+			"data-zone": zone.id,
+			children: [
+				/* @__PURE__ */ a("span", {
+					class: "sign wait",
+					children: zone.state === "auto" ? "" : "‖"
+				}),
+				/* @__PURE__ */ a("span", { children: [
+					/* @__PURE__ */ a("b", { children: zone.name || zone.id }),
+					" · ",
+					said(zone.state),
+					" · ",
+					zone.vehicles.length,
+					" / ",
+					zone.capacity,
+					" ",
+					zone.vehicles.map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id))
+				] }),
+				zone.pause && /* @__PURE__ */ a("p", {
+					class: "remedy",
+					children: [
+						zone.pause.owner,
+						": ",
+						zone.pause.reason
+					]
+				}),
+				/* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("change") }), /* @__PURE__ */ a(Reasoned, { decisions: [
+					{
+						label: t("pause"),
+						needs: "POST /zones/{zone}/pause",
+						does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/pause`, { reason })
+					},
+					{
+						label: t("stop_zone"),
+						needs: "POST /zones/{zone}/stop",
+						grave: true,
+						does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/stop`, { reason })
+					},
+					{
+						label: t("resume"),
+						needs: "POST /zones/{zone}/resume",
+						bare: true,
+						does: () => post(`/zones/${encodeURIComponent(zone.id)}/resume`)
+					}
+				] })] })
+			]
+		}, zone.id))
+	})] });
+}
+function Close() {
+	const kind = useSignal("stretch");
+	const from = useSignal("");
+	const to = useSignal("");
+	const purpose = useSignal("traffic");
+	const minutes = useSignal("");
+	const reason = useSignal("");
+	const preview = useSignal(null);
+	const asking = useAsking();
+	const two = kind.value === "stretch" || kind.value === "edge";
+	A$1(() => {
+		choosing.value = (barcode) => {
+			if (kind.value === "zone" || kind.value === "station") return;
+			if (!from.value || two && to.value || !two) [from.value, to.value] = [barcode, ""];
+			else to.value = barcode;
+		};
+		return () => {
+			choosing.value = null;
+			previewed.value = [];
+		};
+	}, [two]);
+	A$1(() => {
+		preview.value = null;
+		previewed.value = [];
+	}, [
+		kind.value,
+		from.value,
+		to.value
+	]);
+	const place = () => {
+		const [a, b] = [from.value.trim(), to.value.trim()];
+		if (kind.value === "stretch" || kind.value === "edge") return {
+			kind: kind.value,
+			from: a,
+			to: b
+		};
+		if (kind.value === "zone") return {
+			kind: "zone",
+			zone: a
+		};
+		return kind.value === "station" ? {
+			kind: "station",
+			station: a
+		} : {
+			kind: "barcode",
+			barcodes: a.split(/[\s,]+/)
+		};
+	};
+	const look = async () => {
+		preview.value = null;
+		await asking.ask(async () => {
+			preview.value = await post("/closures/preview", { place: place() });
+			previewed.value = preview.value.barcodes;
+		}, "");
+	};
+	const close = async () => {
+		const body = {
+			place: place(),
+			reason: reason.value.trim(),
+			purpose: purpose.value,
+			...minutes.value ? { minutes: Number(minutes.value) } : {}
+		};
+		if (!await asking.ask(() => post("/closures", body), t("closes_now"))) return;
+		[preview.value, previewed.value, reason.value] = [
+			null,
+			[],
+			""
+		];
+	};
+	const whole = Boolean(from.value.trim() && (!two || to.value.trim()));
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("close_place"),
+		onSubmit: (event) => {
+			event.preventDefault();
+			preview.value ? close() : look();
+		},
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("close_place")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("kind"),
+						value: kind,
+						of: [
+							["stretch", t("close_stretch")],
+							["edge", t("close_edge")],
+							["barcode", t("close_barcode")],
+							["zone", t("close_zone")],
+							["station", t("at_station")]
+						]
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: two ? t("close_from") : t("name"),
+						name: "from",
+						value: from,
+						list: kind.value === "zone" ? "zone-names" : "place-names"
+					}),
+					two && /* @__PURE__ */ a(Field, {
+						label: t("close_to"),
+						name: "to",
+						value: to
+					}),
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("purpose"),
+						value: purpose,
+						of: [["traffic", t("traffic")], ["work", t("work")]]
+					}),
+					purpose.value === "traffic" && /* @__PURE__ */ a(Field, {
+						label: t("minutes"),
+						name: "minutes",
+						type: "number",
+						min: 1,
+						value: minutes,
+						hint: t("until_opened")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("reason"),
+						name: "reason",
+						value: reason,
+						wide: true
+					})
+				]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "zone-names",
+				children: layout.value?.zones.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "place-names",
+				children: kind.value === "station" && layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("p", {
+				class: "calm",
+				children: t(kind.value === "station" || kind.value === "zone" ? "look_first" : "choose_on_map")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: !whole,
+					onClick: () => void look(),
+					children: t("preview")
+				}), /* @__PURE__ */ a(Button, {
+					needs: "POST /closures",
+					type: "submit",
+					class: "halt",
+					disabled: !whole || !reason.value.trim() || !preview.value,
+					children: t("close_place")
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			preview.value && /* @__PURE__ */ a(Effects, { preview: preview.value })
+		]
+	});
+}
+function Effects({ preview }) {
+	const { routes } = preview;
+	const names = (label, list) => list.length > 0 && /* @__PURE__ */ a("p", { children: [
+		/* @__PURE__ */ a("b", { children: label }),
+		" ",
+		list.slice(0, 30).map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id)),
+		list.length > 30 && t("more_rows", list.length - 30)
+	] });
+	return /* @__PURE__ */ a("div", {
+		class: "note stack",
+		"data-preview": true,
+		children: [
+			/* @__PURE__ */ a("b", { children: preview.place }),
+			names(t("stations_closed"), preview.stations),
+			names(t("cut_off"), preview.cut_off),
+			names(t("drive_out"), preview.inside),
+			names(t("shut_in"), preview.shut_in),
+			/* @__PURE__ */ a("p", { children: [
+				t("jobs_touched", preview.jobs_touched),
+				" · ",
+				t("routes_longer", routes.longer, routes.compared),
+				" · ",
+				t("routes_lost", routes.lost)
+			] }),
+			/* @__PURE__ */ a("p", { children: t("routes_mean", routes.mean_seconds.toFixed(1), routes.mean_seconds_after.toFixed(1)) }),
+			routes.worst.slice(0, 3).map((one) => /* @__PURE__ */ a("p", {
+				class: "calm",
+				children: [
+					one.from,
+					" → ",
+					one.to,
+					": ",
+					one.seconds.toFixed(0),
+					" → ",
+					one.seconds_after.toFixed(0),
+					" s"
+				]
+			}, one.from + one.to))
+		]
+	});
+}
+// src/parts/DeviceDecisions.tsx
+/** What people decide about a door, buffer or charger: kept open or closed, locked out, out of service. */
+function DeviceDecisions({ device }) {
+	const path = `/devices/${encodeURIComponent(device.id)}`;
+	const decisions = [
+		...device.kind !== "door" ? [] : device.pin ? [{
+			label: t("unpin"),
+			needs: "DELETE /devices/{device}/pin",
+			bare: true,
+			does: () => call("DELETE", `${path}/pin`)
+		}] : ["open", "closed"].map((position) => ({
+			label: t(`pin_${position}`),
+			needs: "PUT /devices/{device}/pin",
+			does: (reason) => call("PUT", `${path}/pin`, {
+				position,
+				reason
+			})
+		})),
+		device.lockout ? {
+			label: t("lift_lockout"),
+			needs: "DELETE /devices/{device}/lockout",
+			bare: true,
+			grave: true,
+			does: () => call("DELETE", `${path}/lockout`)
+		} : {
+			label: t("lock_out"),
+			needs: "POST /devices/{device}/lockout",
+			grave: true,
+			does: (reason) => post(`${path}/lockout`, { reason })
+		},
+		device.out_of_service ? {
+			label: t("put_back"),
+			needs: "PUT /devices/{device}/service",
+			bare: true,
+			does: () => call("PUT", `${path}/service`, { in_service: true })
+		} : {
+			label: t("take_out"),
+			needs: "PUT /devices/{device}/service",
+			grave: true,
+			does: (reason) => call("PUT", `${path}/service`, {
+				in_service: false,
+				reason
+			})
+		}
+	];
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("decide") }), /* @__PURE__ */ a(Reasoned, { decisions })]
+	});
+}
+// src/parts/DeviceMore.tsx
+/** What was asked of a door or buffer lately and what became of it, and the packets on its line. */
+function DeviceMore({ device }) {
+	const path = `/devices/${encodeURIComponent(device.id)}`;
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$2, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
+}
+function Past$2({ path }) {
+	const open = useSignal(false);
+	const { value } = useRead(open.value ? `${path}/commands?limit=12` : null, changes.devices.value);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("last_commands") }),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_commands")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+					/* @__PURE__ */ a("td", { children: said(command.state) }),
+					/* @__PURE__ */ a("td", { children: [
+						command.kind,
+						" · ",
+						command.actor,
+						" ",
+						tell(command.outcome)
+					] })
+				] }, command.cmd_id)) })
+			})
+		]
+	});
+}
+// src/parts/Panel.tsx
+function Panel(props) {
+	return /* @__PURE__ */ a("section", {
+		class: "panel",
+		"aria-label": props.title,
+		children: [/* @__PURE__ */ a("h2", { children: [
+			/* @__PURE__ */ a("i", {
+				class: "dot",
+				style: { background: props.colour }
+			}),
+			props.title,
+			/* @__PURE__ */ a("span", {
+				class: "tag",
+				children: props.tag
+			}),
+			/* @__PURE__ */ a("button", {
+				type: "button",
+				class: "plain",
+				"aria-label": t("close"),
+				onClick: () => selected.value = null,
+				children: "✕"
+			})
+		] }), /* @__PURE__ */ a("div", {
+			class: "scroll body",
+			children: props.children
+		})]
+	});
+}
+function Fact(props) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("dt", { children: props.name }), /* @__PURE__ */ a("dd", { children: props.children })] });
+}
+// src/parts/DevicePanel.tsx
+/** One door, buffer or charger: its state and since when, who has it, what is wrong, and the two commands it takes. */
+var COMMANDS = {
+	door: ["open", "close"],
+	buffer: ["lock", "unlock"],
+	charger: []
+};
+function DevicePanel({ id }) {
+	const kind = machines.value.find((machine) => machine.id === id)?.kind;
+	const now = deviceNow(id);
+	presence.value;
+	if (!kind) return null;
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t(kind),
+		colour: colourOfDevice(now, lookAt(id)),
+		children: /* @__PURE__ */ a(DeviceBody, { id })
+	});
+}
+/** What there is to say of a device, in its own panel or in that of its station. */
+function DeviceBody({ id }) {
+	const kind = machines.value.find((machine) => machine.id === id)?.kind;
+	const now = deviceNow(id);
+	tick.value;
+	presence.value;
+	if (!kind) return null;
+	const barcode = layout.value?.chargers.find((charger) => charger.id === id)?.barcode;
+	return /* @__PURE__ */ a($, { children: [
+		now && /* @__PURE__ */ a(Notes$2, { device: now }),
+		/* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("state"),
+				children: /* @__PURE__ */ a(State, {
+					look: lookAt(id),
+					device: now
+				})
+			}),
+			kind !== "buffer" && /* @__PURE__ */ a(Fact, {
+				name: t(kind === "charger" ? "charges" : "passing"),
+				children: /* @__PURE__ */ a(Vehicles$1, { ids: passers(id) })
+			}),
+			now?.waiting && now.waiting.length > 0 && /* @__PURE__ */ a(Fact, {
+				name: t("wait_for_it"),
+				children: /* @__PURE__ */ a(Vehicles$1, { ids: now.waiting })
+			}),
+			kind === "buffer" && now?.lock !== void 0 && /* @__PURE__ */ a(Fact, {
+				name: t("lock_for"),
+				children: lockOf(now)
+			}),
+			now?.pending && /* @__PURE__ */ a(Fact, {
+				name: t("pending"),
+				children: now.pending
+			}),
+			barcode && /* @__PURE__ */ a(Fact, {
+				name: t("barcode"),
+				children: barcode
+			}),
+			now?.link && /* @__PURE__ */ a(Fact, {
+				name: t("on_line"),
+				children: t("line_number", now.link, now.number ?? "")
+			}),
+			kind !== "charger" && !now?.fresh && /* @__PURE__ */ a(Fact, {
+				name: t("seen"),
+				children: now?.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"
+			})
+		] }),
+		/* @__PURE__ */ a(Commands, {
+			id,
+			commands: COMMANDS[kind]
+		}),
+		now && /* @__PURE__ */ a(DeviceDecisions, { device: now }),
+		now && kind !== "charger" && /* @__PURE__ */ a(DeviceMore, { device: now })
+	] });
+}
+function State({ look, device }) {
+	const last = device && !device.fresh && device.state ? t("last_word", t(`device_${stateOf(device.state)}`)) : "";
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("b", {
+			style: { color: DEVICE_LOOKS[look] },
+			children: t(`device_${look}`)
+		}),
+		device?.since && device.fresh && /* @__PURE__ */ a("small", { children: [" · ", t("since", clock(device.since))] }),
+		last && /* @__PURE__ */ a("small", { children: [" · ", last] })
+	] });
+}
+var STATES$1 = /* @__PURE__ */ new Set([
+	"open",
+	"closed",
+	"cart",
+	"no_cart",
+	"busy",
+	"error"
+]);
+var stateOf = (word) => STATES$1.has(word) ? word : "unknown";
+function lockOf(device) {
+	const { lock } = device;
+	if (!lock) return t("not_locked");
+	return /* @__PURE__ */ a($, { children: [
+		lock.owner,
+		" ",
+		/* @__PURE__ */ a("small", { children: ["· ", lock.locked === null ? t("lock_unsure") : t("since", clock(lock.since))] })
+	] });
+}
+function Vehicles$1({ ids }) {
+	if (ids.length === 0) return /* @__PURE__ */ a($, { children: t("nobody") });
+	return /* @__PURE__ */ a("span", {
+		class: "names",
+		children: ids.map((id) => /* @__PURE__ */ a("button", {
+			type: "button",
+			class: "text",
+			onClick: () => selected.value = {
+				kind: "vehicle",
+				id
+			},
+			children: id
+		}, id))
+	});
+}
+function Notes$2({ device }) {
+	const { lockout, pin } = device;
+	return /* @__PURE__ */ a($, { children: [
+		device.alarm && /* @__PURE__ */ a("p", {
+			class: "note alarm",
+			children: [
+				/* @__PURE__ */ a("b", { children: tell(device.alarm) }),
+				" ",
+				device.remedy && /* @__PURE__ */ a("em", { children: tell(device.remedy) })
+			]
+		}),
+		!device.fresh && device.reason && !device.alarm && device.kind !== "charger" && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("device_silent") }),
+				" ",
+				tell(device.reason)
+			]
+		}),
+		device.contradiction && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("contradicts") }),
+				" ",
+				tell(device.contradiction)
+			]
+		}),
+		lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", lockout.owner) }),
+				" ",
+				lockout.reason
+			]
+		}),
+		device.out_of_service && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("out_of_service") }),
+				" ",
+				device.out_of_service
+			]
+		}),
+		pin && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner) }),
+				" ",
+				pin.reason
+			]
+		})
+	] });
+}
+function Commands({ id, commands }) {
+	const error = useSignal(null);
+	const done = useSignal("");
+	if (commands.length === 0) return null;
+	const send = (command) => {
+		error.value = null;
+		done.value = "";
+		post(`/devices/${encodeURIComponent(id)}/commands`, { command }).then(() => done.value = t("asked", t(`cmd_${command}`)), (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "buttons",
+			"data-commands": id,
+			children: commands.map((command) => /* @__PURE__ */ a(Sure, {
+				needs: "POST /devices/{device}/commands",
+				label: t(`cmd_${command}`),
+				does: () => send(command)
+			}, command))
+		}),
+		/* @__PURE__ */ a(Problem, { error: error.value }),
+		done.value && /* @__PURE__ */ a("span", {
+			class: "done",
+			role: "status",
+			children: done.value
+		})
+	] });
+}
+// src/parts/Parameters.tsx
+/** A drive's parameters as last known, and how they are read from it. */
+/** How an operation stands: done, under way, or why not. */
+function Outcome({ operation, label }) {
+	if (!operation) return null;
+	if (operation.state === "failed" || operation.state === "unknown") return /* @__PURE__ */ a("div", {
+		class: "problem",
+		role: "alert",
+		children: [/* @__PURE__ */ a("b", { children: operation.reason || t("op_unknown") }), operation.remedy && /* @__PURE__ */ a("span", { children: operation.remedy })]
+	});
+	return /* @__PURE__ */ a("span", {
+		class: operation.state === "done" ? "done" : "wait",
+		role: "status",
+		children: t(operation.state === "done" ? "op_done" : "op_running", label)
+	});
+}
+function Parameters({ id }) {
+	const list = useSignal(null);
+	const operation = useSignal(null);
+	const error = useSignal(null);
+	const here = T(true);
+	const path = `/drives/${encodeURIComponent(id)}/parameters`;
+	const refresh = async () => {
+		try {
+			list.value = (await get(path)).items;
+		} catch {}
+	};
+	A$1(() => {
+		here.current = true;
+		refresh();
+		return () => {
+			here.current = false;
+		};
+	}, [id]);
+	const named = list.value?.filter((parameter) => parameter.named).map((parameter) => parameter.number) ?? [];
+	const read = async () => {
+		error.value = null;
+		try {
+			let now = await post(`/drives/${encodeURIComponent(id)}/read`, named.length ? { parameters: named } : {});
+			operation.value = now;
+			while (now.state === "running" && here.current) {
+				now = await get(`/operations/${encodeURIComponent(now.id)}?wait=1`);
+				operation.value = now;
+				await refresh();
+			}
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	const running = operation.value?.state === "running";
+	const known = list.value?.filter((parameter) => parameter.named || parameter.raw !== null) ?? [];
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: [
+				t("parameters"),
+				operation.value && running && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
+				/* @__PURE__ */ a(Button, {
+					needs: "POST /drives/{drive}/read",
+					disabled: running,
+					onClick: () => void read(),
+					children: t("read_parameters")
+				})
+			] }),
+			/* @__PURE__ */ a(Problem, { error: error.value }),
+			!running && /* @__PURE__ */ a(Outcome, {
+				operation: operation.value,
+				label: t("read_parameters")
+			}),
+			known.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_parameters")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits numbered",
+				children: /* @__PURE__ */ a("tbody", { children: known.map((parameter) => /* @__PURE__ */ a("tr", {
+					title: parameter.description,
+					children: [
+						/* @__PURE__ */ a("th", { children: parameter.number }),
+						/* @__PURE__ */ a("td", { children: parameter.raw === null ? "–" : parameter.text }),
+						/* @__PURE__ */ a("td", { children: [
+							parameter.name,
+							" ",
+							parameter.at && /* @__PURE__ */ a("small", { children: ["· ", clock(parameter.at)] }),
+							parameter.named && !parameter.read_only && parameter.raw !== null && /* @__PURE__ */ a(Write, {
+								path: `${path}/${parameter.number}`,
+								parameter,
+								after: refresh
+							})
+						] })
+					]
+				}, parameter.number)) })
+			})
+		]
+	});
+}
+/** A new value, in the catalogue's unit; written only if the drive still has what is shown, and read back. */
+function Write({ path, parameter, after }) {
+	const value = useSignal(parameter.value === null ? "" : String(parameter.value));
+	const operation = useSignal(null);
+	const error = useSignal(null);
+	const write = async () => {
+		error.value = operation.value = null;
+		try {
+			operation.value = await call("PUT", `${path}?wait=10`, { value: Number(value.value) }, { "If-Match": `"${parameter.raw}"` });
+			await after();
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	const range = parameter.lowest === null ? "" : `${parameter.lowest} … ${parameter.highest ?? ""} ${parameter.unit}`;
+	return /* @__PURE__ */ a("details", {
+		class: "write",
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("write") }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a("input", {
+						"aria-label": `${parameter.number} ${parameter.name}`,
+						title: range,
+						placeholder: range,
+						value: value.value,
+						onInput: (event) => value.value = event.currentTarget.value
+					}),
+					/* @__PURE__ */ a(Sure, {
+						needs: "PUT /drives/{drive}/parameters/{number}",
+						label: t("write"),
+						disabled: value.value.trim() === "" || Number.isNaN(Number(value.value)),
+						does: () => void write()
+					}),
+					/* @__PURE__ */ a("small", {
+						class: "calm",
+						children: range
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value }),
+			/* @__PURE__ */ a(Outcome, {
+				operation: operation.value,
+				label: t("write")
+			})
+		]
+	});
+}
+// src/parts/DriveMore.tsx
+/** A drive's status asked for now, its inputs, what was asked of it lately, and the packets on its line. */
+function DriveMore({ drive, path }) {
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a(Inputs, { path }),
+		/* @__PURE__ */ a(Operations, {
+			path,
+			drive
+		}),
+		/* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })
+	] });
+}
+var INPUTS = ["run", "home"];
+/** What is not named is off: one press sets one of them, or none. */
+function Inputs({ path }) {
+	const asking = useAsking();
+	const operation = useSignal(null);
+	const label = useSignal("");
+	const ask = (words, what) => {
+		label.value = words;
+		operation.value = null;
+		asking.ask(async () => {
+			operation.value = await what();
+		}, "");
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("inputs") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/status",
+							onClick: () => ask(t("ask_status"), () => post(`${path}/status?wait=5`)),
+							children: t("ask_status")
+						}),
+						INPUTS.map((name) => /* @__PURE__ */ a(Sure, {
+							needs: "PUT /drives/{drive}/inputs",
+							label: t(`input_${name}`),
+							does: () => ask(t(`input_${name}`), () => call("PUT", `${path}/inputs?wait=5`, { [name]: true }))
+						}, name)),
+						/* @__PURE__ */ a(Button, {
+							needs: "PUT /drives/{drive}/inputs",
+							onClick: () => ask(t("inputs_off"), () => call("PUT", `${path}/inputs?wait=5`, {})),
+							children: t("inputs_off")
+						})
+					]
+				}),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Outcome, {
+					operation: operation.value,
+					label: label.value
+				})
+			]
+		})]
+	});
+}
+/** Each ended done, failed, or unknown; what still runs can be cancelled. */
+function Operations({ path, drive }) {
+	const open = useSignal(false);
+	const again = useSignal(0);
+	const asking = useAsking();
+	const { value } = useRead(open.value ? `${path}/operations?limit=20` : null, drive.operation, again.value, Math.floor(changes.drives.value / 20));
+	const cancel = async (id) => {
+		await asking.ask(() => post(`/operations/${encodeURIComponent(id)}/cancel`));
+		again.value++;
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("operations") }),
+			/* @__PURE__ */ a(Told, { asking }),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_operations")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((one) => /* @__PURE__ */ a("tr", {
+					"data-operation": one.id,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["#", one.id] }),
+						/* @__PURE__ */ a("td", {
+							class: one.state === "done" ? "good" : one.state === "running" ? "wait" : "bad",
+							children: said(`op_state_${one.state}`)
+						}),
+						/* @__PURE__ */ a("td", { children: [
+							said(one.kind),
+							" · ",
+							one.actor,
+							" · ",
+							moment$1(one.opened),
+							" ",
+							one.reason && ` · ${tell(one.reason)}`,
+							one.state === "running" && /* @__PURE__ */ a(Sure, {
+								needs: "POST /operations/{operation}/cancel",
+								label: t("cancel"),
+								does: () => void cancel(one.id)
+							})
+						] })
+					]
+				}, one.id)) })
+			})
+		]
+	});
+}
+// node_modules/uplot/dist/uPlot.esm.js
+/**
+* Copyright (c) 2025, Leon Sorokin
+* All rights reserved. (MIT Licensed)
+*
+* uPlot.js (μPlot)
+* A small, fast chart for time series, lines, areas, ohlc & bars
+* github.com/leeoniya/uPlot (v1.6.32)
+*/
+var FEAT_TIME = true;
+var UPLOT = "uplot";
+var ORI_HZ = "u-hz";
+var ORI_VT = "u-vt";
+var TITLE = "u-title";
+var WRAP = "u-wrap";
+var UNDER = "u-under";
+var OVER$1 = "u-over";
+var AXIS = "u-axis";
+var OFF = "u-off";
+var SELECT = "u-select";
+var CURSOR_X = "u-cursor-x";
+var CURSOR_Y = "u-cursor-y";
+var CURSOR_PT = "u-cursor-pt";
+var LEGEND = "u-legend";
+var LEGEND_LIVE = "u-live";
+var LEGEND_INLINE = "u-inline";
+var LEGEND_SERIES = "u-series";
+var LEGEND_MARKER = "u-marker";
+var LEGEND_LABEL = "u-label";
+var LEGEND_VALUE = "u-value";
+var WIDTH = "width";
+var HEIGHT$2 = "height";
+var TOP = "top";
+var BOTTOM = "bottom";
+var LEFT = "left";
+var RIGHT = "right";
+var hexBlack = "#000";
+var transparent = "#0000";
+var mousemove = "mousemove";
+var mousedown = "mousedown";
+var mouseup = "mouseup";
+var mouseenter = "mouseenter";
+var mouseleave = "mouseleave";
+var dblclick = "dblclick";
+var resize = "resize";
+var scroll = "scroll";
+var change = "change";
+var dppxchange = "dppxchange";
+var LEGEND_DISP = "--";
+var domEnv = typeof window != "undefined";
+var doc = domEnv ? document : null;
+var win = domEnv ? window : null;
+var nav = domEnv ? navigator : null;
+var pxRatio;
+var query;
+function setPxRatio() {
+	let _pxRatio = devicePixelRatio;
+	if (pxRatio != _pxRatio) {
+		pxRatio = _pxRatio;
+		query && off(change, query, setPxRatio);
+		query = matchMedia(`(min-resolution: ${pxRatio - .001}dppx) and (max-resolution: ${pxRatio + .001}dppx)`);
+		on(change, query, setPxRatio);
+		win.dispatchEvent(new CustomEvent(dppxchange));
+	}
+}
+function addClass(el, c) {
+	if (c != null) {
+		let cl = el.classList;
+		!cl.contains(c) && cl.add(c);
+	}
+}
+function remClass(el, c) {
+	let cl = el.classList;
+	cl.contains(c) && cl.remove(c);
+}
+function setStylePx(el, name, value) {
+	el.style[name] = value + "px";
+}
+function placeTag(tag, cls, targ, refEl) {
+	let el = doc.createElement(tag);
+	if (cls != null) addClass(el, cls);
+	if (targ != null) targ.insertBefore(el, refEl);
+	return el;
+}
+function placeDiv(cls, targ) {
+	return placeTag("div", cls, targ);
+}
+var xformCache = /* @__PURE__ */ new WeakMap();
+function elTrans(el, xPos, yPos, xMax, yMax) {
+	let xform = "translate(" + xPos + "px," + yPos + "px)";
+	if (xform != xformCache.get(el)) {
+		el.style.transform = xform;
+		xformCache.set(el, xform);
+		if (xPos < 0 || yPos < 0 || xPos > xMax || yPos > yMax) addClass(el, OFF);
+		else remClass(el, OFF);
+	}
+}
+var colorCache = /* @__PURE__ */ new WeakMap();
+function elColor(el, background, borderColor) {
+	let newColor = background + borderColor;
+	if (newColor != colorCache.get(el)) {
+		colorCache.set(el, newColor);
+		el.style.background = background;
+		el.style.borderColor = borderColor;
+	}
+}
+var sizeCache = /* @__PURE__ */ new WeakMap();
+function elSize(el, newWid, newHgt, centered) {
+	let newSize = newWid + "" + newHgt;
+	if (newSize != sizeCache.get(el)) {
+		sizeCache.set(el, newSize);
+		el.style.height = newHgt + "px";
+		el.style.width = newWid + "px";
+		el.style.marginLeft = centered ? -newWid / 2 + "px" : 0;
+		el.style.marginTop = centered ? -newHgt / 2 + "px" : 0;
+	}
+}
+var evOpts = { passive: true };
+var evOpts2 = {
+	...evOpts,
+	capture: true
+};
+function on(ev, el, cb, capt) {
+	el.addEventListener(ev, cb, capt ? evOpts2 : evOpts);
+}
+function off(ev, el, cb, capt) {
+	el.removeEventListener(ev, cb, evOpts);
+}
+domEnv && setPxRatio();
+function closestIdx(num, arr, lo, hi) {
+	let mid;
+	lo = lo || 0;
+	hi = hi || arr.length - 1;
+	let bitwise = hi <= 2147483647;
+	while (hi - lo > 1) {
+		mid = bitwise ? lo + hi >> 1 : floor((lo + hi) / 2);
+		if (arr[mid] < num) lo = mid;
+		else hi = mid;
+	}
+	if (num - arr[lo] <= arr[hi] - num) return lo;
+	return hi;
+}
+function makeIndexOfs(predicate) {
+	let indexOfs = (data, _i0, _i1) => {
+		let i0 = -1;
+		let i1 = -1;
+		for (let i = _i0; i <= _i1; i++) if (predicate(data[i])) {
+			i0 = i;
+			break;
+		}
+		for (let i = _i1; i >= _i0; i--) if (predicate(data[i])) {
+			i1 = i;
+			break;
+		}
+		return [i0, i1];
+	};
+	return indexOfs;
+}
+var notNullish = (v) => v != null;
+var isPositive = (v) => v != null && v > 0;
+var nonNullIdxs = makeIndexOfs(notNullish);
+var positiveIdxs = makeIndexOfs(isPositive);
+function getMinMax(data, _i0, _i1, sorted = 0, log = false) {
+	let getEdgeIdxs = log ? positiveIdxs : nonNullIdxs;
+	let predicate = log ? isPositive : notNullish;
+	[_i0, _i1] = getEdgeIdxs(data, _i0, _i1);
+	let _min = data[_i0];
+	let _max = data[_i0];
+	if (_i0 > -1) {
+		if (sorted == 1) {
+			_min = data[_i0];
+			_max = data[_i1];
+		} else if (sorted == -1) {
+			_min = data[_i1];
+			_max = data[_i0];
+		} else for (let i = _i0; i <= _i1; i++) {
+			let v = data[i];
+			if (predicate(v)) {
+				if (v < _min) _min = v;
+				else if (v > _max) _max = v;
+			}
+		}
+	}
+	return [_min ?? inf, _max ?? -inf];
+}
+function rangeLog(min, max, base, fullMags) {
+	let minSign = sign(min);
+	let maxSign = sign(max);
+	if (min == max) {
+		if (minSign == -1) {
+			min *= base;
+			max /= base;
+		} else {
+			min /= base;
+			max *= base;
+		}
+	}
+	let logFn = base == 10 ? log10 : log2;
+	let growMinAbs = minSign == 1 ? floor : ceil;
+	let growMaxAbs = maxSign == 1 ? ceil : floor;
+	let minExp = growMinAbs(logFn(abs(min)));
+	let maxExp = growMaxAbs(logFn(abs(max)));
+	let minIncr = pow(base, minExp);
+	let maxIncr = pow(base, maxExp);
+	if (base == 10) {
+		if (minExp < 0) minIncr = roundDec(minIncr, -minExp);
+		if (maxExp < 0) maxIncr = roundDec(maxIncr, -maxExp);
+	}
+	if (fullMags || base == 2) {
+		min = minIncr * minSign;
+		max = maxIncr * maxSign;
+	} else {
+		min = incrRoundDn(min, minIncr);
+		max = incrRoundUp(max, maxIncr);
+	}
+	return [min, max];
+}
+function rangeAsinh(min, max, base, fullMags) {
+	let minMax = rangeLog(min, max, base, fullMags);
+	if (min == 0) minMax[0] = 0;
+	if (max == 0) minMax[1] = 0;
+	return minMax;
+}
+var rangePad = .1;
+var autoRangePart = {
+	mode: 3,
+	pad: rangePad
+};
+var _eqRangePart = {
+	pad: 0,
+	soft: null,
+	mode: 0
+};
+var _eqRange = {
+	min: _eqRangePart,
+	max: _eqRangePart
+};
+function rangeNum(_min, _max, mult, extra) {
+	if (isObj(mult)) return _rangeNum(_min, _max, mult);
+	_eqRangePart.pad = mult;
+	_eqRangePart.soft = extra ? 0 : null;
+	_eqRangePart.mode = extra ? 3 : 0;
+	return _rangeNum(_min, _max, _eqRange);
+}
+function ifNull(lh, rh) {
+	return lh == null ? rh : lh;
+}
+function hasData(data, idx0, idx1) {
+	idx0 = ifNull(idx0, 0);
+	idx1 = ifNull(idx1, data.length - 1);
+	while (idx0 <= idx1) {
+		if (data[idx0] != null) return true;
+		idx0++;
+	}
+	return false;
+}
+function _rangeNum(_min, _max, cfg) {
+	let cmin = cfg.min;
+	let cmax = cfg.max;
+	let padMin = ifNull(cmin.pad, 0);
+	let padMax = ifNull(cmax.pad, 0);
+	let hardMin = ifNull(cmin.hard, -inf);
+	let hardMax = ifNull(cmax.hard, inf);
+	let softMin = ifNull(cmin.soft, inf);
+	let softMax = ifNull(cmax.soft, -inf);
+	let softMinMode = ifNull(cmin.mode, 0);
+	let softMaxMode = ifNull(cmax.mode, 0);
+	let delta = _max - _min;
+	let deltaMag = log10(delta);
+	let scalarMax = max(abs(_min), abs(_max));
+	let scalarMagDelta = abs(log10(scalarMax) - deltaMag);
+	if (delta < 1e-24 || scalarMagDelta > 10) {
+		delta = 0;
+		if (_min == 0 || _max == 0) {
+			delta = 1e-24;
+			if (softMinMode == 2 && softMin != inf) padMin = 0;
+			if (softMaxMode == 2 && softMax != -inf) padMax = 0;
+		}
+	}
+	let nonZeroDelta = delta || scalarMax || 1e3;
+	let base = pow(10, floor(log10(nonZeroDelta)));
+	let _newMin = roundDec(incrRoundDn(_min - nonZeroDelta * (delta == 0 ? _min == 0 ? .1 : 1 : padMin), base / 10), 24);
+	let _softMin = _min >= softMin && (softMinMode == 1 || softMinMode == 3 && _newMin <= softMin || softMinMode == 2 && _newMin >= softMin) ? softMin : inf;
+	let minLim = max(hardMin, _newMin < _softMin && _min >= _softMin ? _softMin : min(_softMin, _newMin));
+	let _newMax = roundDec(incrRoundUp(_max + nonZeroDelta * (delta == 0 ? _max == 0 ? .1 : 1 : padMax), base / 10), 24);
+	let _softMax = _max <= softMax && (softMaxMode == 1 || softMaxMode == 3 && _newMax >= softMax || softMaxMode == 2 && _newMax <= softMax) ? softMax : -inf;
+	let maxLim = min(hardMax, _newMax > _softMax && _max <= _softMax ? _softMax : max(_softMax, _newMax));
+	if (minLim == maxLim && minLim == 0) maxLim = 100;
+	return [minLim, maxLim];
+}
+var numFormatter = new Intl.NumberFormat(domEnv ? nav.language : "en-US");
+var fmtNum = (val) => numFormatter.format(val);
+var M = Math;
+var PI = M.PI;
+var abs = M.abs;
+var floor = M.floor;
+var round$1 = M.round;
+var ceil = M.ceil;
+var min = M.min;
+var max = M.max;
+var pow = M.pow;
+var sign = M.sign;
+var log10 = M.log10;
+var log2 = M.log2;
+var sinh = (v, linthresh = 1) => M.sinh(v) * linthresh;
+var asinh = (v, linthresh = 1) => M.asinh(v / linthresh);
+var inf = Infinity;
+function numIntDigits(x) {
+	return (log10((x ^ x >> 31) - (x >> 31)) | 0) + 1;
+}
+function clamp(num, _min, _max) {
+	return min(max(num, _min), _max);
+}
+function isFn(v) {
+	return typeof v == "function";
+}
+function fnOrSelf(v) {
+	return isFn(v) ? v : () => v;
+}
+var noop = () => {};
+var retArg0 = (_0) => _0;
+var retArg1 = (_0, _1) => _1;
+var retNull = (_) => null;
+var retTrue = (_) => true;
+var retEq = (a, b) => a == b;
+var regex6 = /\.\d*?(?=9{6,}|0{6,})/gm;
+var fixFloat = (val) => {
+	if (isInt(val) || fixedDec.has(val)) return val;
+	const str = `${val}`;
+	const match = str.match(regex6);
+	if (match == null) return val;
+	let len = match[0].length - 1;
+	if (str.indexOf("e-") != -1) {
+		let [num, exp] = str.split("e");
+		return +`${fixFloat(num)}e${exp}`;
+	}
+	return roundDec(val, len);
+};
+function incrRound(num, incr) {
+	return fixFloat(roundDec(fixFloat(num / incr)) * incr);
+}
+function incrRoundUp(num, incr) {
+	return fixFloat(ceil(fixFloat(num / incr)) * incr);
+}
+function incrRoundDn(num, incr) {
+	return fixFloat(floor(fixFloat(num / incr)) * incr);
+}
+function roundDec(val, dec = 0) {
+	if (isInt(val)) return val;
+	let p = 10 ** dec;
+	return round$1(val * p * (1 + Number.EPSILON)) / p;
+}
+var fixedDec = /* @__PURE__ */ new Map();
+function guessDec(num) {
+	return (("" + num).split(".")[1] || "").length;
+}
+function genIncrs(base, minExp, maxExp, mults) {
+	let incrs = [];
+	let multDec = mults.map(guessDec);
+	for (let exp = minExp; exp < maxExp; exp++) {
+		let expa = abs(exp);
+		let mag = roundDec(pow(base, exp), expa);
+		for (let i = 0; i < mults.length; i++) {
+			let _incr = base == 10 ? +`${mults[i]}e${exp}` : mults[i] * mag;
+			let dec = (exp >= 0 ? 0 : expa) + (exp >= multDec[i] ? 0 : multDec[i]);
+			let incr = base == 10 ? _incr : roundDec(_incr, dec);
+			incrs.push(incr);
+			fixedDec.set(incr, dec);
+		}
+	}
+	return incrs;
+}
+var EMPTY_OBJ = {};
+var EMPTY_ARR = [];
+var nullNullTuple = [null, null];
+var isArr = Array.isArray;
+var isInt = Number.isInteger;
+var isUndef = (v) => v === void 0;
+function isStr(v) {
+	return typeof v == "string";
+}
+function isObj(v) {
+	let is = false;
+	if (v != null) {
+		let c = v.constructor;
+		is = c == null || c == Object;
+	}
+	return is;
+}
+function fastIsObj(v) {
+	return v != null && typeof v == "object";
+}
+var TypedArray = Object.getPrototypeOf(Uint8Array);
+var __proto__ = "__proto__";
+function copy(o, _isObj = isObj) {
+	let out;
+	if (isArr(o)) {
+		let val = o.find((v) => v != null);
+		if (isArr(val) || _isObj(val)) {
+			out = Array(o.length);
+			for (let i = 0; i < o.length; i++) out[i] = copy(o[i], _isObj);
+		} else out = o.slice();
+	} else if (o instanceof TypedArray) out = o.slice();
+	else if (_isObj(o)) {
+		out = {};
+		for (let k in o) if (k != __proto__) out[k] = copy(o[k], _isObj);
+	} else out = o;
+	return out;
+}
+function assign(targ) {
+	let args = arguments;
+	for (let i = 1; i < args.length; i++) {
+		let src = args[i];
+		for (let key in src) if (key != __proto__) {
+			if (isObj(targ[key])) assign(targ[key], copy(src[key]));
+			else targ[key] = copy(src[key]);
+		}
+	}
+	return targ;
+}
+var NULL_REMOVE = 0;
+var NULL_RETAIN = 1;
+var NULL_EXPAND = 2;
+function nullExpand(yVals, nullIdxs, alignedLen) {
+	for (let i = 0, xi, lastNullIdx = -1; i < nullIdxs.length; i++) {
+		let nullIdx = nullIdxs[i];
+		if (nullIdx > lastNullIdx) {
+			xi = nullIdx - 1;
+			while (xi >= 0 && yVals[xi] == null) yVals[xi--] = null;
+			xi = nullIdx + 1;
+			while (xi < alignedLen && yVals[xi] == null) yVals[lastNullIdx = xi++] = null;
+		}
+	}
+}
+function join(tables, nullModes) {
+	if (allHeadersSame(tables)) {
+		let table = tables[0].slice();
+		for (let i = 1; i < tables.length; i++) table.push(...tables[i].slice(1));
+		if (!isAsc(table[0])) table = sortCols(table);
+		return table;
+	}
+	let xVals = /* @__PURE__ */ new Set();
+	for (let ti = 0; ti < tables.length; ti++) {
+		let xs = tables[ti][0];
+		let len = xs.length;
+		for (let i = 0; i < len; i++) xVals.add(xs[i]);
+	}
+	let data = [Array.from(xVals).sort((a, b) => a - b)];
+	let alignedLen = data[0].length;
+	let xIdxs = /* @__PURE__ */ new Map();
+	for (let i = 0; i < alignedLen; i++) xIdxs.set(data[0][i], i);
+	for (let ti = 0; ti < tables.length; ti++) {
+		let t = tables[ti];
+		let xs = t[0];
+		for (let si = 1; si < t.length; si++) {
+			let ys = t[si];
+			let yVals = Array(alignedLen).fill(void 0);
+			let nullMode = nullModes ? nullModes[ti][si] : NULL_RETAIN;
+			let nullIdxs = [];
+			for (let i = 0; i < ys.length; i++) {
+				let yVal = ys[i];
+				let alignedIdx = xIdxs.get(xs[i]);
+				if (yVal === null) {
+					if (nullMode != NULL_REMOVE) {
+						yVals[alignedIdx] = yVal;
+						if (nullMode == NULL_EXPAND) nullIdxs.push(alignedIdx);
+					}
+				} else yVals[alignedIdx] = yVal;
+			}
+			nullExpand(yVals, nullIdxs, alignedLen);
+			data.push(yVals);
+		}
+	}
+	return data;
+}
+var microTask = typeof queueMicrotask == "undefined" ? (fn) => Promise.resolve().then(fn) : queueMicrotask;
+function sortCols(table) {
+	let head = table[0];
+	let rlen = head.length;
+	let idxs = Array(rlen);
+	for (let i = 0; i < idxs.length; i++) idxs[i] = i;
+	idxs.sort((i0, i1) => head[i0] - head[i1]);
+	let table2 = [];
+	for (let i = 0; i < table.length; i++) {
+		let row = table[i];
+		let row2 = Array(rlen);
+		for (let j = 0; j < rlen; j++) row2[j] = row[idxs[j]];
+		table2.push(row2);
+	}
+	return table2;
+}
+function allHeadersSame(tables) {
+	let vals0 = tables[0][0];
+	let len0 = vals0.length;
+	for (let i = 1; i < tables.length; i++) {
+		let vals1 = tables[i][0];
+		if (vals1.length != len0) return false;
+		if (vals1 != vals0) {
+			for (let j = 0; j < len0; j++) if (vals1[j] != vals0[j]) return false;
+		}
+	}
+	return true;
+}
+function isAsc(vals, samples = 100) {
+	const len = vals.length;
+	if (len <= 1) return true;
+	let firstIdx = 0;
+	let lastIdx = len - 1;
+	while (firstIdx <= lastIdx && vals[firstIdx] == null) firstIdx++;
+	while (lastIdx >= firstIdx && vals[lastIdx] == null) lastIdx--;
+	if (lastIdx <= firstIdx) return true;
+	const stride = max(1, floor((lastIdx - firstIdx + 1) / samples));
+	for (let prevVal = vals[firstIdx], i = firstIdx + stride; i <= lastIdx; i += stride) {
+		const v = vals[i];
+		if (v != null) {
+			if (v <= prevVal) return false;
+			prevVal = v;
+		}
+	}
+	return true;
+}
+var months = [
+	"January",
+	"February",
+	"March",
+	"April",
+	"May",
+	"June",
+	"July",
+	"August",
+	"September",
+	"October",
+	"November",
+	"December"
+];
+var days = [
+	"Sunday",
+	"Monday",
+	"Tuesday",
+	"Wednesday",
+	"Thursday",
+	"Friday",
+	"Saturday"
+];
+function slice3(str) {
+	return str.slice(0, 3);
+}
+var days3 = days.map(slice3);
+var engNames = {
+	MMMM: months,
+	MMM: months.map(slice3),
+	WWWW: days,
+	WWW: days3
+};
+function zeroPad2(int) {
+	return (int < 10 ? "0" : "") + int;
+}
+function zeroPad3(int) {
+	return (int < 10 ? "00" : int < 100 ? "0" : "") + int;
+}
+var subs = {
+	YYYY: (d) => d.getFullYear(),
+	YY: (d) => (d.getFullYear() + "").slice(2),
+	MMMM: (d, names) => names.MMMM[d.getMonth()],
+	MMM: (d, names) => names.MMM[d.getMonth()],
+	MM: (d) => zeroPad2(d.getMonth() + 1),
+	M: (d) => d.getMonth() + 1,
+	DD: (d) => zeroPad2(d.getDate()),
+	D: (d) => d.getDate(),
+	WWWW: (d, names) => names.WWWW[d.getDay()],
+	WWW: (d, names) => names.WWW[d.getDay()],
+	HH: (d) => zeroPad2(d.getHours()),
+	H: (d) => d.getHours(),
+	h: (d) => {
+		let h = d.getHours();
+		return h == 0 ? 12 : h > 12 ? h - 12 : h;
+	},
+	AA: (d) => d.getHours() >= 12 ? "PM" : "AM",
+	aa: (d) => d.getHours() >= 12 ? "pm" : "am",
+	a: (d) => d.getHours() >= 12 ? "p" : "a",
+	mm: (d) => zeroPad2(d.getMinutes()),
+	m: (d) => d.getMinutes(),
+	ss: (d) => zeroPad2(d.getSeconds()),
+	s: (d) => d.getSeconds(),
+	fff: (d) => zeroPad3(d.getMilliseconds())
+};
+function fmtDate(tpl, names) {
+	names = names || engNames;
+	let parts = [];
+	let R = /\{([a-z]+)\}|[^{]+/gi, m;
+	while (m = R.exec(tpl)) parts.push(m[0][0] == "{" ? subs[m[1]] : m[0]);
+	return (d) => {
+		let out = "";
+		for (let i = 0; i < parts.length; i++) out += typeof parts[i] == "string" ? parts[i] : parts[i](d, names);
+		return out;
+	};
+}
+var localTz = new Intl.DateTimeFormat().resolvedOptions().timeZone;
+function tzDate(date, tz) {
+	let date2;
+	if (tz == "UTC" || tz == "Etc/UTC") date2 = /* @__PURE__ */ new Date(+date + date.getTimezoneOffset() * 6e4);
+	else if (tz == localTz) date2 = date;
+	else {
+		date2 = new Date(date.toLocaleString("en-US", { timeZone: tz }));
+		date2.setMilliseconds(date.getMilliseconds());
+	}
+	return date2;
+}
+var onlyWhole = (v) => v % 1 == 0;
+var allMults = [
+	1,
+	2,
+	2.5,
+	5
+];
+var decIncrs = genIncrs(10, -32, 0, allMults);
+var oneIncrs = genIncrs(10, 0, 32, allMults);
+var wholeIncrs = oneIncrs.filter(onlyWhole);
+var numIncrs = decIncrs.concat(oneIncrs);
+var NL = "\n";
+var yyyy = "{YYYY}";
+var NLyyyy = NL + yyyy;
+var md = "{M}/{D}";
+var NLmd = NL + md;
+var NLmdyy = NLmd + "/{YY}";
+var aa = "{aa}";
+var hmmaa = "{h}:{mm}" + aa;
+var NLhmmaa = NL + hmmaa;
+var ss = ":{ss}";
+var _ = null;
+function genTimeStuffs(ms) {
+	let s = ms * 1e3, m = s * 60, h = m * 60, d = h * 24, mo = d * 30, y = d * 365;
+	let timeIncrs = (ms == 1 ? genIncrs(10, 0, 3, allMults).filter(onlyWhole) : genIncrs(10, -3, 0, allMults)).concat([
+		s,
+		s * 5,
+		s * 10,
+		s * 15,
+		s * 30,
+		m,
+		m * 5,
+		m * 10,
+		m * 15,
+		m * 30,
+		h,
+		h * 2,
+		h * 3,
+		h * 4,
+		h * 6,
+		h * 8,
+		h * 12,
+		d,
+		d * 2,
+		d * 3,
+		d * 4,
+		d * 5,
+		d * 6,
+		d * 7,
+		d * 8,
+		d * 9,
+		d * 10,
+		d * 15,
+		mo,
+		mo * 2,
+		mo * 3,
+		mo * 4,
+		mo * 6,
+		y,
+		y * 2,
+		y * 5,
+		y * 10,
+		y * 25,
+		y * 50,
+		y * 100
+	]);
+	const _timeAxisStamps = [
+		[
+			y,
+			yyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			d * 28,
+			"{MMM}",
+			NLyyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			d,
+			md,
+			NLyyyy,
+			_,
+			_,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			h,
+			"{h}" + aa,
+			NLmdyy,
+			_,
+			NLmd,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			m,
+			hmmaa,
+			NLmdyy,
+			_,
+			NLmd,
+			_,
+			_,
+			_,
+			1
+		],
+		[
+			s,
+			ss,
+			NLmdyy + " " + hmmaa,
+			_,
+			NLmd + " " + hmmaa,
+			_,
+			NLhmmaa,
+			_,
+			1
+		],
+		[
+			ms,
+			ss + ".{fff}",
+			NLmdyy + " " + hmmaa,
+			_,
+			NLmd + " " + hmmaa,
+			_,
+			NLhmmaa,
+			_,
+			1
+		]
+	];
+	function timeAxisSplits(tzDate) {
+		return (self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace) => {
+			let splits = [];
+			let isYr = foundIncr >= y;
+			let isMo = foundIncr >= mo && foundIncr < y;
+			let minDate = tzDate(scaleMin);
+			let minDateTs = roundDec(minDate * ms, 3);
+			let minMin = mkDate(minDate.getFullYear(), isYr ? 0 : minDate.getMonth(), isMo || isYr ? 1 : minDate.getDate());
+			let minMinTs = roundDec(minMin * ms, 3);
+			if (isMo || isYr) {
+				let moIncr = isMo ? foundIncr / mo : 0;
+				let yrIncr = isYr ? foundIncr / y : 0;
+				let split = minDateTs == minMinTs ? minDateTs : roundDec(mkDate(minMin.getFullYear() + yrIncr, minMin.getMonth() + moIncr, 1) * ms, 3);
+				let splitDate = new Date(round$1(split / ms));
+				let baseYear = splitDate.getFullYear();
+				let baseMonth = splitDate.getMonth();
+				for (let i = 0; split <= scaleMax; i++) {
+					let next = mkDate(baseYear + yrIncr * i, baseMonth + moIncr * i, 1);
+					let offs = next - tzDate(roundDec(next * ms, 3));
+					split = roundDec((+next + offs) * ms, 3);
+					if (split <= scaleMax) splits.push(split);
+				}
+			} else {
+				let incr0 = foundIncr >= d ? d : foundIncr;
+				let split = minMinTs + (floor(scaleMin) - floor(minDateTs)) + incrRoundUp(minDateTs - minMinTs, incr0);
+				splits.push(split);
+				let date0 = tzDate(split);
+				let prevHour = date0.getHours() + date0.getMinutes() / m + date0.getSeconds() / h;
+				let incrHours = foundIncr / h;
+				let pctSpace = foundSpace / self.axes[axisIdx]._space;
+				while (1) {
+					split = roundDec(split + foundIncr, ms == 1 ? 0 : 3);
+					if (split > scaleMax) break;
+					if (incrHours > 1) {
+						let expectedHour = floor(roundDec(prevHour + incrHours, 6)) % 24;
+						let dstShift = tzDate(split).getHours() - expectedHour;
+						if (dstShift > 1) dstShift = -1;
+						split -= dstShift * h;
+						prevHour = (prevHour + incrHours) % 24;
+						let prevSplit = splits[splits.length - 1];
+						if (roundDec((split - prevSplit) / foundIncr, 3) * pctSpace >= .7) splits.push(split);
+					} else splits.push(split);
+				}
+			}
+			return splits;
+		};
+	}
+	return [
+		timeIncrs,
+		_timeAxisStamps,
+		timeAxisSplits
+	];
+}
+var [timeIncrsMs, _timeAxisStampsMs, timeAxisSplitsMs] = genTimeStuffs(1);
+var [timeIncrsS, _timeAxisStampsS, timeAxisSplitsS] = genTimeStuffs(.001);
+genIncrs(2, -53, 53, [1]);
+function timeAxisStamps(stampCfg, fmtDate) {
+	return stampCfg.map((s) => s.map((v, i) => i == 0 || i == 8 || v == null ? v : fmtDate(i == 1 || s[8] == 0 ? v : s[1] + v)));
+}
+function timeAxisVals(tzDate, stamps) {
+	return (self, splits, axisIdx, foundSpace, foundIncr) => {
+		let s = stamps.find((s) => foundIncr >= s[0]) || stamps[stamps.length - 1];
+		let prevYear;
+		let prevMnth;
+		let prevDate;
+		let prevHour;
+		let prevMins;
+		let prevSecs;
+		return splits.map((split) => {
+			let date = tzDate(split);
+			let newYear = date.getFullYear();
+			let newMnth = date.getMonth();
+			let newDate = date.getDate();
+			let newHour = date.getHours();
+			let newMins = date.getMinutes();
+			let newSecs = date.getSeconds();
+			let stamp = newYear != prevYear && s[2] || newMnth != prevMnth && s[3] || newDate != prevDate && s[4] || newHour != prevHour && s[5] || newMins != prevMins && s[6] || newSecs != prevSecs && s[7] || s[1];
+			prevYear = newYear;
+			prevMnth = newMnth;
+			prevDate = newDate;
+			prevHour = newHour;
+			prevMins = newMins;
+			prevSecs = newSecs;
+			return stamp(date);
+		});
+	};
+}
+function timeAxisVal(tzDate, dateTpl) {
+	let stamp = fmtDate(dateTpl);
+	return (self, splits, axisIdx, foundSpace, foundIncr) => splits.map((split) => stamp(tzDate(split)));
+}
+function mkDate(y, m, d) {
+	return new Date(y, m, d);
+}
+function timeSeriesStamp(stampCfg, fmtDate) {
+	return fmtDate(stampCfg);
+}
+var _timeSeriesStamp = "{YYYY}-{MM}-{DD} {h}:{mm}{aa}";
+function timeSeriesVal(tzDate, stamp) {
+	return (self, val, seriesIdx, dataIdx) => dataIdx == null ? LEGEND_DISP : stamp(tzDate(val));
+}
+function legendStroke(self, seriesIdx) {
+	let s = self.series[seriesIdx];
+	return s.width ? s.stroke(self, seriesIdx) : s.points.width ? s.points.stroke(self, seriesIdx) : null;
+}
+function legendFill(self, seriesIdx) {
+	return self.series[seriesIdx].fill(self, seriesIdx);
+}
+var legendOpts = {
+	show: true,
+	live: true,
+	isolate: false,
+	mount: noop,
+	markers: {
+		show: true,
+		width: 2,
+		stroke: legendStroke,
+		fill: legendFill,
+		dash: "solid"
+	},
+	idx: null,
+	idxs: null,
+	values: []
+};
+function cursorPointShow(self, si) {
+	let o = self.cursor.points;
+	let pt = placeDiv();
+	let size = o.size(self, si);
+	setStylePx(pt, WIDTH, size);
+	setStylePx(pt, HEIGHT$2, size);
+	let mar = size / -2;
+	setStylePx(pt, "marginLeft", mar);
+	setStylePx(pt, "marginTop", mar);
+	let width = o.width(self, si, size);
+	width && setStylePx(pt, "borderWidth", width);
+	return pt;
+}
+function cursorPointFill(self, si) {
+	let sp = self.series[si].points;
+	return sp._fill || sp._stroke;
+}
+function cursorPointStroke(self, si) {
+	let sp = self.series[si].points;
+	return sp._stroke || sp._fill;
+}
+function cursorPointSize(self, si) {
+	return self.series[si].points.size;
+}
+var moveTuple = [0, 0];
+function cursorMove(self, mouseLeft1, mouseTop1) {
+	moveTuple[0] = mouseLeft1;
+	moveTuple[1] = mouseTop1;
+	return moveTuple;
+}
+function filtBtn0(self, targ, handle, onlyTarg = true) {
+	return (e) => {
+		e.button == 0 && (!onlyTarg || e.target == targ) && handle(e);
+	};
+}
+function filtTarg(self, targ, handle, onlyTarg = true) {
+	return (e) => {
+		(!onlyTarg || e.target == targ) && handle(e);
+	};
+}
+var cursorOpts = {
+	show: true,
+	x: true,
+	y: true,
+	lock: false,
+	move: cursorMove,
+	points: {
+		one: false,
+		show: cursorPointShow,
+		size: cursorPointSize,
+		width: 0,
+		stroke: cursorPointStroke,
+		fill: cursorPointFill
+	},
+	bind: {
+		mousedown: filtBtn0,
+		mouseup: filtBtn0,
+		click: filtBtn0,
+		dblclick: filtBtn0,
+		mousemove: filtTarg,
+		mouseleave: filtTarg,
+		mouseenter: filtTarg
+	},
+	drag: {
+		setScale: true,
+		x: true,
+		y: false,
+		dist: 0,
+		uni: null,
+		click: (self, e) => {
+			e.stopPropagation();
+			e.stopImmediatePropagation();
+		},
+		_x: false,
+		_y: false
+	},
+	focus: {
+		dist: (self, seriesIdx, dataIdx, valPos, curPos) => valPos - curPos,
+		prox: -1,
+		bias: 0
+	},
+	hover: {
+		skip: [void 0],
+		prox: null,
+		bias: 0
+	},
+	left: -10,
+	top: -10,
+	idx: null,
+	dataIdx: null,
+	idxs: null,
+	event: null
+};
+var axisLines = {
+	show: true,
+	stroke: "rgba(0,0,0,0.07)",
+	width: 2
+};
+var grid = assign({}, axisLines, { filter: retArg1 });
+var ticks = assign({}, grid, { size: 10 });
+var border = assign({}, axisLines, { show: false });
+var font$1 = "12px system-ui, -apple-system, \"Segoe UI\", Roboto, \"Helvetica Neue\", Arial, \"Noto Sans\", sans-serif, \"Apple Color Emoji\", \"Segoe UI Emoji\", \"Segoe UI Symbol\", \"Noto Color Emoji\"";
+var labelFont = "bold " + font$1;
+var lineGap = 1.5;
+var xAxisOpts = {
+	show: true,
+	scale: "x",
+	stroke: hexBlack,
+	space: 50,
+	gap: 5,
+	alignTo: 1,
+	size: 50,
+	labelGap: 0,
+	labelSize: 30,
+	labelFont,
+	side: 2,
+	grid,
+	ticks,
+	border,
+	font: font$1,
+	lineGap,
+	rotate: 0
+};
+var numSeriesLabel = "Value";
+var timeSeriesLabel = "Time";
+var xSeriesOpts = {
+	show: true,
+	scale: "x",
+	auto: false,
+	sorted: 1,
+	min: inf,
+	max: -Infinity,
+	idxs: []
+};
+function numAxisVals(self, splits, axisIdx, foundSpace, foundIncr) {
+	return splits.map((v) => v == null ? "" : fmtNum(v));
+}
+function numAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	let splits = [];
+	let numDec = fixedDec.get(foundIncr) || 0;
+	scaleMin = forceMin ? scaleMin : roundDec(incrRoundUp(scaleMin, foundIncr), numDec);
+	for (let val = scaleMin; val <= scaleMax; val = roundDec(val + foundIncr, numDec)) splits.push(Object.is(val, -0) ? 0 : val);
+	return splits;
+}
+function logAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	const splits = [];
+	const logBase = self.scales[self.axes[axisIdx].scale].log;
+	foundIncr = pow(logBase, floor((logBase == 10 ? log10 : log2)(scaleMin)));
+	if (logBase == 10) foundIncr = numIncrs[closestIdx(foundIncr, numIncrs)];
+	let split = scaleMin;
+	let nextMagIncr = foundIncr * logBase;
+	if (logBase == 10) nextMagIncr = numIncrs[closestIdx(nextMagIncr, numIncrs)];
+	do {
+		splits.push(split);
+		split = split + foundIncr;
+		if (logBase == 10 && !fixedDec.has(split)) split = roundDec(split, fixedDec.get(foundIncr));
+		if (split >= nextMagIncr) {
+			foundIncr = split;
+			nextMagIncr = foundIncr * logBase;
+			if (logBase == 10) nextMagIncr = numIncrs[closestIdx(nextMagIncr, numIncrs)];
+		}
+	} while (split <= scaleMax);
+	return splits;
+}
+function asinhAxisSplits(self, axisIdx, scaleMin, scaleMax, foundIncr, foundSpace, forceMin) {
+	let linthresh = self.scales[self.axes[axisIdx].scale].asinh;
+	let posSplits = scaleMax > linthresh ? logAxisSplits(self, axisIdx, max(linthresh, scaleMin), scaleMax, foundIncr) : [linthresh];
+	let zero = scaleMax >= 0 && scaleMin <= 0 ? [0] : [];
+	return (scaleMin < -linthresh ? logAxisSplits(self, axisIdx, max(linthresh, -scaleMax), -scaleMin, foundIncr) : [linthresh]).reverse().map((v) => -v).concat(zero, posSplits);
+}
+var RE_ALL = /./;
+var RE_12357 = /[12357]/;
+var RE_125 = /[125]/;
+var RE_1 = /1/;
+var _filt = (splits, distr, re, keepMod) => splits.map((v, i) => distr == 4 && v == 0 || i % keepMod == 0 && re.test(v.toExponential()[v < 0 ? 1 : 0]) ? v : null);
+function log10AxisValsFilt(self, splits, axisIdx, foundSpace, foundIncr) {
+	let axis = self.axes[axisIdx];
+	let scaleKey = axis.scale;
+	let sc = self.scales[scaleKey];
+	let valToPos = self.valToPos;
+	let minSpace = axis._space;
+	let _10 = valToPos(10, scaleKey);
+	let re = valToPos(9, scaleKey) - _10 >= minSpace ? RE_ALL : valToPos(7, scaleKey) - _10 >= minSpace ? RE_12357 : valToPos(5, scaleKey) - _10 >= minSpace ? RE_125 : RE_1;
+	if (re == RE_1) {
+		let magSpace = abs(valToPos(1, scaleKey) - _10);
+		if (magSpace < minSpace) return _filt(splits.slice().reverse(), sc.distr, re, ceil(minSpace / magSpace)).reverse();
+	}
+	return _filt(splits, sc.distr, re, 1);
+}
+function log2AxisValsFilt(self, splits, axisIdx, foundSpace, foundIncr) {
+	let axis = self.axes[axisIdx];
+	let scaleKey = axis.scale;
+	let minSpace = axis._space;
+	let valToPos = self.valToPos;
+	let magSpace = abs(valToPos(1, scaleKey) - valToPos(2, scaleKey));
+	if (magSpace < minSpace) return _filt(splits.slice().reverse(), 3, RE_ALL, ceil(minSpace / magSpace)).reverse();
+	return splits;
+}
+function numSeriesVal(self, val, seriesIdx, dataIdx) {
+	return dataIdx == null ? LEGEND_DISP : val == null ? "" : fmtNum(val);
+}
+var yAxisOpts = {
+	show: true,
+	scale: "y",
+	stroke: hexBlack,
+	space: 30,
+	gap: 5,
+	alignTo: 1,
+	size: 50,
+	labelGap: 0,
+	labelSize: 30,
+	labelFont,
+	side: 3,
+	grid,
+	ticks,
+	border,
+	font: font$1,
+	lineGap,
+	rotate: 0
+};
+function ptDia(width, mult) {
+	return roundDec((3 + (width || 1) * 2) * mult, 3);
+}
+function seriesPointsShow(self, si) {
+	let { scale, idxs } = self.series[0];
+	let xData = self._data[0];
+	let p0 = self.valToPos(xData[idxs[0]], scale, true);
+	let maxPts = abs(self.valToPos(xData[idxs[1]], scale, true) - p0) / (self.series[si].points.space * pxRatio);
+	return idxs[1] - idxs[0] <= maxPts;
+}
+var facet = {
+	scale: null,
+	auto: true,
+	sorted: 0,
+	min: inf,
+	max: -Infinity
+};
+var gaps = (self, seriesIdx, idx0, idx1, nullGaps) => nullGaps;
+var xySeriesOpts = {
+	show: true,
+	auto: true,
+	sorted: 0,
+	gaps,
+	alpha: 1,
+	facets: [assign({}, facet, { scale: "x" }), assign({}, facet, { scale: "y" })]
+};
+var ySeriesOpts = {
+	scale: "y",
+	auto: true,
+	sorted: 0,
+	show: true,
+	spanGaps: false,
+	gaps,
+	alpha: 1,
+	points: {
+		show: seriesPointsShow,
+		filter: null
+	},
+	values: null,
+	min: inf,
+	max: -Infinity,
+	idxs: [],
+	path: null,
+	clip: null
+};
+function clampScale(self, val, scaleMin, scaleMax, scaleKey) {
+	return scaleMin / 10;
+}
+var xScaleOpts = {
+	time: FEAT_TIME,
+	auto: true,
+	distr: 1,
+	log: 10,
+	asinh: 1,
+	min: null,
+	max: null,
+	dir: 1,
+	ori: 0
+};
+var yScaleOpts = assign({}, xScaleOpts, {
+	time: false,
+	ori: 1
+});
+var syncs = {};
+function _sync(key, opts) {
+	let s = syncs[key];
+	if (!s) {
+		s = {
+			key,
+			plots: [],
+			sub(plot) {
+				s.plots.push(plot);
+			},
+			unsub(plot) {
+				s.plots = s.plots.filter((c) => c != plot);
+			},
+			pub(type, self, x, y, w, h, i) {
+				for (let j = 0; j < s.plots.length; j++) s.plots[j] != self && s.plots[j].pub(type, self, x, y, w, h, i);
+			}
+		};
+		if (key != null) syncs[key] = s;
+	}
+	return s;
+}
+var BAND_CLIP_FILL = 1;
+var BAND_CLIP_STROKE = 2;
+function orient(u, seriesIdx, cb) {
+	const mode = u.mode;
+	const series = u.series[seriesIdx];
+	const data = mode == 2 ? u._data[seriesIdx] : u._data;
+	const scales = u.scales;
+	const bbox = u.bbox;
+	let dx = data[0], dy = mode == 2 ? data[1] : data[seriesIdx], sx = mode == 2 ? scales[series.facets[0].scale] : scales[u.series[0].scale], sy = mode == 2 ? scales[series.facets[1].scale] : scales[series.scale], l = bbox.left, t = bbox.top, w = bbox.width, h = bbox.height, H = u.valToPosH, V = u.valToPosV;
+	return sx.ori == 0 ? cb(series, dx, dy, sx, sy, H, V, l, t, w, h, moveToH, lineToH, rectH, arcH, bezierCurveToH) : cb(series, dx, dy, sx, sy, V, H, t, l, h, w, moveToV, lineToV, rectV, arcV, bezierCurveToV);
+}
+function bandFillClipDirs(self, seriesIdx) {
+	let fillDir = 0;
+	let clipDirs = 0;
+	let bands = ifNull(self.bands, EMPTY_ARR);
+	for (let i = 0; i < bands.length; i++) {
+		let b = bands[i];
+		if (b.series[0] == seriesIdx) fillDir = b.dir;
+		else if (b.series[1] == seriesIdx) {
+			if (b.dir == 1) clipDirs |= 1;
+			else clipDirs |= 2;
+		}
+	}
+	return [fillDir, clipDirs == 1 ? -1 : clipDirs == 2 ? 1 : clipDirs == 3 ? 2 : 0];
+}
+function seriesFillTo(self, seriesIdx, dataMin, dataMax, bandFillDir) {
+	let mode = self.mode;
+	let series = self.series[seriesIdx];
+	let scaleKey = mode == 2 ? series.facets[1].scale : series.scale;
+	let scale = self.scales[scaleKey];
+	return bandFillDir == -1 ? scale.min : bandFillDir == 1 ? scale.max : scale.distr == 3 ? scale.dir == 1 ? scale.min : scale.max : 0;
+}
+function clipBandLine(self, seriesIdx, idx0, idx1, strokePath, clipDir) {
+	return orient(self, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+		let pxRound = series.pxRound;
+		const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+		const lineTo = scaleX.ori == 0 ? lineToH : lineToV;
+		let frIdx, toIdx;
+		if (dir == 1) {
+			frIdx = idx0;
+			toIdx = idx1;
+		} else {
+			frIdx = idx1;
+			toIdx = idx0;
+		}
+		let x0 = pxRound(valToPosX(dataX[frIdx], scaleX, xDim, xOff));
+		let y0 = pxRound(valToPosY(dataY[frIdx], scaleY, yDim, yOff));
+		let x1 = pxRound(valToPosX(dataX[toIdx], scaleX, xDim, xOff));
+		let yLimit = pxRound(valToPosY(clipDir == 1 ? scaleY.max : scaleY.min, scaleY, yDim, yOff));
+		let clip = new Path2D(strokePath);
+		lineTo(clip, x1, yLimit);
+		lineTo(clip, x0, yLimit);
+		lineTo(clip, x0, y0);
+		return clip;
+	});
+}
+function clipGaps(gaps, ori, plotLft, plotTop, plotWid, plotHgt) {
+	let clip = null;
+	if (gaps.length > 0) {
+		clip = new Path2D();
+		const rect = ori == 0 ? rectH : rectV;
+		let prevGapEnd = plotLft;
+		for (let i = 0; i < gaps.length; i++) {
+			let g = gaps[i];
+			if (g[1] > g[0]) {
+				let w = g[0] - prevGapEnd;
+				w > 0 && rect(clip, prevGapEnd, plotTop, w, plotTop + plotHgt);
+				prevGapEnd = g[1];
+			}
+		}
+		let w = plotLft + plotWid - prevGapEnd;
+		let maxStrokeWidth = 10;
+		w > 0 && rect(clip, prevGapEnd, plotTop - maxStrokeWidth / 2, w, plotTop + plotHgt + maxStrokeWidth);
+	}
+	return clip;
+}
+function addGap(gaps, fromX, toX) {
+	let prevGap = gaps[gaps.length - 1];
+	if (prevGap && prevGap[0] == fromX) prevGap[1] = toX;
+	else gaps.push([fromX, toX]);
+}
+function findGaps(xs, ys, idx0, idx1, dir, pixelForX, align) {
+	let gaps = [];
+	let len = xs.length;
+	for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) if (ys[i] === null) {
+		let fr = i, to = i;
+		if (dir == 1) while (++i <= idx1 && ys[i] === null) to = i;
+		else while (--i >= idx0 && ys[i] === null) to = i;
+		let frPx = pixelForX(xs[fr]);
+		let toPx = to == fr ? frPx : pixelForX(xs[to]);
+		let fri2 = fr - dir;
+		frPx = align <= 0 && fri2 >= 0 && fri2 < len ? pixelForX(xs[fri2]) : frPx;
+		let toi2 = to + dir;
+		toPx = align >= 0 && toi2 >= 0 && toi2 < len ? pixelForX(xs[toi2]) : toPx;
+		if (toPx >= frPx) gaps.push([frPx, toPx]);
+	}
+	return gaps;
+}
+function pxRoundGen(pxAlign) {
+	return pxAlign == 0 ? retArg0 : pxAlign == 1 ? round$1 : (v) => incrRound(v, pxAlign);
+}
+function rect(ori) {
+	let moveTo = ori == 0 ? moveToH : moveToV;
+	let arcTo = ori == 0 ? (p, x1, y1, x2, y2, r) => {
+		p.arcTo(x1, y1, x2, y2, r);
+	} : (p, y1, x1, y2, x2, r) => {
+		p.arcTo(x1, y1, x2, y2, r);
+	};
+	let rect = ori == 0 ? (p, x, y, w, h) => {
+		p.rect(x, y, w, h);
+	} : (p, y, x, h, w) => {
+		p.rect(x, y, w, h);
+	};
+	return (p, x, y, w, h, endRad = 0, baseRad = 0) => {
+		if (endRad == 0 && baseRad == 0) rect(p, x, y, w, h);
+		else {
+			endRad = min(endRad, w / 2, h / 2);
+			baseRad = min(baseRad, w / 2, h / 2);
+			moveTo(p, x + endRad, y);
+			arcTo(p, x + w, y, x + w, y + h, endRad);
+			arcTo(p, x + w, y + h, x, y + h, baseRad);
+			arcTo(p, x, y + h, x, y, baseRad);
+			arcTo(p, x, y, x + w, y, endRad);
+			p.closePath();
+		}
+	};
+}
+var moveToH = (p, x, y) => {
+	p.moveTo(x, y);
+};
+var moveToV = (p, y, x) => {
+	p.moveTo(x, y);
+};
+var lineToH = (p, x, y) => {
+	p.lineTo(x, y);
+};
+var lineToV = (p, y, x) => {
+	p.lineTo(x, y);
+};
+var rectH = rect(0);
+var rectV = rect(1);
+var arcH = (p, x, y, r, startAngle, endAngle) => {
+	p.arc(x, y, r, startAngle, endAngle);
+};
+var arcV = (p, y, x, r, startAngle, endAngle) => {
+	p.arc(x, y, r, startAngle, endAngle);
+};
+var bezierCurveToH = (p, bp1x, bp1y, bp2x, bp2y, p2x, p2y) => {
+	p.bezierCurveTo(bp1x, bp1y, bp2x, bp2y, p2x, p2y);
+};
+var bezierCurveToV = (p, bp1y, bp1x, bp2y, bp2x, p2y, p2x) => {
+	p.bezierCurveTo(bp1x, bp1y, bp2x, bp2y, p2x, p2y);
+};
+function points(opts) {
+	return (u, seriesIdx, idx0, idx1, filtIdxs) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			let { pxRound, points } = series;
+			let moveTo, arc;
+			if (scaleX.ori == 0) {
+				moveTo = moveToH;
+				arc = arcH;
+			} else {
+				moveTo = moveToV;
+				arc = arcV;
+			}
+			const width = roundDec(points.width * pxRatio, 3);
+			let rad = (points.size - points.width) / 2 * pxRatio;
+			let dia = roundDec(rad * 2, 3);
+			let fill = new Path2D();
+			let clip = new Path2D();
+			let { left: lft, top, width: wid, height: hgt } = u.bbox;
+			rectH(clip, lft - dia, top - dia, wid + dia * 2, hgt + dia * 2);
+			const drawPoint = (pi) => {
+				if (dataY[pi] != null) {
+					let x = pxRound(valToPosX(dataX[pi], scaleX, xDim, xOff));
+					let y = pxRound(valToPosY(dataY[pi], scaleY, yDim, yOff));
+					moveTo(fill, x + rad, y);
+					arc(fill, x, y, rad, 0, PI * 2);
+				}
+			};
+			if (filtIdxs) filtIdxs.forEach(drawPoint);
+			else for (let pi = idx0; pi <= idx1; pi++) drawPoint(pi);
+			return {
+				stroke: width > 0 ? fill : null,
+				fill,
+				clip,
+				flags: 3
+			};
+		});
+	};
+}
+function _drawAcc(lineTo) {
+	return (stroke, accX, minY, maxY, inY, outY) => {
+		if (minY != maxY) {
+			if (inY != minY && outY != minY) lineTo(stroke, accX, minY);
+			if (inY != maxY && outY != maxY) lineTo(stroke, accX, maxY);
+			lineTo(stroke, accX, outY);
+		}
+	};
+}
+var drawAccH = _drawAcc(lineToH);
+var drawAccV = _drawAcc(lineToV);
+function linear(opts) {
+	const alignGaps = ifNull(opts?.alignGaps, 0);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let lineTo, drawAcc;
+			if (scaleX.ori == 0) {
+				lineTo = lineToH;
+				drawAcc = drawAccH;
+			} else {
+				lineTo = lineToV;
+				drawAcc = drawAccV;
+			}
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			const _paths = {
+				stroke: new Path2D(),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			let hasGap = false;
+			if (idx1 - idx0 >= xDim * 4) {
+				let xForPixel = (pos) => u.posToVal(pos, scaleX.key, true);
+				let minY = null, maxY = null, inY, outY, drawnAtX;
+				let accX = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+				let idx0px = pixelForX(dataX[idx0]);
+				let idx1px = pixelForX(dataX[idx1]);
+				let nextAccXVal = xForPixel(dir == 1 ? idx0px + 1 : idx1px - 1);
+				for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+					let xVal = dataX[i];
+					let x = (dir == 1 ? xVal < nextAccXVal : xVal > nextAccXVal) ? accX : pixelForX(xVal);
+					let yVal = dataY[i];
+					if (x == accX) {
+						if (yVal != null) {
+							outY = yVal;
+							if (minY == null) {
+								lineTo(stroke, x, pixelForY(outY));
+								inY = minY = maxY = outY;
+							} else if (outY < minY) minY = outY;
+							else if (outY > maxY) maxY = outY;
+						} else if (yVal === null) hasGap = true;
+					} else {
+						if (minY != null) drawAcc(stroke, accX, pixelForY(minY), pixelForY(maxY), pixelForY(inY), pixelForY(outY));
+						if (yVal != null) {
+							outY = yVal;
+							lineTo(stroke, x, pixelForY(outY));
+							minY = maxY = inY = outY;
+						} else {
+							minY = maxY = null;
+							if (yVal === null) hasGap = true;
+						}
+						accX = x;
+						nextAccXVal = xForPixel(accX + dir);
+					}
+				}
+				if (minY != null && minY != maxY && drawnAtX != accX) drawAcc(stroke, accX, pixelForY(minY), pixelForY(maxY), pixelForY(inY), pixelForY(outY));
+			} else for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+				let yVal = dataY[i];
+				if (yVal === null) hasGap = true;
+				else if (yVal != null) lineTo(stroke, pixelForX(dataX[i]), pixelForY(yVal));
+			}
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				let frX = pixelForX(dataX[idx0]);
+				let toX = pixelForX(dataX[idx1]);
+				if (dir == -1) [toX, frX] = [frX, toX];
+				lineTo(fill, toX, fillToY);
+				lineTo(fill, frX, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				hasGap && gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function stepped$1(opts) {
+	const align = ifNull(opts.align, 1);
+	const ascDesc = ifNull(opts.ascDesc, false);
+	const alignGaps = ifNull(opts.alignGaps, 0);
+	const extend = ifNull(opts.extend, false);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let { left, width } = u.bbox;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let lineTo = scaleX.ori == 0 ? lineToH : lineToV;
+			const _paths = {
+				stroke: new Path2D(),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let prevYPos = pixelForY(dataY[dir == 1 ? idx0 : idx1]);
+			let firstXPos = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+			let prevXPos = firstXPos;
+			let firstXPosExt = firstXPos;
+			if (extend && align == -1) {
+				firstXPosExt = left;
+				lineTo(stroke, firstXPosExt, prevYPos);
+			}
+			lineTo(stroke, firstXPos, prevYPos);
+			for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) {
+				let yVal1 = dataY[i];
+				if (yVal1 == null) continue;
+				let x1 = pixelForX(dataX[i]);
+				let y1 = pixelForY(yVal1);
+				if (align == 1) lineTo(stroke, x1, prevYPos);
+				else lineTo(stroke, prevXPos, y1);
+				lineTo(stroke, x1, y1);
+				prevYPos = y1;
+				prevXPos = x1;
+			}
+			let prevXPosExt = prevXPos;
+			if (extend && align == 1) {
+				prevXPosExt = left + width;
+				lineTo(stroke, prevXPosExt, prevYPos);
+			}
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				lineTo(fill, prevXPosExt, fillToY);
+				lineTo(fill, firstXPosExt, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				let halfStroke = series.width * pxRatio / 2;
+				let startsOffset = ascDesc || align == 1 ? halfStroke : -halfStroke;
+				let endsOffset = ascDesc || align == -1 ? -halfStroke : halfStroke;
+				gaps.forEach((g) => {
+					g[0] += startsOffset;
+					g[1] += endsOffset;
+				});
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid = inf) {
+	if (dataX.length > 1) {
+		let prevIdx = null;
+		for (let i = 0, minDelta = Infinity; i < dataX.length; i++) if (dataY[i] !== void 0) {
+			if (prevIdx != null) {
+				let delta = abs(dataX[i] - dataX[prevIdx]);
+				if (delta < minDelta) {
+					minDelta = delta;
+					colWid = abs(valToPosX(dataX[i], scaleX, xDim, xOff) - valToPosX(dataX[prevIdx], scaleX, xDim, xOff));
+				}
+			}
+			prevIdx = i;
+		}
+	}
+	return colWid;
+}
+function bars(opts) {
+	opts = opts || EMPTY_OBJ;
+	const size = ifNull(opts.size, [
+		.6,
+		inf,
+		1
+	]);
+	const align = opts.align || 0;
+	const _extraGap = opts.gap || 0;
+	let ro = opts.radius;
+	ro = ro == null ? [0, 0] : typeof ro == "number" ? [ro, 0] : ro;
+	const radiusFn = fnOrSelf(ro);
+	const gapFactor = 1 - size[0];
+	const _maxWidth = ifNull(size[1], inf);
+	const _minWidth = ifNull(size[2], 1);
+	const disp = ifNull(opts.disp, EMPTY_OBJ);
+	const _each = ifNull(opts.each, (_) => {});
+	const { fill: dispFills, stroke: dispStrokes } = disp;
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			let pxRound = series.pxRound;
+			let _align = align;
+			let extraGap = _extraGap * pxRatio;
+			let maxWidth = _maxWidth * pxRatio;
+			let minWidth = _minWidth * pxRatio;
+			let valRadius, baseRadius;
+			if (scaleX.ori == 0) [valRadius, baseRadius] = radiusFn(u, seriesIdx);
+			else [baseRadius, valRadius] = radiusFn(u, seriesIdx);
+			const _dirX = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let rect = scaleX.ori == 0 ? rectH : rectV;
+			let each = scaleX.ori == 0 ? _each : (u, seriesIdx, i, top, lft, hgt, wid) => {
+				_each(u, seriesIdx, i, lft, top, wid, hgt);
+			};
+			let band = ifNull(u.bands, EMPTY_ARR).find((b) => b.series[0] == seriesIdx);
+			let fillDir = band != null ? band.dir : 0;
+			let fillTo = series.fillTo(u, seriesIdx, series.min, series.max, fillDir);
+			let fillToY = pxRound(valToPosY(fillTo, scaleY, yDim, yOff));
+			let xShift, barWid, fullGap, colWid = xDim;
+			let strokeWidth = pxRound(series.width * pxRatio);
+			let multiPath = false;
+			let fillColors = null;
+			let fillPaths = null;
+			let strokeColors = null;
+			let strokePaths = null;
+			if (dispFills != null && (strokeWidth == 0 || dispStrokes != null)) {
+				multiPath = true;
+				fillColors = dispFills.values(u, seriesIdx, idx0, idx1);
+				fillPaths = /* @__PURE__ */ new Map();
+				new Set(fillColors).forEach((color) => {
+					if (color != null) fillPaths.set(color, new Path2D());
+				});
+				if (strokeWidth > 0) {
+					strokeColors = dispStrokes.values(u, seriesIdx, idx0, idx1);
+					strokePaths = /* @__PURE__ */ new Map();
+					new Set(strokeColors).forEach((color) => {
+						if (color != null) strokePaths.set(color, new Path2D());
+					});
+				}
+			}
+			let { x0, size } = disp;
+			if (x0 != null && size != null) {
+				_align = 1;
+				dataX = x0.values(u, seriesIdx, idx0, idx1);
+				if (x0.unit == 2) dataX = dataX.map((pct) => u.posToVal(xOff + pct * xDim, scaleX.key, true));
+				let sizes = size.values(u, seriesIdx, idx0, idx1);
+				if (size.unit == 2) barWid = sizes[0] * xDim;
+				else barWid = valToPosX(sizes[0], scaleX, xDim, xOff) - valToPosX(0, scaleX, xDim, xOff);
+				colWid = findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid);
+				fullGap = colWid - barWid + extraGap;
+			} else {
+				colWid = findColWidth(dataX, dataY, valToPosX, scaleX, xDim, xOff, colWid);
+				fullGap = colWid * gapFactor + extraGap;
+				barWid = colWid - fullGap;
+			}
+			if (fullGap < 1) fullGap = 0;
+			if (strokeWidth >= barWid / 2) strokeWidth = 0;
+			if (fullGap < 5) pxRound = retArg0;
+			let insetStroke = fullGap > 0;
+			let rawBarWid = colWid - fullGap - (insetStroke ? strokeWidth : 0);
+			barWid = pxRound(clamp(rawBarWid, minWidth, maxWidth));
+			xShift = (_align == 0 ? barWid / 2 : _align == _dirX ? 0 : barWid) - _align * _dirX * ((_align == 0 ? extraGap / 2 : 0) + (insetStroke ? strokeWidth / 2 : 0));
+			const _paths = {
+				stroke: null,
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: 0
+			};
+			const stroke = multiPath ? null : new Path2D();
+			let dataY0 = null;
+			if (band != null) dataY0 = u.data[band.series[1]];
+			else {
+				let { y0, y1 } = disp;
+				if (y0 != null && y1 != null) {
+					dataY = y1.values(u, seriesIdx, idx0, idx1);
+					dataY0 = y0.values(u, seriesIdx, idx0, idx1);
+				}
+			}
+			let radVal = valRadius * barWid;
+			let radBase = baseRadius * barWid;
+			for (let i = _dirX == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += _dirX) {
+				let yVal = dataY[i];
+				if (yVal == null) continue;
+				if (dataY0 != null) {
+					let yVal0 = dataY0[i] ?? 0;
+					if (yVal - yVal0 == 0) continue;
+					fillToY = valToPosY(yVal0, scaleY, yDim, yOff);
+				}
+				let xPos = valToPosX(scaleX.distr != 2 || disp != null ? dataX[i] : i, scaleX, xDim, xOff);
+				let yPos = valToPosY(ifNull(yVal, fillTo), scaleY, yDim, yOff);
+				let lft = pxRound(xPos - xShift);
+				let btm = pxRound(max(yPos, fillToY));
+				let top = pxRound(min(yPos, fillToY));
+				let barHgt = btm - top;
+				if (yVal != null) {
+					let rv = yVal < 0 ? radBase : radVal;
+					let rb = yVal < 0 ? radVal : radBase;
+					if (multiPath) {
+						if (strokeWidth > 0 && strokeColors[i] != null) rect(strokePaths.get(strokeColors[i]), lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+						if (fillColors[i] != null) rect(fillPaths.get(fillColors[i]), lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+					} else rect(stroke, lft, top + floor(strokeWidth / 2), barWid, max(0, barHgt - strokeWidth), rv, rb);
+					each(u, seriesIdx, i, lft - strokeWidth / 2, top, barWid + strokeWidth, barHgt);
+				}
+			}
+			if (strokeWidth > 0) _paths.stroke = multiPath ? strokePaths : stroke;
+			else if (!multiPath) {
+				_paths._fill = series.width == 0 ? series._fill : series._stroke ?? series._fill;
+				_paths.width = 0;
+			}
+			_paths.fill = multiPath ? fillPaths : stroke;
+			return _paths;
+		});
+	};
+}
+function splineInterp(interp, opts) {
+	const alignGaps = ifNull(opts?.alignGaps, 0);
+	return (u, seriesIdx, idx0, idx1) => {
+		return orient(u, seriesIdx, (series, dataX, dataY, scaleX, scaleY, valToPosX, valToPosY, xOff, yOff, xDim, yDim) => {
+			[idx0, idx1] = nonNullIdxs(dataY, idx0, idx1);
+			let pxRound = series.pxRound;
+			let pixelForX = (val) => pxRound(valToPosX(val, scaleX, xDim, xOff));
+			let pixelForY = (val) => pxRound(valToPosY(val, scaleY, yDim, yOff));
+			let moveTo, bezierCurveTo, lineTo;
+			if (scaleX.ori == 0) {
+				moveTo = moveToH;
+				lineTo = lineToH;
+				bezierCurveTo = bezierCurveToH;
+			} else {
+				moveTo = moveToV;
+				lineTo = lineToV;
+				bezierCurveTo = bezierCurveToV;
+			}
+			const dir = scaleX.dir * (scaleX.ori == 0 ? 1 : -1);
+			let firstXPos = pixelForX(dataX[dir == 1 ? idx0 : idx1]);
+			let prevXPos = firstXPos;
+			let xCoords = [];
+			let yCoords = [];
+			for (let i = dir == 1 ? idx0 : idx1; i >= idx0 && i <= idx1; i += dir) if (dataY[i] != null) {
+				let xVal = dataX[i];
+				let xPos = pixelForX(xVal);
+				xCoords.push(prevXPos = xPos);
+				yCoords.push(pixelForY(dataY[i]));
+			}
+			const _paths = {
+				stroke: interp(xCoords, yCoords, moveTo, lineTo, bezierCurveTo, pxRound),
+				fill: null,
+				clip: null,
+				band: null,
+				gaps: null,
+				flags: BAND_CLIP_FILL
+			};
+			const stroke = _paths.stroke;
+			let [bandFillDir, bandClipDir] = bandFillClipDirs(u, seriesIdx);
+			if (series.fill != null || bandFillDir != 0) {
+				let fill = _paths.fill = new Path2D(stroke);
+				let fillToY = pixelForY(series.fillTo(u, seriesIdx, series.min, series.max, bandFillDir));
+				lineTo(fill, prevXPos, fillToY);
+				lineTo(fill, firstXPos, fillToY);
+			}
+			if (!series.spanGaps) {
+				let gaps = [];
+				gaps.push(...findGaps(dataX, dataY, idx0, idx1, dir, pixelForX, alignGaps));
+				_paths.gaps = gaps = series.gaps(u, seriesIdx, idx0, idx1, gaps);
+				_paths.clip = clipGaps(gaps, scaleX.ori, xOff, yOff, xDim, yDim);
+			}
+			if (bandClipDir != 0) _paths.band = bandClipDir == 2 ? [clipBandLine(u, seriesIdx, idx0, idx1, stroke, -1), clipBandLine(u, seriesIdx, idx0, idx1, stroke, 1)] : clipBandLine(u, seriesIdx, idx0, idx1, stroke, bandClipDir);
+			return _paths;
+		});
+	};
+}
+function monotoneCubic(opts) {
+	return splineInterp(_monotoneCubic, opts);
+}
+function _monotoneCubic(xs, ys, moveTo, lineTo, bezierCurveTo, pxRound) {
+	const n = xs.length;
+	if (n < 2) return null;
+	const path = new Path2D();
+	moveTo(path, xs[0], ys[0]);
+	if (n == 2) lineTo(path, xs[1], ys[1]);
+	else {
+		let ms = Array(n), ds = Array(n - 1), dys = Array(n - 1), dxs = Array(n - 1);
+		for (let i = 0; i < n - 1; i++) {
+			dys[i] = ys[i + 1] - ys[i];
+			dxs[i] = xs[i + 1] - xs[i];
+			ds[i] = dys[i] / dxs[i];
+		}
+		ms[0] = ds[0];
+		for (let i = 1; i < n - 1; i++) if (ds[i] === 0 || ds[i - 1] === 0 || ds[i - 1] > 0 !== ds[i] > 0) ms[i] = 0;
+		else {
+			ms[i] = 3 * (dxs[i - 1] + dxs[i]) / ((2 * dxs[i] + dxs[i - 1]) / ds[i - 1] + (dxs[i] + 2 * dxs[i - 1]) / ds[i]);
+			if (!isFinite(ms[i])) ms[i] = 0;
+		}
+		ms[n - 1] = ds[n - 2];
+		for (let i = 0; i < n - 1; i++) bezierCurveTo(path, xs[i] + dxs[i] / 3, ys[i] + ms[i] * dxs[i] / 3, xs[i + 1] - dxs[i] / 3, ys[i + 1] - ms[i + 1] * dxs[i] / 3, xs[i + 1], ys[i + 1]);
+	}
+	return path;
+}
+var cursorPlots = /* @__PURE__ */ new Set();
+function invalidateRects() {
+	for (let u of cursorPlots) u.syncRect(true);
+}
+if (domEnv) {
+	on(resize, win, invalidateRects);
+	on(scroll, win, invalidateRects, true);
+	on(dppxchange, win, () => {
+		uPlot.pxRatio = pxRatio;
+	});
+}
+var linearPath = linear();
+var pointsPath = points();
+function setDefaults(d, xo, yo, initY) {
+	return (initY ? [d[0], d[1]].concat(d.slice(2)) : [d[0]].concat(d.slice(1))).map((o, i) => setDefault(o, i, xo, yo));
+}
+function setDefaults2(d, xyo) {
+	return d.map((o, i) => i == 0 ? {} : assign({}, xyo, o));
+}
+function setDefault(o, i, xo, yo) {
+	return assign({}, i == 0 ? xo : yo, o);
+}
+function snapNumX(self, dataMin, dataMax) {
+	return dataMin == null ? nullNullTuple : [dataMin, dataMax];
+}
+var snapTimeX = snapNumX;
+function snapNumY(self, dataMin, dataMax) {
+	return dataMin == null ? nullNullTuple : rangeNum(dataMin, dataMax, rangePad, true);
+}
+function snapLogY(self, dataMin, dataMax, scale) {
+	return dataMin == null ? nullNullTuple : rangeLog(dataMin, dataMax, self.scales[scale].log, false);
+}
+var snapLogX = snapLogY;
+function snapAsinhY(self, dataMin, dataMax, scale) {
+	return dataMin == null ? nullNullTuple : rangeAsinh(dataMin, dataMax, self.scales[scale].log, false);
+}
+var snapAsinhX = snapAsinhY;
+function findIncr(minVal, maxVal, incrs, dim, minSpace) {
+	let intDigits = max(numIntDigits(minVal), numIntDigits(maxVal));
+	let delta = maxVal - minVal;
+	let incrIdx = closestIdx(minSpace / dim * delta, incrs);
+	do {
+		let foundIncr = incrs[incrIdx];
+		let foundSpace = dim * foundIncr / delta;
+		if (foundSpace >= minSpace && intDigits + (foundIncr < 5 ? fixedDec.get(foundIncr) : 0) <= 17) return [foundIncr, foundSpace];
+	} while (++incrIdx < incrs.length);
+	return [0, 0];
+}
+function pxRatioFont(font) {
+	let fontSize, fontSizeCss;
+	font = font.replace(/(\d+)px/, (m, p1) => (fontSize = round$1((fontSizeCss = +p1) * pxRatio)) + "px");
+	return [
+		font,
+		fontSize,
+		fontSizeCss
+	];
+}
+function syncFontSize(axis) {
+	if (axis.show) [axis.font, axis.labelFont].forEach((f) => {
+		let size = roundDec(f[2] * pxRatio, 1);
+		f[0] = f[0].replace(/[0-9.]+px/, size + "px");
+		f[1] = size;
+	});
+}
+function uPlot(opts, data, then) {
+	const self = { mode: ifNull(opts.mode, 1) };
+	const mode = self.mode;
+	function getHPos(val, scale, dim, off) {
+		let pct = scale.valToPct(val);
+		return off + dim * (scale.dir == -1 ? 1 - pct : pct);
+	}
+	function getVPos(val, scale, dim, off) {
+		let pct = scale.valToPct(val);
+		return off + dim * (scale.dir == -1 ? pct : 1 - pct);
+	}
+	function getPos(val, scale, dim, off) {
+		return scale.ori == 0 ? getHPos(val, scale, dim, off) : getVPos(val, scale, dim, off);
+	}
+	self.valToPosH = getHPos;
+	self.valToPosV = getVPos;
+	let ready = false;
+	self.status = 0;
+	const root = self.root = placeDiv(UPLOT);
+	if (opts.id != null) root.id = opts.id;
+	addClass(root, opts.class);
+	if (opts.title) {
+		let title = placeDiv(TITLE, root);
+		title.textContent = opts.title;
+	}
+	const can = placeTag("canvas");
+	const ctx = self.ctx = can.getContext("2d");
+	const wrap = placeDiv(WRAP, root);
+	on("click", wrap, (e) => {
+		if (e.target === over) (mouseLeft1 != mouseLeft0 || mouseTop1 != mouseTop0) && drag.click(self, e);
+	}, true);
+	const under = self.under = placeDiv(UNDER, wrap);
+	wrap.appendChild(can);
+	const over = self.over = placeDiv(OVER$1, wrap);
+	opts = copy(opts);
+	const pxAlign = +ifNull(opts.pxAlign, 1);
+	const pxRound = pxRoundGen(pxAlign);
+	(opts.plugins || []).forEach((p) => {
+		if (p.opts) opts = p.opts(self, opts) || opts;
+	});
+	const ms = opts.ms || .001;
+	const series = self.series = mode == 1 ? setDefaults(opts.series || [], xSeriesOpts, ySeriesOpts, false) : setDefaults2(opts.series || [null], xySeriesOpts);
+	const axes = self.axes = setDefaults(opts.axes || [], xAxisOpts, yAxisOpts, true);
+	const scales = self.scales = {};
+	const bands = self.bands = opts.bands || [];
+	bands.forEach((b) => {
+		b.fill = fnOrSelf(b.fill || null);
+		b.dir = ifNull(b.dir, -1);
+	});
+	const xScaleKey = mode == 2 ? series[1].facets[0].scale : series[0].scale;
+	const drawOrderMap = {
+		axes: drawAxesGrid,
+		series: drawSeries
+	};
+	const drawOrder = (opts.drawOrder || ["axes", "series"]).map((key) => drawOrderMap[key]);
+	function initValToPct(sc) {
+		const getVal = sc.distr == 3 ? (val) => log10(val > 0 ? val : sc.clamp(self, val, sc.min, sc.max, sc.key)) : sc.distr == 4 ? (val) => asinh(val, sc.asinh) : sc.distr == 100 ? (val) => sc.fwd(val) : (val) => val;
+		return (val) => {
+			let _val = getVal(val);
+			let { _min, _max } = sc;
+			let delta = _max - _min;
+			return (_val - _min) / delta;
+		};
+	}
+	function initScale(scaleKey) {
+		let sc = scales[scaleKey];
+		if (sc == null) {
+			let scaleOpts = (opts.scales || EMPTY_OBJ)[scaleKey] || EMPTY_OBJ;
+			if (scaleOpts.from != null) {
+				initScale(scaleOpts.from);
+				let sc = assign({}, scales[scaleOpts.from], scaleOpts, { key: scaleKey });
+				sc.valToPct = initValToPct(sc);
+				scales[scaleKey] = sc;
+			} else {
+				sc = scales[scaleKey] = assign({}, scaleKey == xScaleKey ? xScaleOpts : yScaleOpts, scaleOpts);
+				sc.key = scaleKey;
+				let isTime = sc.time;
+				let rn = sc.range;
+				let rangeIsArr = isArr(rn);
+				if (scaleKey != xScaleKey || mode == 2 && !isTime) {
+					if (rangeIsArr && (rn[0] == null || rn[1] == null)) {
+						rn = {
+							min: rn[0] == null ? autoRangePart : {
+								mode: 1,
+								hard: rn[0],
+								soft: rn[0]
+							},
+							max: rn[1] == null ? autoRangePart : {
+								mode: 1,
+								hard: rn[1],
+								soft: rn[1]
+							}
+						};
+						rangeIsArr = false;
+					}
+					if (!rangeIsArr && isObj(rn)) {
+						let cfg = rn;
+						rn = (self, dataMin, dataMax) => dataMin == null ? nullNullTuple : rangeNum(dataMin, dataMax, cfg);
+					}
+				}
+				sc.range = fnOrSelf(rn || (isTime ? snapTimeX : scaleKey == xScaleKey ? sc.distr == 3 ? snapLogX : sc.distr == 4 ? snapAsinhX : snapNumX : sc.distr == 3 ? snapLogY : sc.distr == 4 ? snapAsinhY : snapNumY));
+				sc.auto = fnOrSelf(rangeIsArr ? false : sc.auto);
+				sc.clamp = fnOrSelf(sc.clamp || clampScale);
+				sc._min = sc._max = null;
+				sc.valToPct = initValToPct(sc);
+			}
+		}
+	}
+	initScale("x");
+	initScale("y");
+	if (mode == 1) series.forEach((s) => {
+		initScale(s.scale);
+	});
+	axes.forEach((a) => {
+		initScale(a.scale);
+	});
+	for (let k in opts.scales) initScale(k);
+	const scaleX = scales[xScaleKey];
+	const xScaleDistr = scaleX.distr;
+	let valToPosX, valToPosY;
+	if (scaleX.ori == 0) {
+		addClass(root, ORI_HZ);
+		valToPosX = getHPos;
+		valToPosY = getVPos;
+	} else {
+		addClass(root, ORI_VT);
+		valToPosX = getVPos;
+		valToPosY = getHPos;
+	}
+	const pendScales = {};
+	for (let k in scales) {
+		let sc = scales[k];
+		if (sc.min != null || sc.max != null) {
+			pendScales[k] = {
+				min: sc.min,
+				max: sc.max
+			};
+			sc.min = sc.max = null;
+		}
+	}
+	const _tzDate = opts.tzDate || ((ts) => new Date(round$1(ts / ms)));
+	const _fmtDate = opts.fmtDate || fmtDate;
+	const _timeAxisSplits = ms == 1 ? timeAxisSplitsMs(_tzDate) : timeAxisSplitsS(_tzDate);
+	const _timeAxisVals = timeAxisVals(_tzDate, timeAxisStamps(ms == 1 ? _timeAxisStampsMs : _timeAxisStampsS, _fmtDate));
+	const _timeSeriesVal = timeSeriesVal(_tzDate, timeSeriesStamp(_timeSeriesStamp, _fmtDate));
+	const activeIdxs = [];
+	const legend = self.legend = assign({}, legendOpts, opts.legend);
+	const cursor = self.cursor = assign({}, cursorOpts, { drag: { y: mode == 2 } }, opts.cursor);
+	const showLegend = legend.show;
+	const showCursor = cursor.show;
+	const markers = legend.markers;
+	legend.idxs = activeIdxs;
+	markers.width = fnOrSelf(markers.width);
+	markers.dash = fnOrSelf(markers.dash);
+	markers.stroke = fnOrSelf(markers.stroke);
+	markers.fill = fnOrSelf(markers.fill);
+	let legendTable;
+	let legendHead;
+	let legendBody;
+	let legendRows = [];
+	let legendCells = [];
+	let legendCols;
+	let multiValLegend = false;
+	let NULL_LEGEND_VALUES = {};
+	if (legend.live) {
+		const getMultiVals = series[1] ? series[1].values : null;
+		multiValLegend = getMultiVals != null;
+		legendCols = multiValLegend ? getMultiVals(self, 1, 0) : { _: 0 };
+		for (let k in legendCols) NULL_LEGEND_VALUES[k] = LEGEND_DISP;
+	}
+	if (showLegend) {
+		legendTable = placeTag("table", LEGEND, root);
+		legendBody = placeTag("tbody", null, legendTable);
+		legend.mount(self, legendTable);
+		if (multiValLegend) {
+			legendHead = placeTag("thead", null, legendTable, legendBody);
+			let head = placeTag("tr", null, legendHead);
+			placeTag("th", null, head);
+			for (var key in legendCols) placeTag("th", LEGEND_LABEL, head).textContent = key;
+		} else {
+			addClass(legendTable, LEGEND_INLINE);
+			legend.live && addClass(legendTable, LEGEND_LIVE);
+		}
+	}
+	const son = { show: true };
+	const soff = { show: false };
+	function initLegendRow(s, i) {
+		if (i == 0 && (multiValLegend || !legend.live || mode == 2)) return nullNullTuple;
+		let cells = [];
+		let row = placeTag("tr", LEGEND_SERIES, legendBody, legendBody.childNodes[i]);
+		addClass(row, s.class);
+		if (!s.show) addClass(row, OFF);
+		let label = placeTag("th", null, row);
+		if (markers.show) {
+			let indic = placeDiv(LEGEND_MARKER, label);
+			if (i > 0) {
+				let width = markers.width(self, i);
+				if (width) indic.style.border = width + "px " + markers.dash(self, i) + " " + markers.stroke(self, i);
+				indic.style.background = markers.fill(self, i);
+			}
+		}
+		let text = placeDiv(LEGEND_LABEL, label);
+		if (s.label instanceof HTMLElement) text.appendChild(s.label);
+		else text.textContent = s.label;
+		if (i > 0) {
+			if (!markers.show) text.style.color = s.width > 0 ? markers.stroke(self, i) : markers.fill(self, i);
+			onMouse("click", label, (e) => {
+				if (cursor._lock) return;
+				setCursorEvent(e);
+				let seriesIdx = series.indexOf(s);
+				if ((e.ctrlKey || e.metaKey) != legend.isolate) {
+					let isolate = series.some((s, i) => i > 0 && i != seriesIdx && s.show);
+					series.forEach((s, i) => {
+						i > 0 && setSeries(i, isolate ? i == seriesIdx ? son : soff : son, true, syncOpts.setSeries);
+					});
+				} else setSeries(seriesIdx, { show: !s.show }, true, syncOpts.setSeries);
+			}, false);
+			if (cursorFocus) onMouse(mouseenter, label, (e) => {
+				if (cursor._lock) return;
+				setCursorEvent(e);
+				setSeries(series.indexOf(s), FOCUS_TRUE, true, syncOpts.setSeries);
+			}, false);
+		}
+		for (var key in legendCols) {
+			let v = placeTag("td", LEGEND_VALUE, row);
+			v.textContent = "--";
+			cells.push(v);
+		}
+		return [row, cells];
+	}
+	const mouseListeners = /* @__PURE__ */ new Map();
+	function onMouse(ev, targ, fn, onlyTarg = true) {
+		const targListeners = mouseListeners.get(targ) || {};
+		const listener = cursor.bind[ev](self, targ, fn, onlyTarg);
+		if (listener) {
+			on(ev, targ, targListeners[ev] = listener);
+			mouseListeners.set(targ, targListeners);
+		}
+	}
+	function offMouse(ev, targ, fn) {
+		const targListeners = mouseListeners.get(targ) || {};
+		for (let k in targListeners) if (ev == null || k == ev) {
+			off(k, targ, targListeners[k]);
+			delete targListeners[k];
+		}
+		if (ev == null) mouseListeners.delete(targ);
+	}
+	let fullWidCss = 0;
+	let fullHgtCss = 0;
+	let plotWidCss = 0;
+	let plotHgtCss = 0;
+	let plotLftCss = 0;
+	let plotTopCss = 0;
+	let _plotLftCss = plotLftCss;
+	let _plotTopCss = plotTopCss;
+	let _plotWidCss = plotWidCss;
+	let _plotHgtCss = plotHgtCss;
+	let plotLft = 0;
+	let plotTop = 0;
+	let plotWid = 0;
+	let plotHgt = 0;
+	self.bbox = {};
+	let shouldSetScales = false;
+	let shouldSetSize = false;
+	let shouldConvergeSize = false;
+	let shouldSetCursor = false;
+	let shouldSetSelect = false;
+	let shouldSetLegend = false;
+	function _setSize(width, height, force) {
+		if (force || width != self.width || height != self.height) calcSize(width, height);
+		resetYSeries(false);
+		shouldConvergeSize = true;
+		shouldSetSize = true;
+		commit();
+	}
+	function calcSize(width, height) {
+		self.width = fullWidCss = plotWidCss = width;
+		self.height = fullHgtCss = plotHgtCss = height;
+		plotLftCss = plotTopCss = 0;
+		calcPlotRect();
+		calcAxesRects();
+		let bb = self.bbox;
+		plotLft = bb.left = incrRound(plotLftCss * pxRatio, .5);
+		plotTop = bb.top = incrRound(plotTopCss * pxRatio, .5);
+		plotWid = bb.width = incrRound(plotWidCss * pxRatio, .5);
+		plotHgt = bb.height = incrRound(plotHgtCss * pxRatio, .5);
+	}
+	const CYCLE_LIMIT = 3;
+	function convergeSize() {
+		let converged = false;
+		let cycleNum = 0;
+		while (!converged) {
+			cycleNum++;
+			let axesConverged = axesCalc(cycleNum);
+			let paddingConverged = paddingCalc(cycleNum);
+			converged = cycleNum == CYCLE_LIMIT || axesConverged && paddingConverged;
+			if (!converged) {
+				calcSize(self.width, self.height);
+				shouldSetSize = true;
+			}
+		}
+	}
+	function setSize({ width, height }) {
+		_setSize(width, height);
+	}
+	self.setSize = setSize;
+	function calcPlotRect() {
+		let hasTopAxis = false;
+		let hasBtmAxis = false;
+		let hasRgtAxis = false;
+		let hasLftAxis = false;
+		axes.forEach((axis, i) => {
+			if (axis.show && axis._show) {
+				let { side, _size } = axis;
+				let isVt = side % 2;
+				let fullSize = _size + (axis.label != null ? axis.labelSize : 0);
+				if (fullSize > 0) {
+					if (isVt) {
+						plotWidCss -= fullSize;
+						if (side == 3) {
+							plotLftCss += fullSize;
+							hasLftAxis = true;
+						} else hasRgtAxis = true;
+					} else {
+						plotHgtCss -= fullSize;
+						if (side == 0) {
+							plotTopCss += fullSize;
+							hasTopAxis = true;
+						} else hasBtmAxis = true;
+					}
+				}
+			}
+		});
+		sidesWithAxes[0] = hasTopAxis;
+		sidesWithAxes[1] = hasRgtAxis;
+		sidesWithAxes[2] = hasBtmAxis;
+		sidesWithAxes[3] = hasLftAxis;
+		plotWidCss -= _padding[1] + _padding[3];
+		plotLftCss += _padding[3];
+		plotHgtCss -= _padding[2] + _padding[0];
+		plotTopCss += _padding[0];
+	}
+	function calcAxesRects() {
+		let off1 = plotLftCss + plotWidCss;
+		let off2 = plotTopCss + plotHgtCss;
+		let off3 = plotLftCss;
+		let off0 = plotTopCss;
+		function incrOffset(side, size) {
+			switch (side) {
+				case 1:
+					off1 += size;
+					return off1 - size;
+				case 2:
+					off2 += size;
+					return off2 - size;
+				case 3:
+					off3 -= size;
+					return off3 + size;
+				case 0:
+					off0 -= size;
+					return off0 + size;
+			}
+		}
+		axes.forEach((axis, i) => {
+			if (axis.show && axis._show) {
+				let side = axis.side;
+				axis._pos = incrOffset(side, axis._size);
+				if (axis.label != null) axis._lpos = incrOffset(side, axis.labelSize);
+			}
+		});
+	}
+	if (cursor.dataIdx == null) {
+		let hov = cursor.hover;
+		let skip = hov.skip = new Set(hov.skip ?? []);
+		skip.add(void 0);
+		let prox = hov.prox = fnOrSelf(hov.prox);
+		let bias = hov.bias ??= 0;
+		cursor.dataIdx = (self, seriesIdx, cursorIdx, valAtPosX) => {
+			if (seriesIdx == 0) return cursorIdx;
+			let idx2 = cursorIdx;
+			let _prox = prox(self, seriesIdx, cursorIdx, valAtPosX) ?? inf;
+			let withProx = _prox >= 0 && _prox < inf;
+			let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss;
+			let cursorLft = cursor.left;
+			let xValues = data[0];
+			let yValues = data[seriesIdx];
+			if (skip.has(yValues[cursorIdx])) {
+				idx2 = null;
+				let nonNullLft = null, nonNullRgt = null, j;
+				if (bias == 0 || bias == -1) {
+					j = cursorIdx;
+					while (nonNullLft == null && j-- > 0) if (!skip.has(yValues[j])) nonNullLft = j;
+				}
+				if (bias == 0 || bias == 1) {
+					j = cursorIdx;
+					while (nonNullRgt == null && j++ < yValues.length) if (!skip.has(yValues[j])) nonNullRgt = j;
+				}
+				if (nonNullLft != null || nonNullRgt != null) {
+					if (withProx) {
+						let lftPos = nonNullLft == null ? -Infinity : valToPosX(xValues[nonNullLft], scaleX, xDim, 0);
+						let rgtPos = nonNullRgt == null ? Infinity : valToPosX(xValues[nonNullRgt], scaleX, xDim, 0);
+						let lftDelta = cursorLft - lftPos;
+						let rgtDelta = rgtPos - cursorLft;
+						if (lftDelta <= rgtDelta) {
+							if (lftDelta <= _prox) idx2 = nonNullLft;
+						} else if (rgtDelta <= _prox) idx2 = nonNullRgt;
+					} else idx2 = nonNullRgt == null ? nonNullLft : nonNullLft == null ? nonNullRgt : cursorIdx - nonNullLft <= nonNullRgt - cursorIdx ? nonNullLft : nonNullRgt;
+				}
+			} else if (withProx) {
+				if (abs(cursorLft - valToPosX(xValues[cursorIdx], scaleX, xDim, 0)) > _prox) idx2 = null;
+			}
+			return idx2;
+		};
+	}
+	const setCursorEvent = (e) => {
+		cursor.event = e;
+	};
+	cursor.idxs = activeIdxs;
+	cursor._lock = false;
+	let points = cursor.points;
+	points.show = fnOrSelf(points.show);
+	points.size = fnOrSelf(points.size);
+	points.stroke = fnOrSelf(points.stroke);
+	points.width = fnOrSelf(points.width);
+	points.fill = fnOrSelf(points.fill);
+	const focus = self.focus = assign({}, opts.focus || { alpha: .3 }, cursor.focus);
+	const cursorFocus = focus.prox >= 0;
+	const cursorOnePt = cursorFocus && points.one;
+	let cursorPts = [];
+	let cursorPtsLft = [];
+	let cursorPtsTop = [];
+	function initCursorPt(s, si) {
+		let pt = points.show(self, si);
+		if (pt instanceof HTMLElement) {
+			addClass(pt, CURSOR_PT);
+			addClass(pt, s.class);
+			elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			over.insertBefore(pt, cursorPts[si]);
+			return pt;
+		}
+	}
+	function initSeries(s, i) {
+		if (mode == 1 || i > 0) {
+			let isTime = mode == 1 && scales[s.scale].time;
+			let sv = s.value;
+			s.value = isTime ? isStr(sv) ? timeSeriesVal(_tzDate, timeSeriesStamp(sv, _fmtDate)) : sv || _timeSeriesVal : sv || numSeriesVal;
+			s.label = s.label || (isTime ? timeSeriesLabel : numSeriesLabel);
+		}
+		if (cursorOnePt || i > 0) {
+			s.width = s.width == null ? 1 : s.width;
+			s.paths = s.paths || linearPath || retNull;
+			s.fillTo = fnOrSelf(s.fillTo || seriesFillTo);
+			s.pxAlign = +ifNull(s.pxAlign, pxAlign);
+			s.pxRound = pxRoundGen(s.pxAlign);
+			s.stroke = fnOrSelf(s.stroke || null);
+			s.fill = fnOrSelf(s.fill || null);
+			s._stroke = s._fill = s._paths = s._focus = null;
+			let _ptDia = ptDia(max(1, s.width), 1);
+			let points = s.points = assign({}, {
+				size: _ptDia,
+				width: max(1, _ptDia * .2),
+				stroke: s.stroke,
+				space: _ptDia * 2,
+				paths: pointsPath,
+				_stroke: null,
+				_fill: null
+			}, s.points);
+			points.show = fnOrSelf(points.show);
+			points.filter = fnOrSelf(points.filter);
+			points.fill = fnOrSelf(points.fill);
+			points.stroke = fnOrSelf(points.stroke);
+			points.paths = fnOrSelf(points.paths);
+			points.pxAlign = s.pxAlign;
+		}
+		if (showLegend) {
+			let rowCells = initLegendRow(s, i);
+			legendRows.splice(i, 0, rowCells[0]);
+			legendCells.splice(i, 0, rowCells[1]);
+			legend.values.push(null);
+		}
+		if (showCursor) {
+			activeIdxs.splice(i, 0, null);
+			let pt = null;
+			if (cursorOnePt) {
+				if (i == 0) pt = initCursorPt(s, i);
+			} else if (i > 0) pt = initCursorPt(s, i);
+			cursorPts.splice(i, 0, pt);
+			cursorPtsLft.splice(i, 0, 0);
+			cursorPtsTop.splice(i, 0, 0);
+		}
+		fire("addSeries", i);
+	}
+	function addSeries(opts, si) {
+		si = si == null ? series.length : si;
+		opts = mode == 1 ? setDefault(opts, si, xSeriesOpts, ySeriesOpts) : setDefault(opts, si, {}, xySeriesOpts);
+		series.splice(si, 0, opts);
+		initSeries(series[si], si);
+	}
+	self.addSeries = addSeries;
+	function delSeries(i) {
+		series.splice(i, 1);
+		if (showLegend) {
+			legend.values.splice(i, 1);
+			legendCells.splice(i, 1);
+			let tr = legendRows.splice(i, 1)[0];
+			offMouse(null, tr.firstChild);
+			tr.remove();
+		}
+		if (showCursor) {
+			activeIdxs.splice(i, 1);
+			cursorPts.splice(i, 1)[0].remove();
+			cursorPtsLft.splice(i, 1);
+			cursorPtsTop.splice(i, 1);
+		}
+		fire("delSeries", i);
+	}
+	self.delSeries = delSeries;
+	const sidesWithAxes = [
+		false,
+		false,
+		false,
+		false
+	];
+	function initAxis(axis, i) {
+		axis._show = axis.show;
+		if (axis.show) {
+			let isVt = axis.side % 2;
+			let sc = scales[axis.scale];
+			if (sc == null) {
+				axis.scale = isVt ? series[1].scale : xScaleKey;
+				sc = scales[axis.scale];
+			}
+			let isTime = sc.time;
+			axis.size = fnOrSelf(axis.size);
+			axis.space = fnOrSelf(axis.space);
+			axis.rotate = fnOrSelf(axis.rotate);
+			if (isArr(axis.incrs)) axis.incrs.forEach((incr) => {
+				!fixedDec.has(incr) && fixedDec.set(incr, guessDec(incr));
+			});
+			axis.incrs = fnOrSelf(axis.incrs || (sc.distr == 2 ? wholeIncrs : isTime ? ms == 1 ? timeIncrsMs : timeIncrsS : numIncrs));
+			axis.splits = fnOrSelf(axis.splits || (isTime && sc.distr == 1 ? _timeAxisSplits : sc.distr == 3 ? logAxisSplits : sc.distr == 4 ? asinhAxisSplits : numAxisSplits));
+			axis.stroke = fnOrSelf(axis.stroke);
+			axis.grid.stroke = fnOrSelf(axis.grid.stroke);
+			axis.ticks.stroke = fnOrSelf(axis.ticks.stroke);
+			axis.border.stroke = fnOrSelf(axis.border.stroke);
+			let av = axis.values;
+			axis.values = isArr(av) && !isArr(av[0]) ? fnOrSelf(av) : isTime ? isArr(av) ? timeAxisVals(_tzDate, timeAxisStamps(av, _fmtDate)) : isStr(av) ? timeAxisVal(_tzDate, av) : av || _timeAxisVals : av || numAxisVals;
+			axis.filter = fnOrSelf(axis.filter || (sc.distr >= 3 && sc.log == 10 ? log10AxisValsFilt : sc.distr == 3 && sc.log == 2 ? log2AxisValsFilt : retArg1));
+			axis.font = pxRatioFont(axis.font);
+			axis.labelFont = pxRatioFont(axis.labelFont);
+			axis._size = axis.size(self, null, i, 0);
+			axis._space = axis._rotate = axis._incrs = axis._found = axis._splits = axis._values = null;
+			if (axis._size > 0) {
+				sidesWithAxes[i] = true;
+				axis._el = placeDiv(AXIS, wrap);
+			}
+		}
+	}
+	function autoPadSide(self, side, sidesWithAxes, cycleNum) {
+		let [hasTopAxis, hasRgtAxis, hasBtmAxis, hasLftAxis] = sidesWithAxes;
+		let ori = side % 2;
+		let size = 0;
+		if (ori == 0 && (hasLftAxis || hasRgtAxis)) size = side == 0 && !hasTopAxis || side == 2 && !hasBtmAxis ? round$1(xAxisOpts.size / 3) : 0;
+		if (ori == 1 && (hasTopAxis || hasBtmAxis)) size = side == 1 && !hasRgtAxis || side == 3 && !hasLftAxis ? round$1(yAxisOpts.size / 2) : 0;
+		return size;
+	}
+	const padding = self.padding = (opts.padding || [
+		autoPadSide,
+		autoPadSide,
+		autoPadSide,
+		autoPadSide
+	]).map((p) => fnOrSelf(ifNull(p, autoPadSide)));
+	const _padding = self._padding = padding.map((p, i) => p(self, i, sidesWithAxes, 0));
+	let dataLen;
+	let i0 = null;
+	let i1 = null;
+	const idxs = mode == 1 ? series[0].idxs : null;
+	let data0 = null;
+	let viaAutoScaleX = false;
+	function setData(_data, _resetScales) {
+		data = _data == null ? [] : _data;
+		self.data = self._data = data;
+		if (mode == 2) {
+			dataLen = 0;
+			for (let i = 1; i < series.length; i++) dataLen += data[i][0].length;
+		} else {
+			if (data.length == 0) self.data = self._data = data = [[]];
+			data0 = data[0];
+			dataLen = data0.length;
+			let scaleData = data;
+			if (xScaleDistr == 2) {
+				scaleData = data.slice();
+				let _data0 = scaleData[0] = Array(dataLen);
+				for (let i = 0; i < dataLen; i++) _data0[i] = i;
+			}
+			self._data = data = scaleData;
+		}
+		resetYSeries(true);
+		fire("setData");
+		if (xScaleDistr == 2) shouldConvergeSize = true;
+		if (_resetScales !== false) {
+			let xsc = scaleX;
+			if (xsc.auto(self, viaAutoScaleX)) autoScaleX();
+			else _setScale(xScaleKey, xsc.min, xsc.max);
+			shouldSetCursor = shouldSetCursor || cursor.left >= 0;
+			shouldSetLegend = true;
+			commit();
+		}
+	}
+	self.setData = setData;
+	function autoScaleX() {
+		viaAutoScaleX = true;
+		let _min, _max;
+		if (mode == 1) {
+			if (dataLen > 0) {
+				i0 = idxs[0] = 0;
+				i1 = idxs[1] = dataLen - 1;
+				_min = data[0][i0];
+				_max = data[0][i1];
+				if (xScaleDistr == 2) {
+					_min = i0;
+					_max = i1;
+				} else if (_min == _max) {
+					if (xScaleDistr == 3) [_min, _max] = rangeLog(_min, _min, scaleX.log, false);
+					else if (xScaleDistr == 4) [_min, _max] = rangeAsinh(_min, _min, scaleX.log, false);
+					else if (scaleX.time) _max = _min + round$1(86400 / ms);
+					else [_min, _max] = rangeNum(_min, _max, rangePad, true);
+				}
+			} else {
+				i0 = idxs[0] = _min = null;
+				i1 = idxs[1] = _max = null;
+			}
+		}
+		_setScale(xScaleKey, _min, _max);
+	}
+	let ctxStroke, ctxFill, ctxWidth, ctxDash, ctxJoin, ctxCap, ctxFont, ctxAlign, ctxBaseline;
+	let ctxAlpha;
+	function setCtxStyle(stroke, width, dash, cap, fill, join) {
+		stroke ??= transparent;
+		dash ??= EMPTY_ARR;
+		cap ??= "butt";
+		fill ??= transparent;
+		join ??= "round";
+		if (stroke != ctxStroke) ctx.strokeStyle = ctxStroke = stroke;
+		if (fill != ctxFill) ctx.fillStyle = ctxFill = fill;
+		if (width != ctxWidth) ctx.lineWidth = ctxWidth = width;
+		if (join != ctxJoin) ctx.lineJoin = ctxJoin = join;
+		if (cap != ctxCap) ctx.lineCap = ctxCap = cap;
+		if (dash != ctxDash) ctx.setLineDash(ctxDash = dash);
+	}
+	function setFontStyle(font, fill, align, baseline) {
+		if (fill != ctxFill) ctx.fillStyle = ctxFill = fill;
+		if (font != ctxFont) ctx.font = ctxFont = font;
+		if (align != ctxAlign) ctx.textAlign = ctxAlign = align;
+		if (baseline != ctxBaseline) ctx.textBaseline = ctxBaseline = baseline;
+	}
+	function accScale(wsc, psc, facet, data, sorted = 0) {
+		if (data.length > 0 && wsc.auto(self, viaAutoScaleX) && (psc == null || psc.min == null)) {
+			let _i0 = ifNull(i0, 0);
+			let _i1 = ifNull(i1, data.length - 1);
+			let minMax = facet.min == null ? getMinMax(data, _i0, _i1, sorted, wsc.distr == 3) : [facet.min, facet.max];
+			wsc.min = min(wsc.min, facet.min = minMax[0]);
+			wsc.max = max(wsc.max, facet.max = minMax[1]);
+		}
+	}
+	const AUTOSCALE = {
+		min: null,
+		max: null
+	};
+	function setScales() {
+		for (let k in scales) {
+			let sc = scales[k];
+			if (pendScales[k] == null && (sc.min == null || pendScales[xScaleKey] != null && sc.auto(self, viaAutoScaleX))) pendScales[k] = AUTOSCALE;
+		}
+		for (let k in scales) {
+			let sc = scales[k];
+			if (pendScales[k] == null && sc.from != null && pendScales[sc.from] != null) pendScales[k] = AUTOSCALE;
+		}
+		if (pendScales[xScaleKey] != null) resetYSeries(true);
+		let wipScales = {};
+		for (let k in pendScales) {
+			let psc = pendScales[k];
+			if (psc != null) {
+				let wsc = wipScales[k] = copy(scales[k], fastIsObj);
+				if (psc.min != null) assign(wsc, psc);
+				else if (k != xScaleKey || mode == 2) {
+					if (dataLen == 0 && wsc.from == null) {
+						let minMax = wsc.range(self, null, null, k);
+						wsc.min = minMax[0];
+						wsc.max = minMax[1];
+					} else {
+						wsc.min = inf;
+						wsc.max = -Infinity;
+					}
+				}
+			}
+		}
+		if (dataLen > 0) {
+			series.forEach((s, i) => {
+				if (mode == 1) {
+					let k = s.scale;
+					let psc = pendScales[k];
+					if (psc == null) return;
+					let wsc = wipScales[k];
+					if (i == 0) {
+						let minMax = wsc.range(self, wsc.min, wsc.max, k);
+						wsc.min = minMax[0];
+						wsc.max = minMax[1];
+						i0 = closestIdx(wsc.min, data[0]);
+						i1 = closestIdx(wsc.max, data[0]);
+						if (i1 - i0 > 1) {
+							if (data[0][i0] < wsc.min) i0++;
+							if (data[0][i1] > wsc.max) i1--;
+						}
+						s.min = data0[i0];
+						s.max = data0[i1];
+					} else if (s.show && s.auto) accScale(wsc, psc, s, data[i], s.sorted);
+					s.idxs[0] = i0;
+					s.idxs[1] = i1;
+				} else if (i > 0) {
+					if (s.show && s.auto) {
+						let [xFacet, yFacet] = s.facets;
+						let xScaleKey = xFacet.scale;
+						let yScaleKey = yFacet.scale;
+						let [xData, yData] = data[i];
+						let wscx = wipScales[xScaleKey];
+						let wscy = wipScales[yScaleKey];
+						wscx != null && accScale(wscx, pendScales[xScaleKey], xFacet, xData, xFacet.sorted);
+						wscy != null && accScale(wscy, pendScales[yScaleKey], yFacet, yData, yFacet.sorted);
+						s.min = yFacet.min;
+						s.max = yFacet.max;
+					}
+				}
+			});
+			for (let k in wipScales) {
+				let wsc = wipScales[k];
+				let psc = pendScales[k];
+				if (wsc.from == null && (psc == null || psc.min == null)) {
+					let minMax = wsc.range(self, wsc.min == inf ? null : wsc.min, wsc.max == -Infinity ? null : wsc.max, k);
+					wsc.min = minMax[0];
+					wsc.max = minMax[1];
+				}
+			}
+		}
+		for (let k in wipScales) {
+			let wsc = wipScales[k];
+			if (wsc.from != null) {
+				let base = wipScales[wsc.from];
+				if (base.min == null) wsc.min = wsc.max = null;
+				else {
+					let minMax = wsc.range(self, base.min, base.max, k);
+					wsc.min = minMax[0];
+					wsc.max = minMax[1];
+				}
+			}
+		}
+		let changed = {};
+		let anyChanged = false;
+		for (let k in wipScales) {
+			let wsc = wipScales[k];
+			let sc = scales[k];
+			if (sc.min != wsc.min || sc.max != wsc.max) {
+				sc.min = wsc.min;
+				sc.max = wsc.max;
+				let distr = sc.distr;
+				sc._min = distr == 3 ? log10(sc.min) : distr == 4 ? asinh(sc.min, sc.asinh) : distr == 100 ? sc.fwd(sc.min) : sc.min;
+				sc._max = distr == 3 ? log10(sc.max) : distr == 4 ? asinh(sc.max, sc.asinh) : distr == 100 ? sc.fwd(sc.max) : sc.max;
+				changed[k] = anyChanged = true;
+			}
+		}
+		if (anyChanged) {
+			series.forEach((s, i) => {
+				if (mode == 2) {
+					if (i > 0 && changed.y) s._paths = null;
+				} else if (changed[s.scale]) s._paths = null;
+			});
+			for (let k in changed) {
+				shouldConvergeSize = true;
+				fire("setScale", k);
+			}
+			if (showCursor && cursor.left >= 0) shouldSetCursor = shouldSetLegend = true;
+		}
+		for (let k in pendScales) pendScales[k] = null;
+	}
+	function getOuterIdxs(ydata) {
+		let _i0 = clamp(i0 - 1, 0, dataLen - 1);
+		let _i1 = clamp(i1 + 1, 0, dataLen - 1);
+		while (ydata[_i0] == null && _i0 > 0) _i0--;
+		while (ydata[_i1] == null && _i1 < dataLen - 1) _i1++;
+		return [_i0, _i1];
+	}
+	function drawSeries() {
+		if (dataLen > 0) {
+			let shouldAlpha = series.some((s) => s._focus) && ctxAlpha != focus.alpha;
+			if (shouldAlpha) ctx.globalAlpha = ctxAlpha = focus.alpha;
+			series.forEach((s, i) => {
+				if (i > 0 && s.show) {
+					cacheStrokeFill(i, false);
+					cacheStrokeFill(i, true);
+					if (s._paths == null) {
+						let _ctxAlpha = ctxAlpha;
+						if (ctxAlpha != s.alpha) ctx.globalAlpha = ctxAlpha = s.alpha;
+						let _idxs = mode == 2 ? [0, data[i][0].length - 1] : getOuterIdxs(data[i]);
+						s._paths = s.paths(self, i, _idxs[0], _idxs[1]);
+						if (ctxAlpha != _ctxAlpha) ctx.globalAlpha = ctxAlpha = _ctxAlpha;
+					}
+				}
+			});
+			series.forEach((s, i) => {
+				if (i > 0 && s.show) {
+					let _ctxAlpha = ctxAlpha;
+					if (ctxAlpha != s.alpha) ctx.globalAlpha = ctxAlpha = s.alpha;
+					s._paths != null && drawPath(i, false);
+					{
+						let _gaps = s._paths != null ? s._paths.gaps : null;
+						let show = s.points.show(self, i, i0, i1, _gaps);
+						let idxs = s.points.filter(self, i, show, _gaps);
+						if (show || idxs) {
+							s.points._paths = s.points.paths(self, i, i0, i1, idxs);
+							drawPath(i, true);
+						}
+					}
+					if (ctxAlpha != _ctxAlpha) ctx.globalAlpha = ctxAlpha = _ctxAlpha;
+					fire("drawSeries", i);
+				}
+			});
+			if (shouldAlpha) ctx.globalAlpha = ctxAlpha = 1;
+		}
+	}
+	function cacheStrokeFill(si, _points) {
+		let s = _points ? series[si].points : series[si];
+		s._stroke = s.stroke(self, si);
+		s._fill = s.fill(self, si);
+	}
+	function drawPath(si, _points) {
+		let s = _points ? series[si].points : series[si];
+		let { stroke, fill, clip: gapsClip, flags, _stroke: strokeStyle = s._stroke, _fill: fillStyle = s._fill, _width: width = s.width } = s._paths;
+		width = roundDec(width * pxRatio, 3);
+		let boundsClip = null;
+		let offset = width % 2 / 2;
+		if (_points && fillStyle == null) fillStyle = width > 0 ? "#fff" : strokeStyle;
+		let _pxAlign = s.pxAlign == 1 && offset > 0;
+		_pxAlign && ctx.translate(offset, offset);
+		if (!_points) {
+			let lft = plotLft - width / 2, top = plotTop - width / 2, wid = plotWid + width, hgt = plotHgt + width;
+			boundsClip = new Path2D();
+			boundsClip.rect(lft, top, wid, hgt);
+		}
+		if (_points) strokeFill(strokeStyle, width, s.dash, s.cap, fillStyle, stroke, fill, flags, gapsClip);
+		else fillStroke(si, strokeStyle, width, s.dash, s.cap, fillStyle, stroke, fill, flags, boundsClip, gapsClip);
+		_pxAlign && ctx.translate(-offset, -offset);
+	}
+	function fillStroke(si, strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip) {
+		let didStrokeFill = false;
+		flags != 0 && bands.forEach((b, bi) => {
+			if (b.series[0] == si) {
+				let lowerEdge = series[b.series[1]];
+				let lowerData = data[b.series[1]];
+				let bandClip = (lowerEdge._paths || EMPTY_OBJ).band;
+				if (isArr(bandClip)) bandClip = b.dir == 1 ? bandClip[0] : bandClip[1];
+				let gapsClip2;
+				let _fillStyle = null;
+				if (lowerEdge.show && bandClip && hasData(lowerData, i0, i1)) {
+					_fillStyle = b.fill(self, bi) || fillStyle;
+					gapsClip2 = lowerEdge._paths.clip;
+				} else bandClip = null;
+				strokeFill(strokeStyle, lineWidth, lineDash, lineCap, _fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip, gapsClip2, bandClip);
+				didStrokeFill = true;
+			}
+		});
+		if (!didStrokeFill) strokeFill(strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip);
+	}
+	const CLIP_FILL_STROKE = 3;
+	function strokeFill(strokeStyle, lineWidth, lineDash, lineCap, fillStyle, strokePath, fillPath, flags, boundsClip, gapsClip, gapsClip2, bandClip) {
+		setCtxStyle(strokeStyle, lineWidth, lineDash, lineCap, fillStyle);
+		if (boundsClip || gapsClip || bandClip) {
+			ctx.save();
+			boundsClip && ctx.clip(boundsClip);
+			gapsClip && ctx.clip(gapsClip);
+		}
+		if (bandClip) {
+			if ((flags & CLIP_FILL_STROKE) == CLIP_FILL_STROKE) {
+				ctx.clip(bandClip);
+				gapsClip2 && ctx.clip(gapsClip2);
+				doFill(fillStyle, fillPath);
+				doStroke(strokeStyle, strokePath, lineWidth);
+			} else if (flags & BAND_CLIP_STROKE) {
+				doFill(fillStyle, fillPath);
+				ctx.clip(bandClip);
+				doStroke(strokeStyle, strokePath, lineWidth);
+			} else if (flags & BAND_CLIP_FILL) {
+				ctx.save();
+				ctx.clip(bandClip);
+				gapsClip2 && ctx.clip(gapsClip2);
+				doFill(fillStyle, fillPath);
+				ctx.restore();
+				doStroke(strokeStyle, strokePath, lineWidth);
+			}
+		} else {
+			doFill(fillStyle, fillPath);
+			doStroke(strokeStyle, strokePath, lineWidth);
+		}
+		if (boundsClip || gapsClip || bandClip) ctx.restore();
+	}
+	function doStroke(strokeStyle, strokePath, lineWidth) {
+		if (lineWidth > 0) {
+			if (strokePath instanceof Map) strokePath.forEach((strokePath, strokeStyle) => {
+				ctx.strokeStyle = ctxStroke = strokeStyle;
+				ctx.stroke(strokePath);
+			});
+			else strokePath != null && strokeStyle && ctx.stroke(strokePath);
+		}
+	}
+	function doFill(fillStyle, fillPath) {
+		if (fillPath instanceof Map) fillPath.forEach((fillPath, fillStyle) => {
+			ctx.fillStyle = ctxFill = fillStyle;
+			ctx.fill(fillPath);
+		});
+		else fillPath != null && fillStyle && ctx.fill(fillPath);
+	}
+	function getIncrSpace(axisIdx, min, max, fullDim) {
+		let axis = axes[axisIdx];
+		let incrSpace;
+		if (fullDim <= 0) incrSpace = [0, 0];
+		else {
+			let minSpace = axis._space = axis.space(self, axisIdx, min, max, fullDim);
+			incrSpace = findIncr(min, max, axis._incrs = axis.incrs(self, axisIdx, min, max, fullDim, minSpace), fullDim, minSpace);
+		}
+		return axis._found = incrSpace;
+	}
+	function drawOrthoLines(offs, filts, ori, side, pos0, len, width, stroke, dash, cap) {
+		let offset = width % 2 / 2;
+		pxAlign == 1 && ctx.translate(offset, offset);
+		setCtxStyle(stroke, width, dash, cap, stroke);
+		ctx.beginPath();
+		let x0, y0, x1, y1, pos1 = pos0 + (side == 0 || side == 3 ? -len : len);
+		if (ori == 0) {
+			y0 = pos0;
+			y1 = pos1;
+		} else {
+			x0 = pos0;
+			x1 = pos1;
+		}
+		for (let i = 0; i < offs.length; i++) if (filts[i] != null) {
+			if (ori == 0) x0 = x1 = offs[i];
+			else y0 = y1 = offs[i];
+			ctx.moveTo(x0, y0);
+			ctx.lineTo(x1, y1);
+		}
+		ctx.stroke();
+		pxAlign == 1 && ctx.translate(-offset, -offset);
+	}
+	function axesCalc(cycleNum) {
+		let converged = true;
+		axes.forEach((axis, i) => {
+			if (!axis.show) return;
+			let scale = scales[axis.scale];
+			if (scale.min == null) {
+				if (axis._show) {
+					converged = false;
+					axis._show = false;
+					resetYSeries(false);
+				}
+				return;
+			} else if (!axis._show) {
+				converged = false;
+				axis._show = true;
+				resetYSeries(false);
+			}
+			let side = axis.side;
+			let ori = side % 2;
+			let { min, max } = scale;
+			let [_incr, _space] = getIncrSpace(i, min, max, ori == 0 ? plotWidCss : plotHgtCss);
+			if (_space == 0) return;
+			let forceMin = scale.distr == 2;
+			let _splits = axis._splits = axis.splits(self, i, min, max, _incr, _space, forceMin);
+			let splits = scale.distr == 2 ? _splits.map((i) => data0[i]) : _splits;
+			let incr = scale.distr == 2 ? data0[_splits[1]] - data0[_splits[0]] : _incr;
+			let values = axis._values = axis.values(self, axis.filter(self, splits, i, _space, incr), i, _space, incr);
+			axis._rotate = side == 2 ? axis.rotate(self, values, i, _space) : 0;
+			let oldSize = axis._size;
+			axis._size = ceil(axis.size(self, values, i, cycleNum));
+			if (oldSize != null && axis._size != oldSize) converged = false;
+		});
+		return converged;
+	}
+	function paddingCalc(cycleNum) {
+		let converged = true;
+		padding.forEach((p, i) => {
+			let _p = p(self, i, sidesWithAxes, cycleNum);
+			if (_p != _padding[i]) converged = false;
+			_padding[i] = _p;
+		});
+		return converged;
+	}
+	function drawAxesGrid() {
+		for (let i = 0; i < axes.length; i++) {
+			let axis = axes[i];
+			if (!axis.show || !axis._show) continue;
+			let side = axis.side;
+			let ori = side % 2;
+			let x, y;
+			let fillStyle = axis.stroke(self, i);
+			let shiftDir = side == 0 || side == 3 ? -1 : 1;
+			let [_incr, _space] = axis._found;
+			if (axis.label != null) {
+				let shiftAmt = axis.labelGap * shiftDir;
+				let baseLpos = round$1((axis._lpos + shiftAmt) * pxRatio);
+				setFontStyle(axis.labelFont[0], fillStyle, "center", side == 2 ? TOP : BOTTOM);
+				ctx.save();
+				if (ori == 1) {
+					x = y = 0;
+					ctx.translate(baseLpos, round$1(plotTop + plotHgt / 2));
+					ctx.rotate((side == 3 ? -PI : PI) / 2);
+				} else {
+					x = round$1(plotLft + plotWid / 2);
+					y = baseLpos;
+				}
+				let _label = isFn(axis.label) ? axis.label(self, i, _incr, _space) : axis.label;
+				ctx.fillText(_label, x, y);
+				ctx.restore();
+			}
+			if (_space == 0) continue;
+			let scale = scales[axis.scale];
+			let plotDim = ori == 0 ? plotWid : plotHgt;
+			let plotOff = ori == 0 ? plotLft : plotTop;
+			let _splits = axis._splits;
+			let splits = scale.distr == 2 ? _splits.map((i) => data0[i]) : _splits;
+			let incr = scale.distr == 2 ? data0[_splits[1]] - data0[_splits[0]] : _incr;
+			let ticks = axis.ticks;
+			let border = axis.border;
+			let _tickSize = ticks.show ? ticks.size : 0;
+			let tickSize = round$1(_tickSize * pxRatio);
+			let axisGap = round$1((axis.alignTo == 2 ? axis._size - _tickSize - axis.gap : axis.gap) * pxRatio);
+			let angle = axis._rotate * -PI / 180;
+			let basePos = pxRound(axis._pos * pxRatio);
+			let finalPos = basePos + (tickSize + axisGap) * shiftDir;
+			y = ori == 0 ? finalPos : 0;
+			x = ori == 1 ? finalPos : 0;
+			let font = axis.font[0];
+			setFontStyle(font, fillStyle, axis.align == 1 ? LEFT : axis.align == 2 ? RIGHT : angle > 0 ? LEFT : angle < 0 ? RIGHT : ori == 0 ? "center" : side == 3 ? RIGHT : LEFT, angle || ori == 1 ? "middle" : side == 2 ? TOP : BOTTOM);
+			let lineHeight = axis.font[1] * axis.lineGap;
+			let canOffs = _splits.map((val) => pxRound(getPos(val, scale, plotDim, plotOff)));
+			let _values = axis._values;
+			for (let i = 0; i < _values.length; i++) {
+				let val = _values[i];
+				if (val != null) {
+					if (ori == 0) x = canOffs[i];
+					else y = canOffs[i];
+					val = "" + val;
+					let _parts = val.indexOf("\n") == -1 ? [val] : val.split(/\n/gm);
+					for (let j = 0; j < _parts.length; j++) {
+						let text = _parts[j];
+						if (angle) {
+							ctx.save();
+							ctx.translate(x, y + j * lineHeight);
+							ctx.rotate(angle);
+							ctx.fillText(text, 0, 0);
+							ctx.restore();
+						} else ctx.fillText(text, x, y + j * lineHeight);
+					}
+				}
+			}
+			if (ticks.show) drawOrthoLines(canOffs, ticks.filter(self, splits, i, _space, incr), ori, side, basePos, tickSize, roundDec(ticks.width * pxRatio, 3), ticks.stroke(self, i), ticks.dash, ticks.cap);
+			let grid = axis.grid;
+			if (grid.show) drawOrthoLines(canOffs, grid.filter(self, splits, i, _space, incr), ori, ori == 0 ? 2 : 1, ori == 0 ? plotTop : plotLft, ori == 0 ? plotHgt : plotWid, roundDec(grid.width * pxRatio, 3), grid.stroke(self, i), grid.dash, grid.cap);
+			if (border.show) drawOrthoLines([basePos], [1], ori == 0 ? 1 : 0, ori == 0 ? 1 : 2, ori == 1 ? plotTop : plotLft, ori == 1 ? plotHgt : plotWid, roundDec(border.width * pxRatio, 3), border.stroke(self, i), border.dash, border.cap);
+		}
+		fire("drawAxes");
+	}
+	function resetYSeries(minMax) {
+		series.forEach((s, i) => {
+			if (i > 0) {
+				s._paths = null;
+				if (minMax) {
+					if (mode == 1) {
+						s.min = null;
+						s.max = null;
+					} else s.facets.forEach((f) => {
+						f.min = null;
+						f.max = null;
+					});
+				}
+			}
+		});
+	}
+	let queuedCommit = false;
+	let deferHooks = false;
+	let hooksQueue = [];
+	function flushHooks() {
+		deferHooks = false;
+		for (let i = 0; i < hooksQueue.length; i++) fire(...hooksQueue[i]);
+		hooksQueue.length = 0;
+	}
+	function commit() {
+		if (!queuedCommit) {
+			microTask(_commit);
+			queuedCommit = true;
+		}
+	}
+	function batch(fn, _deferHooks = false) {
+		queuedCommit = true;
+		deferHooks = _deferHooks;
+		fn(self);
+		_commit();
+		if (_deferHooks && hooksQueue.length > 0) queueMicrotask(flushHooks);
+	}
+	self.batch = batch;
+	function _commit() {
+		if (shouldSetScales) {
+			setScales();
+			shouldSetScales = false;
+		}
+		if (shouldConvergeSize) {
+			convergeSize();
+			shouldConvergeSize = false;
+		}
+		if (shouldSetSize) {
+			setStylePx(under, LEFT, plotLftCss);
+			setStylePx(under, TOP, plotTopCss);
+			setStylePx(under, WIDTH, plotWidCss);
+			setStylePx(under, HEIGHT$2, plotHgtCss);
+			setStylePx(over, LEFT, plotLftCss);
+			setStylePx(over, TOP, plotTopCss);
+			setStylePx(over, WIDTH, plotWidCss);
+			setStylePx(over, HEIGHT$2, plotHgtCss);
+			setStylePx(wrap, WIDTH, fullWidCss);
+			setStylePx(wrap, HEIGHT$2, fullHgtCss);
+			can.width = round$1(fullWidCss * pxRatio);
+			can.height = round$1(fullHgtCss * pxRatio);
+			axes.forEach(({ _el, _show, _size, _pos, side }) => {
+				if (_el != null) {
+					if (_show) {
+						let posOffset = side === 3 || side === 0 ? _size : 0;
+						let isVt = side % 2 == 1;
+						setStylePx(_el, isVt ? "left" : "top", _pos - posOffset);
+						setStylePx(_el, isVt ? "width" : "height", _size);
+						setStylePx(_el, isVt ? "top" : "left", isVt ? plotTopCss : plotLftCss);
+						setStylePx(_el, isVt ? "height" : "width", isVt ? plotHgtCss : plotWidCss);
+						remClass(_el, OFF);
+					} else addClass(_el, OFF);
+				}
+			});
+			ctxStroke = ctxFill = ctxWidth = ctxJoin = ctxCap = ctxFont = ctxAlign = ctxBaseline = ctxDash = null;
+			ctxAlpha = 1;
+			syncRect(true);
+			if (plotLftCss != _plotLftCss || plotTopCss != _plotTopCss || plotWidCss != _plotWidCss || plotHgtCss != _plotHgtCss) {
+				resetYSeries(false);
+				let pctWid = plotWidCss / _plotWidCss;
+				let pctHgt = plotHgtCss / _plotHgtCss;
+				if (showCursor && !shouldSetCursor && cursor.left >= 0) {
+					cursor.left *= pctWid;
+					cursor.top *= pctHgt;
+					vCursor && elTrans(vCursor, round$1(cursor.left), 0, plotWidCss, plotHgtCss);
+					hCursor && elTrans(hCursor, 0, round$1(cursor.top), plotWidCss, plotHgtCss);
+					for (let i = 0; i < cursorPts.length; i++) {
+						let pt = cursorPts[i];
+						if (pt != null) {
+							cursorPtsLft[i] *= pctWid;
+							cursorPtsTop[i] *= pctHgt;
+							elTrans(pt, ceil(cursorPtsLft[i]), ceil(cursorPtsTop[i]), plotWidCss, plotHgtCss);
+						}
+					}
+				}
+				if (select.show && !shouldSetSelect && select.left >= 0 && select.width > 0) {
+					select.left *= pctWid;
+					select.width *= pctWid;
+					select.top *= pctHgt;
+					select.height *= pctHgt;
+					for (let prop in _hideProps) setStylePx(selectDiv, prop, select[prop]);
+				}
+				_plotLftCss = plotLftCss;
+				_plotTopCss = plotTopCss;
+				_plotWidCss = plotWidCss;
+				_plotHgtCss = plotHgtCss;
+			}
+			fire("setSize");
+			shouldSetSize = false;
+		}
+		if (fullWidCss > 0 && fullHgtCss > 0) {
+			ctx.clearRect(0, 0, can.width, can.height);
+			fire("drawClear");
+			drawOrder.forEach((fn) => fn());
+			fire("draw");
+		}
+		if (select.show && shouldSetSelect) {
+			setSelect(select);
+			shouldSetSelect = false;
+		}
+		if (showCursor && shouldSetCursor) {
+			updateCursor(null, true, false);
+			shouldSetCursor = false;
+		}
+		if (legend.show && legend.live && shouldSetLegend) {
+			setLegend();
+			shouldSetLegend = false;
+		}
+		if (!ready) {
+			ready = true;
+			self.status = 1;
+			fire("ready");
+		}
+		viaAutoScaleX = false;
+		queuedCommit = false;
+	}
+	self.redraw = (rebuildPaths, recalcAxes) => {
+		shouldConvergeSize = recalcAxes || false;
+		if (rebuildPaths !== false) _setScale(xScaleKey, scaleX.min, scaleX.max);
+		else commit();
+	};
+	function setScale(key, opts) {
+		let sc = scales[key];
+		if (sc.from == null) {
+			if (dataLen == 0) {
+				let minMax = sc.range(self, opts.min, opts.max, key);
+				opts.min = minMax[0];
+				opts.max = minMax[1];
+			}
+			if (opts.min > opts.max) {
+				let _min = opts.min;
+				opts.min = opts.max;
+				opts.max = _min;
+			}
+			if (dataLen > 1 && opts.min != null && opts.max != null && opts.max - opts.min < 1e-16) return;
+			if (key == xScaleKey) {
+				if (sc.distr == 2 && dataLen > 0) {
+					opts.min = closestIdx(opts.min, data[0]);
+					opts.max = closestIdx(opts.max, data[0]);
+					if (opts.min == opts.max) opts.max++;
+				}
+			}
+			pendScales[key] = opts;
+			shouldSetScales = true;
+			commit();
+		}
+	}
+	self.setScale = setScale;
+	let xCursor;
+	let yCursor;
+	let vCursor;
+	let hCursor;
+	let rawMouseLeft0;
+	let rawMouseTop0;
+	let mouseLeft0;
+	let mouseTop0;
+	let rawMouseLeft1;
+	let rawMouseTop1;
+	let mouseLeft1;
+	let mouseTop1;
+	let dragging = false;
+	const drag = cursor.drag;
+	let dragX = drag.x;
+	let dragY = drag.y;
+	if (showCursor) {
+		if (cursor.x) xCursor = placeDiv(CURSOR_X, over);
+		if (cursor.y) yCursor = placeDiv(CURSOR_Y, over);
+		if (scaleX.ori == 0) {
+			vCursor = xCursor;
+			hCursor = yCursor;
+		} else {
+			vCursor = yCursor;
+			hCursor = xCursor;
+		}
+		mouseLeft1 = cursor.left;
+		mouseTop1 = cursor.top;
+	}
+	const select = self.select = assign({
+		show: true,
+		over: true,
+		left: 0,
+		width: 0,
+		top: 0,
+		height: 0
+	}, opts.select);
+	const selectDiv = select.show ? placeDiv(SELECT, select.over ? over : under) : null;
+	function setSelect(opts, _fire) {
+		if (select.show) {
+			for (let prop in opts) {
+				select[prop] = opts[prop];
+				if (prop in _hideProps) setStylePx(selectDiv, prop, opts[prop]);
+			}
+			_fire !== false && fire("setSelect");
+		}
+	}
+	self.setSelect = setSelect;
+	function toggleDOM(i) {
+		if (series[i].show) showLegend && remClass(legendRows[i], OFF);
+		else {
+			showLegend && addClass(legendRows[i], OFF);
+			if (showCursor) {
+				let pt = cursorOnePt ? cursorPts[0] : cursorPts[i];
+				pt != null && elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			}
+		}
+	}
+	function _setScale(key, min, max) {
+		setScale(key, {
+			min,
+			max
+		});
+	}
+	function setSeries(i, opts, _fire, _pub) {
+		if (opts.focus != null) setFocus(i);
+		if (opts.show != null) series.forEach((s, si) => {
+			if (si > 0 && (i == si || i == null)) {
+				s.show = opts.show;
+				toggleDOM(si);
+				if (mode == 2) {
+					_setScale(s.facets[0].scale, null, null);
+					_setScale(s.facets[1].scale, null, null);
+				} else _setScale(s.scale, null, null);
+				commit();
+			}
+		});
+		_fire !== false && fire("setSeries", i, opts);
+		_pub && pubSync("setSeries", self, i, opts);
+	}
+	self.setSeries = setSeries;
+	function setBand(bi, opts) {
+		assign(bands[bi], opts);
+	}
+	function addBand(opts, bi) {
+		opts.fill = fnOrSelf(opts.fill || null);
+		opts.dir = ifNull(opts.dir, -1);
+		bi = bi == null ? bands.length : bi;
+		bands.splice(bi, 0, opts);
+	}
+	function delBand(bi) {
+		if (bi == null) bands.length = 0;
+		else bands.splice(bi, 1);
+	}
+	self.addBand = addBand;
+	self.setBand = setBand;
+	self.delBand = delBand;
+	function setAlpha(i, value) {
+		series[i].alpha = value;
+		if (showCursor && cursorPts[i] != null) cursorPts[i].style.opacity = value;
+		if (showLegend && legendRows[i]) legendRows[i].style.opacity = value;
+	}
+	let closestDist;
+	let closestSeries;
+	let focusedSeries;
+	const FOCUS_TRUE = { focus: true };
+	function setFocus(i) {
+		if (i != focusedSeries) {
+			let allFocused = i == null;
+			let _setAlpha = focus.alpha != 1;
+			series.forEach((s, i2) => {
+				if (mode == 1 || i2 > 0) {
+					let isFocused = allFocused || i2 == 0 || i2 == i;
+					s._focus = allFocused ? null : isFocused;
+					_setAlpha && setAlpha(i2, isFocused ? 1 : focus.alpha);
+				}
+			});
+			focusedSeries = i;
+			_setAlpha && commit();
+		}
+	}
+	if (showLegend && cursorFocus) onMouse(mouseleave, legendTable, (e) => {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		if (focusedSeries != null) setSeries(null, FOCUS_TRUE, true, syncOpts.setSeries);
+	});
+	function posToVal(pos, scale, can) {
+		let sc = scales[scale];
+		if (can) pos = pos / pxRatio - (sc.ori == 1 ? plotTopCss : plotLftCss);
+		let dim = plotWidCss;
+		if (sc.ori == 1) {
+			dim = plotHgtCss;
+			pos = dim - pos;
+		}
+		if (sc.dir == -1) pos = dim - pos;
+		let _min = sc._min, _max = sc._max, pct = pos / dim;
+		let sv = _min + (_max - _min) * pct;
+		let distr = sc.distr;
+		return distr == 3 ? pow(10, sv) : distr == 4 ? sinh(sv, sc.asinh) : distr == 100 ? sc.bwd(sv) : sv;
+	}
+	function closestIdxFromXpos(pos, can) {
+		return closestIdx(posToVal(pos, xScaleKey, can), data[0], i0, i1);
+	}
+	self.valToIdx = (val) => closestIdx(val, data[0]);
+	self.posToIdx = closestIdxFromXpos;
+	self.posToVal = posToVal;
+	self.valToPos = (val, scale, can) => scales[scale].ori == 0 ? getHPos(val, scales[scale], can ? plotWid : plotWidCss, can ? plotLft : 0) : getVPos(val, scales[scale], can ? plotHgt : plotHgtCss, can ? plotTop : 0);
+	self.setCursor = (opts, _fire, _pub) => {
+		mouseLeft1 = opts.left;
+		mouseTop1 = opts.top;
+		updateCursor(null, _fire, _pub);
+	};
+	function setSelH(off, dim) {
+		setStylePx(selectDiv, LEFT, select.left = off);
+		setStylePx(selectDiv, WIDTH, select.width = dim);
+	}
+	function setSelV(off, dim) {
+		setStylePx(selectDiv, TOP, select.top = off);
+		setStylePx(selectDiv, HEIGHT$2, select.height = dim);
+	}
+	let setSelX = scaleX.ori == 0 ? setSelH : setSelV;
+	let setSelY = scaleX.ori == 1 ? setSelH : setSelV;
+	function syncLegend() {
+		if (showLegend && legend.live) for (let i = mode == 2 ? 1 : 0; i < series.length; i++) {
+			if (i == 0 && multiValLegend) continue;
+			let vals = legend.values[i];
+			let j = 0;
+			for (let k in vals) legendCells[i][j++].firstChild.nodeValue = vals[k];
+		}
+	}
+	function setLegend(opts, _fire) {
+		if (opts != null) {
+			if (opts.idxs) opts.idxs.forEach((didx, sidx) => {
+				activeIdxs[sidx] = didx;
+			});
+			else if (!isUndef(opts.idx)) activeIdxs.fill(opts.idx);
+			legend.idx = activeIdxs[0];
+		}
+		if (showLegend && legend.live) {
+			for (let sidx = 0; sidx < series.length; sidx++) if (sidx > 0 || mode == 1 && !multiValLegend) setLegendValues(sidx, activeIdxs[sidx]);
+			syncLegend();
+		}
+		shouldSetLegend = false;
+		_fire !== false && fire("setLegend");
+	}
+	self.setLegend = setLegend;
+	function setLegendValues(sidx, idx) {
+		let s = series[sidx];
+		let src = sidx == 0 && xScaleDistr == 2 ? data0 : data[sidx];
+		let val;
+		if (multiValLegend) val = s.values(self, sidx, idx) ?? NULL_LEGEND_VALUES;
+		else {
+			val = s.value(self, idx == null ? null : src[idx], sidx, idx);
+			val = val == null ? NULL_LEGEND_VALUES : { _: val };
+		}
+		legend.values[sidx] = val;
+	}
+	function updateCursor(src, _fire, _pub) {
+		rawMouseLeft1 = mouseLeft1;
+		rawMouseTop1 = mouseTop1;
+		[mouseLeft1, mouseTop1] = cursor.move(self, mouseLeft1, mouseTop1);
+		cursor.left = mouseLeft1;
+		cursor.top = mouseTop1;
+		if (showCursor) {
+			vCursor && elTrans(vCursor, round$1(mouseLeft1), 0, plotWidCss, plotHgtCss);
+			hCursor && elTrans(hCursor, 0, round$1(mouseTop1), plotWidCss, plotHgtCss);
+		}
+		let idx;
+		let noDataInRange = i0 > i1;
+		closestDist = inf;
+		closestSeries = null;
+		let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss;
+		let yDim = scaleX.ori == 1 ? plotWidCss : plotHgtCss;
+		if (mouseLeft1 < 0 || dataLen == 0 || noDataInRange) {
+			idx = cursor.idx = null;
+			for (let i = 0; i < series.length; i++) {
+				let pt = cursorPts[i];
+				pt != null && elTrans(pt, -10, -10, plotWidCss, plotHgtCss);
+			}
+			if (cursorFocus) setSeries(null, FOCUS_TRUE, true, src == null && syncOpts.setSeries);
+			if (legend.live) {
+				activeIdxs.fill(idx);
+				shouldSetLegend = true;
+			}
+		} else {
+			let mouseXPos, valAtPosX, xPos;
+			if (mode == 1) {
+				mouseXPos = scaleX.ori == 0 ? mouseLeft1 : mouseTop1;
+				valAtPosX = posToVal(mouseXPos, xScaleKey);
+				idx = cursor.idx = closestIdx(valAtPosX, data[0], i0, i1);
+				xPos = valToPosX(data[0][idx], scaleX, xDim, 0);
+			}
+			let _ptLft = -10;
+			let _ptTop = -10;
+			let _ptWid = 0;
+			let _ptHgt = 0;
+			let _centered = true;
+			let _ptFill = "";
+			let _ptStroke = "";
+			for (let i = mode == 2 ? 1 : 0; i < series.length; i++) {
+				let s = series[i];
+				let idx1 = activeIdxs[i];
+				let yVal1 = idx1 == null ? null : mode == 1 ? data[i][idx1] : data[i][1][idx1];
+				let idx2 = cursor.dataIdx(self, i, idx, valAtPosX);
+				let yVal2 = idx2 == null ? null : mode == 1 ? data[i][idx2] : data[i][1][idx2];
+				shouldSetLegend = shouldSetLegend || yVal2 != yVal1 || idx2 != idx1;
+				activeIdxs[i] = idx2;
+				if (i > 0 && s.show) {
+					let xPos2 = idx2 == null ? -10 : idx2 == idx ? xPos : valToPosX(mode == 1 ? data[0][idx2] : data[i][0][idx2], scaleX, xDim, 0);
+					let yPos = yVal2 == null ? -10 : valToPosY(yVal2, mode == 1 ? scales[s.scale] : scales[s.facets[1].scale], yDim, 0);
+					if (cursorFocus && yVal2 != null) {
+						let mouseYPos = scaleX.ori == 1 ? mouseLeft1 : mouseTop1;
+						let dist = abs(focus.dist(self, i, idx2, yPos, mouseYPos));
+						if (dist < closestDist) {
+							let bias = focus.bias;
+							if (bias != 0) {
+								let mouseYVal = posToVal(mouseYPos, s.scale);
+								let seriesYValSign = yVal2 >= 0 ? 1 : -1;
+								let mouseYValSign = mouseYVal >= 0 ? 1 : -1;
+								if (mouseYValSign == seriesYValSign && (mouseYValSign == 1 ? bias == 1 ? yVal2 >= mouseYVal : yVal2 <= mouseYVal : bias == 1 ? yVal2 <= mouseYVal : yVal2 >= mouseYVal)) {
+									closestDist = dist;
+									closestSeries = i;
+								}
+							} else {
+								closestDist = dist;
+								closestSeries = i;
+							}
+						}
+					}
+					if (shouldSetLegend || cursorOnePt) {
+						let hPos, vPos;
+						if (scaleX.ori == 0) {
+							hPos = xPos2;
+							vPos = yPos;
+						} else {
+							hPos = yPos;
+							vPos = xPos2;
+						}
+						let ptWid, ptHgt, ptLft, ptTop, ptStroke, ptFill, centered = true, getBBox = points.bbox;
+						if (getBBox != null) {
+							centered = false;
+							let bbox = getBBox(self, i);
+							ptLft = bbox.left;
+							ptTop = bbox.top;
+							ptWid = bbox.width;
+							ptHgt = bbox.height;
+						} else {
+							ptLft = hPos;
+							ptTop = vPos;
+							ptWid = ptHgt = points.size(self, i);
+						}
+						ptFill = points.fill(self, i);
+						ptStroke = points.stroke(self, i);
+						if (cursorOnePt) {
+							if (i == closestSeries && closestDist <= focus.prox) {
+								_ptLft = ptLft;
+								_ptTop = ptTop;
+								_ptWid = ptWid;
+								_ptHgt = ptHgt;
+								_centered = centered;
+								_ptFill = ptFill;
+								_ptStroke = ptStroke;
+							}
+						} else {
+							let pt = cursorPts[i];
+							if (pt != null) {
+								cursorPtsLft[i] = ptLft;
+								cursorPtsTop[i] = ptTop;
+								elSize(pt, ptWid, ptHgt, centered);
+								elColor(pt, ptFill, ptStroke);
+								elTrans(pt, ceil(ptLft), ceil(ptTop), plotWidCss, plotHgtCss);
+							}
+						}
+					}
+				}
+			}
+			if (cursorOnePt) {
+				let p = focus.prox;
+				if (shouldSetLegend || (focusedSeries == null ? closestDist <= p : closestDist > p || closestSeries != focusedSeries)) {
+					let pt = cursorPts[0];
+					if (pt != null) {
+						cursorPtsLft[0] = _ptLft;
+						cursorPtsTop[0] = _ptTop;
+						elSize(pt, _ptWid, _ptHgt, _centered);
+						elColor(pt, _ptFill, _ptStroke);
+						elTrans(pt, ceil(_ptLft), ceil(_ptTop), plotWidCss, plotHgtCss);
+					}
+				}
+			}
+		}
+		if (select.show && dragging) {
+			if (src != null) {
+				let [xKey, yKey] = syncOpts.scales;
+				let [matchXKeys, matchYKeys] = syncOpts.match;
+				let [xKeySrc, yKeySrc] = src.cursor.sync.scales;
+				let sdrag = src.cursor.drag;
+				dragX = sdrag._x;
+				dragY = sdrag._y;
+				if (dragX || dragY) {
+					let { left, top, width, height } = src.select;
+					let sori = src.scales[xKeySrc].ori;
+					let sPosToVal = src.posToVal;
+					let sOff, sDim, sc, a, b;
+					let matchingX = xKey != null && matchXKeys(xKey, xKeySrc);
+					let matchingY = yKey != null && matchYKeys(yKey, yKeySrc);
+					if (matchingX && dragX) {
+						if (sori == 0) {
+							sOff = left;
+							sDim = width;
+						} else {
+							sOff = top;
+							sDim = height;
+						}
+						sc = scales[xKey];
+						a = valToPosX(sPosToVal(sOff, xKeySrc), sc, xDim, 0);
+						b = valToPosX(sPosToVal(sOff + sDim, xKeySrc), sc, xDim, 0);
+						setSelX(min(a, b), abs(b - a));
+					} else setSelX(0, xDim);
+					if (matchingY && dragY) {
+						if (sori == 1) {
+							sOff = left;
+							sDim = width;
+						} else {
+							sOff = top;
+							sDim = height;
+						}
+						sc = scales[yKey];
+						a = valToPosY(sPosToVal(sOff, yKeySrc), sc, yDim, 0);
+						b = valToPosY(sPosToVal(sOff + sDim, yKeySrc), sc, yDim, 0);
+						setSelY(min(a, b), abs(b - a));
+					} else setSelY(0, yDim);
+				} else hideSelect();
+			} else {
+				let rawDX = abs(rawMouseLeft1 - rawMouseLeft0);
+				let rawDY = abs(rawMouseTop1 - rawMouseTop0);
+				if (scaleX.ori == 1) {
+					let _rawDX = rawDX;
+					rawDX = rawDY;
+					rawDY = _rawDX;
+				}
+				dragX = drag.x && rawDX >= drag.dist;
+				dragY = drag.y && rawDY >= drag.dist;
+				let uni = drag.uni;
+				if (uni != null) {
+					if (dragX && dragY) {
+						dragX = rawDX >= uni;
+						dragY = rawDY >= uni;
+						if (!dragX && !dragY) {
+							if (rawDY > rawDX) dragY = true;
+							else dragX = true;
+						}
+					}
+				} else if (drag.x && drag.y && (dragX || dragY)) dragX = dragY = true;
+				let p0, p1;
+				if (dragX) {
+					if (scaleX.ori == 0) {
+						p0 = mouseLeft0;
+						p1 = mouseLeft1;
+					} else {
+						p0 = mouseTop0;
+						p1 = mouseTop1;
+					}
+					setSelX(min(p0, p1), abs(p1 - p0));
+					if (!dragY) setSelY(0, yDim);
+				}
+				if (dragY) {
+					if (scaleX.ori == 1) {
+						p0 = mouseLeft0;
+						p1 = mouseLeft1;
+					} else {
+						p0 = mouseTop0;
+						p1 = mouseTop1;
+					}
+					setSelY(min(p0, p1), abs(p1 - p0));
+					if (!dragX) setSelX(0, xDim);
+				}
+				if (!dragX && !dragY) {
+					setSelX(0, 0);
+					setSelY(0, 0);
+				}
+			}
+		}
+		drag._x = dragX;
+		drag._y = dragY;
+		if (src == null) {
+			if (_pub) {
+				if (syncKey != null) {
+					let [xSyncKey, ySyncKey] = syncOpts.scales;
+					syncOpts.values[0] = xSyncKey != null ? posToVal(scaleX.ori == 0 ? mouseLeft1 : mouseTop1, xSyncKey) : null;
+					syncOpts.values[1] = ySyncKey != null ? posToVal(scaleX.ori == 1 ? mouseLeft1 : mouseTop1, ySyncKey) : null;
+				}
+				pubSync(mousemove, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, idx);
+			}
+			if (cursorFocus) {
+				let shouldPub = _pub && syncOpts.setSeries;
+				let p = focus.prox;
+				if (focusedSeries == null) {
+					if (closestDist <= p) setSeries(closestSeries, FOCUS_TRUE, true, shouldPub);
+				} else if (closestDist > p) setSeries(null, FOCUS_TRUE, true, shouldPub);
+				else if (closestSeries != focusedSeries) setSeries(closestSeries, FOCUS_TRUE, true, shouldPub);
+			}
+		}
+		if (shouldSetLegend) {
+			legend.idx = idx;
+			setLegend();
+		}
+		_fire !== false && fire("setCursor");
+	}
+	let rect = null;
+	Object.defineProperty(self, "rect", { get() {
+		if (rect == null) syncRect(false);
+		return rect;
+	} });
+	function syncRect(defer = false) {
+		if (defer) rect = null;
+		else {
+			rect = over.getBoundingClientRect();
+			fire("syncRect", rect);
+		}
+	}
+	function mouseMove(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		if (dragging && e != null && e.movementX == 0 && e.movementY == 0) return;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, false, e != null);
+		if (e != null) updateCursor(null, true, true);
+		else updateCursor(src, true, false);
+	}
+	function cacheMouse(e, src, _l, _t, _w, _h, _i, initial, snap) {
+		if (rect == null) syncRect(false);
+		setCursorEvent(e);
+		if (e != null) {
+			_l = e.clientX - rect.left;
+			_t = e.clientY - rect.top;
+		} else {
+			if (_l < 0 || _t < 0) {
+				mouseLeft1 = -10;
+				mouseTop1 = -10;
+				return;
+			}
+			let [xKey, yKey] = syncOpts.scales;
+			let syncOptsSrc = src.cursor.sync;
+			let [xValSrc, yValSrc] = syncOptsSrc.values;
+			let [xKeySrc, yKeySrc] = syncOptsSrc.scales;
+			let [matchXKeys, matchYKeys] = syncOpts.match;
+			let rotSrc = src.axes[0].side % 2 == 1;
+			let xDim = scaleX.ori == 0 ? plotWidCss : plotHgtCss, yDim = scaleX.ori == 1 ? plotWidCss : plotHgtCss, _xDim = rotSrc ? _h : _w, _yDim = rotSrc ? _w : _h, _xPos = rotSrc ? _t : _l, _yPos = rotSrc ? _l : _t;
+			if (xKeySrc != null) _l = matchXKeys(xKey, xKeySrc) ? getPos(xValSrc, scales[xKey], xDim, 0) : -10;
+			else _l = xDim * (_xPos / _xDim);
+			if (yKeySrc != null) _t = matchYKeys(yKey, yKeySrc) ? getPos(yValSrc, scales[yKey], yDim, 0) : -10;
+			else _t = yDim * (_yPos / _yDim);
+			if (scaleX.ori == 1) {
+				let __l = _l;
+				_l = _t;
+				_t = __l;
+			}
+		}
+		if (snap && (src == null || src.cursor.event.type == mousemove)) {
+			if (_l <= 1 || _l >= plotWidCss - 1) _l = incrRound(_l, plotWidCss);
+			if (_t <= 1 || _t >= plotHgtCss - 1) _t = incrRound(_t, plotHgtCss);
+		}
+		if (initial) {
+			rawMouseLeft0 = _l;
+			rawMouseTop0 = _t;
+			[mouseLeft0, mouseTop0] = cursor.move(self, _l, _t);
+		} else {
+			mouseLeft1 = _l;
+			mouseTop1 = _t;
+		}
+	}
+	const _hideProps = {
+		width: 0,
+		height: 0,
+		left: 0,
+		top: 0
+	};
+	function hideSelect() {
+		setSelect(_hideProps, false);
+	}
+	let downSelectLeft;
+	let downSelectTop;
+	let downSelectWidth;
+	let downSelectHeight;
+	function mouseDown(e, src, _l, _t, _w, _h, _i) {
+		dragging = true;
+		dragX = dragY = drag._x = drag._y = false;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, true, false);
+		if (e != null) {
+			onMouse(mouseup, doc, mouseUp, false);
+			pubSync(mousedown, self, mouseLeft0, mouseTop0, plotWidCss, plotHgtCss, null);
+		}
+		let { left, top, width, height } = select;
+		downSelectLeft = left;
+		downSelectTop = top;
+		downSelectWidth = width;
+		downSelectHeight = height;
+	}
+	function mouseUp(e, src, _l, _t, _w, _h, _i) {
+		dragging = drag._x = drag._y = false;
+		cacheMouse(e, src, _l, _t, _w, _h, _i, false, true);
+		let { left, top, width, height } = select;
+		let hasSelect = width > 0 || height > 0;
+		let chgSelect = downSelectLeft != left || downSelectTop != top || downSelectWidth != width || downSelectHeight != height;
+		hasSelect && chgSelect && setSelect(select);
+		if (drag.setScale && hasSelect && chgSelect) {
+			let xOff = left, xDim = width, yOff = top, yDim = height;
+			if (scaleX.ori == 1) xOff = top, xDim = height, yOff = left, yDim = width;
+			if (dragX) _setScale(xScaleKey, posToVal(xOff, xScaleKey), posToVal(xOff + xDim, xScaleKey));
+			if (dragY) for (let k in scales) {
+				let sc = scales[k];
+				if (k != xScaleKey && sc.from == null && sc.min != inf) _setScale(k, posToVal(yOff + yDim, k), posToVal(yOff, k));
+			}
+			hideSelect();
+		} else if (cursor.lock) {
+			cursor._lock = !cursor._lock;
+			updateCursor(src, true, e != null);
+		}
+		if (e != null) {
+			offMouse(mouseup, doc);
+			pubSync(mouseup, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, null);
+		}
+	}
+	function mouseLeave(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		let _dragging = dragging;
+		if (dragging) {
+			let snapH = true;
+			let snapV = true;
+			let snapProx = 10;
+			let dragH, dragV;
+			if (scaleX.ori == 0) {
+				dragH = dragX;
+				dragV = dragY;
+			} else {
+				dragH = dragY;
+				dragV = dragX;
+			}
+			if (dragH && dragV) {
+				snapH = mouseLeft1 <= snapProx || mouseLeft1 >= plotWidCss - snapProx;
+				snapV = mouseTop1 <= snapProx || mouseTop1 >= plotHgtCss - snapProx;
+			}
+			if (dragH && snapH) mouseLeft1 = mouseLeft1 < mouseLeft0 ? 0 : plotWidCss;
+			if (dragV && snapV) mouseTop1 = mouseTop1 < mouseTop0 ? 0 : plotHgtCss;
+			updateCursor(null, true, true);
+			dragging = false;
+		}
+		mouseLeft1 = -10;
+		mouseTop1 = -10;
+		activeIdxs.fill(null);
+		updateCursor(null, true, true);
+		if (_dragging) dragging = _dragging;
+	}
+	function dblClick(e, src, _l, _t, _w, _h, _i) {
+		if (cursor._lock) return;
+		setCursorEvent(e);
+		autoScaleX();
+		hideSelect();
+		if (e != null) pubSync(dblclick, self, mouseLeft1, mouseTop1, plotWidCss, plotHgtCss, null);
+	}
+	function syncPxRatio() {
+		axes.forEach(syncFontSize);
+		_setSize(self.width, self.height, true);
+	}
+	on(dppxchange, win, syncPxRatio);
+	const events = {};
+	events.mousedown = mouseDown;
+	events.mousemove = mouseMove;
+	events.mouseup = mouseUp;
+	events.dblclick = dblClick;
+	events["setSeries"] = (e, src, idx, opts) => {
+		let seriesIdxMatcher = syncOpts.match[2];
+		idx = seriesIdxMatcher(self, src, idx);
+		idx != -1 && setSeries(idx, opts, true, false);
+	};
+	if (showCursor) {
+		onMouse(mousedown, over, mouseDown);
+		onMouse(mousemove, over, mouseMove);
+		onMouse(mouseenter, over, (e) => {
+			setCursorEvent(e);
+			syncRect(false);
+		});
+		onMouse(mouseleave, over, mouseLeave);
+		onMouse(dblclick, over, dblClick);
+		cursorPlots.add(self);
+		self.syncRect = syncRect;
+	}
+	const hooks = self.hooks = opts.hooks || {};
+	function fire(evName, a1, a2) {
+		if (deferHooks) hooksQueue.push([
+			evName,
+			a1,
+			a2
+		]);
+		else if (evName in hooks) hooks[evName].forEach((fn) => {
+			fn.call(null, self, a1, a2);
+		});
+	}
+	(opts.plugins || []).forEach((p) => {
+		for (let evName in p.hooks) hooks[evName] = (hooks[evName] || []).concat(p.hooks[evName]);
+	});
+	const seriesIdxMatcher = (self, src, srcSeriesIdx) => srcSeriesIdx;
+	const syncOpts = assign({
+		key: null,
+		setSeries: false,
+		filters: {
+			pub: retTrue,
+			sub: retTrue
+		},
+		scales: [xScaleKey, series[1] ? series[1].scale : null],
+		match: [
+			retEq,
+			retEq,
+			seriesIdxMatcher
+		],
+		values: [null, null]
+	}, cursor.sync);
+	if (syncOpts.match.length == 2) syncOpts.match.push(seriesIdxMatcher);
+	cursor.sync = syncOpts;
+	const syncKey = syncOpts.key;
+	const sync = _sync(syncKey);
+	function pubSync(type, src, x, y, w, h, i) {
+		if (syncOpts.filters.pub(type, src, x, y, w, h, i)) sync.pub(type, src, x, y, w, h, i);
+	}
+	sync.sub(self);
+	function pub(type, src, x, y, w, h, i) {
+		if (syncOpts.filters.sub(type, src, x, y, w, h, i)) events[type](null, src, x, y, w, h, i);
+	}
+	self.pub = pub;
+	function destroy() {
+		sync.unsub(self);
+		cursorPlots.delete(self);
+		mouseListeners.clear();
+		off(dppxchange, win, syncPxRatio);
+		root.remove();
+		legendTable?.remove();
+		fire("destroy");
+	}
+	self.destroy = destroy;
+	function _init() {
+		fire("init", opts, data);
+		setData(data || opts.data, false);
+		if (pendScales[xScaleKey]) setScale(xScaleKey, pendScales[xScaleKey]);
+		else autoScaleX();
+		shouldSetSelect = select.show && (select.width > 0 || select.height > 0);
+		shouldSetCursor = shouldSetLegend = true;
+		_setSize(opts.width, opts.height);
+	}
+	series.forEach(initSeries);
+	axes.forEach(initAxis);
+	if (then) {
+		if (then instanceof HTMLElement) {
+			then.appendChild(root);
+			_init();
+		} else then(self, _init);
+	} else _init();
+	return self;
+}
+uPlot.assign = assign;
+uPlot.fmtNum = fmtNum;
+uPlot.rangeNum = rangeNum;
+uPlot.rangeLog = rangeLog;
+uPlot.rangeAsinh = rangeAsinh;
+uPlot.orient = orient;
+uPlot.pxRatio = pxRatio;
+uPlot.join = join;
+uPlot.fmtDate = fmtDate;
+uPlot.tzDate = tzDate;
+uPlot.sync = _sync;
+{
+	uPlot.addGap = addGap;
+	uPlot.clipGaps = clipGaps;
+	let paths = uPlot.paths = { points };
+	paths.linear = linear;
+	paths.stepped = stepped$1;
+	paths.bars = bars;
+	paths.spline = monotoneCubic;
+}
+// src/theme.ts
+/** Light or dark: the colours themselves are custom properties of the style sheet, which the map reads too. */
+var KEPT$1 = "hoistway.theme";
+var kept$2 = localStorage.getItem(KEPT$1);
+var LIGHT = matchMedia("(prefers-color-scheme: light)");
+var theme = y$1(kept$2 === "dark" || kept$2 === "light" ? kept$2 : LIGHT.matches ? "light" : "dark");
+/** Show it, without choosing it for good. */
+function wear(next) {
+	document.documentElement.dataset["theme"] = next;
+	theme.value = next;
+}
+function choose$1(next) {
+	localStorage.setItem(KEPT$1, next);
+	wear(next);
+}
+function begin$2() {
+	wear(theme.value);
+	LIGHT.addEventListener("change", () => {
+		if (!localStorage.getItem(KEPT$1)) wear(LIGHT.matches ? "light" : "dark");
+	});
+}
+// src/parts/LiveChart.tsx
+/** A chart that grows at its right end: each unit has a scale of its own, the first two an axis. */
+var HEIGHT$1 = 200;
+var COLOURS$3 = [
+	"--look-moving",
+	"--look-held",
+	"--look-charging",
+	"--look-handling",
+	"--look-waiting",
+	"--look-alarm"
+];
+/** `times` in seconds since 1970. It is drawn anew only when other lines are wanted. */
+function LiveChart({ label, times, lines }) {
+	const box = T(null);
+	const chart = T(null);
+	const what = lines.map((line) => `${line.label} ${line.unit}`).join("\n");
+	const wears = theme.value;
+	A$1(() => {
+		const parent = box.current;
+		const style = getComputedStyle(document.documentElement);
+		const of = (name) => style.getPropertyValue(name).trim();
+		const units = [...new Set(lines.map(({ unit }) => unit))];
+		const axis = {
+			stroke: of("--dim"),
+			grid: {
+				stroke: of("--line"),
+				width: 1
+			},
+			ticks: {
+				stroke: of("--line"),
+				width: 1
+			}
+		};
+		const made = new uPlot({
+			width: parent.clientWidth,
+			height: HEIGHT$1,
+			series: [{}, ...lines.map(({ label: name, unit }, i) => ({
+				label: unit ? `${name} (${unit})` : name,
+				scale: `of ${unit}`,
+				stroke: of(COLOURS$3[i % COLOURS$3.length]),
+				width: 2,
+				spanGaps: true
+			}))],
+			axes: [axis, ...units.slice(0, 2).map((unit, i) => ({
+				...axis,
+				scale: `of ${unit}`,
+				side: i ? 1 : 3,
+				grid: i ? { show: false } : axis.grid,
+				...unit ? {
+					label: unit,
+					labelSize: 16
+				} : {}
+			}))]
+		}, [times, ...lines.map(({ values }) => values)], parent);
+		chart.current = made;
+		const size = new ResizeObserver(() => made.setSize({
+			width: parent.clientWidth,
+			height: HEIGHT$1
+		}));
+		size.observe(parent);
+		return () => {
+			size.disconnect();
+			made.destroy();
+			chart.current = null;
+		};
+	}, [wears, what]);
+	A$1(() => chart.current?.setData([times, ...lines.map(({ values }) => values)]), [times, lines]);
+	return /* @__PURE__ */ a("figure", {
+		class: "chart",
+		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
+			ref: box,
+			role: "img",
+			"aria-label": label,
+			"data-points": times.length
+		})]
+	});
+}
+// src/parts/DriveWatch.tsx
+/** Parameters of a drive watched live: polled by the server as long as somebody looks, and drawn over the last minutes. */
+/** Asked so often, ms; the server is told again in time that somebody still looks, s. */
+var EVERY$3 = 500;
+var GOOD_FOR = 20;
+var AGAIN$1 = 8;
+/** So much is shown, s, and at most so many lines. */
+var SPAN = 180;
+var MOST$3 = 6;
+/** One name for each page, so that two people may watch the same drive. */
+var NAME = `page-${Math.random().toString(36).slice(2, 10)}`;
+function DriveWatch({ path }) {
+	const chosen = useSignal([]);
+	const on = useSignal(false);
+	const past = useSignal({
+		times: [],
+		values: {}
+	});
+	const error = useSignal(null);
+	const { value } = useRead(`${path}/parameters`);
+	const known = value?.items.filter(({ named, raw }) => named || raw !== null) ?? [];
+	const numbers = chosen.value.join();
+	const watch = `${path}/watches/${NAME}`;
+	A$1(() => {
+		if (!on.value || !numbers) return void 0;
+		let here = true;
+		const fail = (failure) => {
+			error.value = failure;
+			on.value = false;
+		};
+		const tell = () => void call("PUT", watch, {
+			parameters: numbers.split(","),
+			seconds: GOOD_FOR
+		}).catch(fail);
+		const look = async () => {
+			try {
+				const { items } = await get(`${path}/parameters`);
+				if (here) past.value = grown$1(past.value, numbers.split(","), items);
+			} catch (failure) {
+				if (here) fail(failure);
+			}
+		};
+		error.value = null;
+		past.value = {
+			times: [],
+			values: {}
+		};
+		tell();
+		const timers = [window.setInterval(tell, AGAIN$1 * 1e3), window.setInterval(() => void look(), EVERY$3)];
+		return () => {
+			here = false;
+			timers.forEach(window.clearInterval);
+			call("DELETE", watch).catch(() => void 0);
+		};
+	}, [
+		path,
+		numbers,
+		on.value
+	]);
+	const turn = (number, wanted) => {
+		chosen.value = known.map((one) => one.number).filter((one) => one === number ? wanted : chosen.value.includes(one));
+	};
+	const lines = chosen.value.flatMap((number) => {
+		const parameter = known.find((one) => one.number === number);
+		return parameter ? [{
+			label: parameter.name || number,
+			unit: parameter.unit,
+			values: past.value.values[number] ?? []
+		}] : [];
+	});
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("watch") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			"data-watch": true,
+			children: [
+				/* @__PURE__ */ a("fieldset", {
+					class: "roles watched",
+					children: [
+						/* @__PURE__ */ a("legend", { children: t("parameters") }),
+						known.map(({ number, name }) => /* @__PURE__ */ a("label", { children: [
+							/* @__PURE__ */ a("input", {
+								type: "checkbox",
+								checked: chosen.value.includes(number),
+								disabled: !chosen.value.includes(number) && chosen.value.length >= MOST$3,
+								onChange: (event) => turn(number, event.currentTarget.checked)
+							}),
+							" ",
+							number,
+							" ",
+							name
+						] }, number)),
+						known.length === 0 && /* @__PURE__ */ a("span", {
+							class: "calm",
+							children: t("no_parameters")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a(Button, {
+						needs: "PUT /drives/{drive}/watches/{watch}",
+						"aria-pressed": on.value,
+						disabled: chosen.value.length === 0,
+						onClick: () => on.value = !on.value,
+						children: t(on.value ? "watch_end" : "watch_begin")
+					}), refusal("PUT /drives/{drive}/watches/{watch}") === "" && /* @__PURE__ */ a("small", {
+						class: "calm",
+						children: t("watch_hint", MOST$3)
+					})]
+				}),
+				/* @__PURE__ */ a(Problem, { error: error.value }),
+				past.value.times.length > 0 && /* @__PURE__ */ a(LiveChart, {
+					label: t("watch"),
+					times: past.value.times,
+					lines
+				})
+			]
+		})]
+	});
+}
+/** With one more moment at the end, and what is too old gone from the beginning. */
+function grown$1(past, numbers, items) {
+	const now = serverNow() / 1e3;
+	const first = past.times.findIndex((at) => at > now - SPAN);
+	const from = first < 0 ? past.times.length : first;
+	const valueOf = (number) => {
+		const parameter = items.find((one) => one.number === number);
+		return parameter ? parameter.value ?? parameter.raw : null;
+	};
+	const values = numbers.map((number) => [number, [...(past.values[number] ?? []).slice(from), valueOf(number)]]);
+	return {
+		times: [...past.times.slice(from), now],
+		values: Object.fromEntries(values)
+	};
+}
+// src/parts/DriveTools.tsx
+/** What can be done to a drive: jog, write a parameter, back up, compare, restore; each an operation that ends in one known way. */
+function DriveTools({ drive }) {
+	const path = `/drives/${encodeURIComponent(drive.id)}`;
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a(Jog, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a(DriveWatch, { path }),
+		/* @__PURE__ */ a(Backups, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a(DriveMore, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a("details", {
+			class: "part acts",
+			children: [/* @__PURE__ */ a("summary", { children: t("lockout") }), /* @__PURE__ */ a(Reasoned, { decisions: [drive.lockout ? {
+				label: t("lift_lockout"),
+				needs: "DELETE /drives/{drive}/lockout",
+				bare: true,
+				grave: true,
+				does: () => call("DELETE", `${path}/lockout`)
+			} : {
+				label: t("lock_out"),
+				needs: "POST /drives/{drive}/lockout",
+				grave: true,
+				does: (reason) => post(`${path}/lockout`, { reason })
+			}] })]
+		})
+	] });
+}
+/** The key is said to be held so often, ms; the axis stops by itself when it is not. */
+var HELD = 200;
+/** Runs as long as the button is held: let go, hidden or left, it is released. */
+function Jog({ drive, path }) {
+	const asking = useAsking();
+	const way = useSignal(null);
+	const held = T(null);
+	const release = () => {
+		const now = held.current;
+		held.current = null;
+		way.value = null;
+		if (!now) return;
+		window.clearInterval(now.timer);
+		if (now.jog !== null) asking.ask(() => call("DELETE", `${path}/jog/${now.jog}`), "");
+	};
+	A$1(() => {
+		window.addEventListener("blur", release);
+		document.addEventListener("visibilitychange", release);
+		return () => {
+			window.removeEventListener("blur", release);
+			document.removeEventListener("visibilitychange", release);
+			release();
+		};
+	}, [path]);
+	const press = async (direction) => {
+		if (held.current) return;
+		const mine = {
+			jog: null,
+			timer: 0
+		};
+		held.current = mine;
+		way.value = direction;
+		await asking.ask(async () => {
+			const { jog } = await post(`${path}/jog`, { direction });
+			mine.jog = jog;
+			if (held.current !== mine) {
+				await call("DELETE", `${path}/jog/${jog}`);
+				return;
+			}
+			mine.timer = window.setInterval(() => void post(`${path}/jog/${jog}`).catch(release), HELD);
+		}, "");
+		if (asking.error.value) release();
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("jog") }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [["ccw", "cw"].map((direction) => /* @__PURE__ */ a(Button, {
+					needs: "POST /drives/{drive}/jog",
+					class: "jog",
+					"aria-pressed": way.value === direction,
+					disabled: !drive.online || drive.lockout !== null,
+					onPointerDown: (event) => {
+						event.currentTarget.setPointerCapture(event.pointerId);
+						press(direction);
+					},
+					onPointerUp: release,
+					onPointerCancel: release,
+					onKeyDown: (event) => event.key === " " && !event.repeat && void press(direction),
+					onKeyUp: (event) => event.key === " " && release(),
+					children: [
+						direction === "ccw" ? "◀ " : "",
+						t(direction),
+						direction === "cw" ? " ▶" : ""
+					]
+				}, direction)), /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: t("jog_hint")
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Backups({ drive, path }) {
+	const again = useSignal(0);
+	const operation = useSignal(null);
+	const label = useSignal("");
+	const note = useSignal("");
+	const other = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead(`${path}/backups?limit=20`, again.value);
+	const begin = (what, body, words) => {
+		label.value = words;
+		operation.value = null;
+		asking.ask(async () => {
+			let now = await post(`${path}/${what}`, body);
+			operation.value = now;
+			while (now.state === "running") {
+				now = await get(`/operations/${encodeURIComponent(now.id)}?wait=2`);
+				operation.value = now;
+			}
+			again.value++;
+		}, "");
+	};
+	const differences = operation.value?.result["differences"] ?? operation.value?.result["rows"];
+	const others = driveList.value.filter(({ id }) => id !== drive.id);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("backups") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("note"),
+						value: note
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/backups",
+							onClick: () => begin("backups", { note: note.value.trim() }, t("back_up")),
+							children: t("back_up")
+						})
+					})]
+				}),
+				others.length > 0 && /* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("compare_with") }), /* @__PURE__ */ a("select", {
+						value: other.value,
+						onChange: (event) => other.value = event.currentTarget.value,
+						children: [/* @__PURE__ */ a("option", {
+							value: "",
+							children: t("choose")
+						}), others.map(({ id }) => /* @__PURE__ */ a("option", { children: id }, id))]
+					})] }), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/compare",
+							disabled: !other.value,
+							onClick: () => begin("compare", { drive: other.value }, t("compare")),
+							children: t("compare")
+						})
+					})]
+				}),
+				value?.items.map((backup) => /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-backup": backup.id,
+					children: [
+						/* @__PURE__ */ a("span", { children: [
+							"#",
+							backup.id,
+							" · ",
+							clock(backup.at),
+							" · ",
+							backup.actor,
+							" ",
+							backup.note
+						] }),
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/compare",
+							onClick: () => begin("compare", { backup: backup.id }, t("compare")),
+							children: t("compare")
+						}),
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/restore",
+							onClick: () => begin("restore", {
+								backup: backup.id,
+								dry_run: true
+							}, t("restore_dry")),
+							children: t("restore_dry")
+						}),
+						/* @__PURE__ */ a(Sure, {
+							needs: "POST /drives/{drive}/restore",
+							label: t("restore"),
+							does: () => begin("restore", { backup: backup.id }, t("restore"))
+						})
+					]
+				}, backup.id)),
+				/* @__PURE__ */ a(Told, { asking }),
+				operation.value?.state === "running" && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
+				/* @__PURE__ */ a(Outcome, {
+					operation: operation.value,
+					label: label.value
+				}),
+				Array.isArray(differences) && /* @__PURE__ */ a(Differences, { rows: differences })
+			]
+		})]
+	});
+}
+function Differences({ rows }) {
+	if (rows.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("no_differences")
+	});
+	const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
+	return /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name.replaceAll("_", " ") }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("td", { children: row[name] === null || row[name] === void 0 ? "–" : String(row[name]) }, name)) }, i)) })]
+	});
+}
+// src/parts/DrivePanel.tsx
+/** One axis drive: what it says of itself, and what is wrong. */
+var COLOURS$2 = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+function DrivePanel({ id }) {
+	const now = driveNow(id);
+	tick.value;
+	if (!now) return null;
+	const { word, tone } = lookOfDrive(now);
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: now.name,
+		colour: COLOURS$2[tone],
+		children: [
+			/* @__PURE__ */ a(Notes$1, { drive: now }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("state"),
+					children: /* @__PURE__ */ a("b", {
+						class: tone,
+						children: t(`drive_${word}`)
+					})
+				}),
+				now.mode !== null && /* @__PURE__ */ a(Fact, {
+					name: t(now.mode === "error" ? "error_fact" : "operation_fact"),
+					children: [
+						now.meaning || "–",
+						" ",
+						/* @__PURE__ */ a("small", { children: now.code })
+					]
+				}),
+				now.online && /* @__PURE__ */ a(Fact, {
+					name: t("moves"),
+					children: now.moving === null ? t("unknown") : t(now.moving ? "yes" : "no")
+				}),
+				now.output !== null && /* @__PURE__ */ a(Fact, {
+					name: t("output"),
+					children: now.output
+				}),
+				now.distance !== null && /* @__PURE__ */ a(Fact, {
+					name: t("distance"),
+					children: [
+						hundredths(now.distance),
+						" ",
+						now.turn && /* @__PURE__ */ a("small", { children: ["· ", said(now.turn)] })
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("model"),
+					children: now.model || t("no_model")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("on_line"),
+					children: t("line_number", now.line, now.address)
+				}),
+				!now.online && /* @__PURE__ */ a(Fact, {
+					name: t("seen"),
+					children: now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"
+				})
+			] }),
+			/* @__PURE__ */ a(StopKey, { id }),
+			/* @__PURE__ */ a(DriveTools, { drive: now }),
+			/* @__PURE__ */ a(Parameters, { id })
+		]
+	});
+}
+/** Stops the axis, or resets an error: at once, since a stop asks nobody whether he is sure. */
+function StopKey({ id }) {
+	const error = useSignal(null);
+	const done = useSignal(null);
+	const press = () => {
+		error.value = done.value = null;
+		post(`/drives/${encodeURIComponent(id)}/keys?wait=5`, { key: "stop_reset" }).then((operation) => done.value = operation, (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "buttons",
+			children: /* @__PURE__ */ a(Button, {
+				needs: "POST /drives/{drive}/keys",
+				class: "halt",
+				onClick: press,
+				children: t("stop_reset")
+			})
+		}),
+		/* @__PURE__ */ a(Problem, { error: error.value }),
+		/* @__PURE__ */ a(Outcome, {
+			operation: done.value,
+			label: t("stop_reset")
+		})
+	] });
+}
+function Notes$1({ drive }) {
+	return /* @__PURE__ */ a($, { children: [
+		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
+			class: "note alarm",
+			children: [
+				/* @__PURE__ */ a("b", { children: tell(drive.error || drive.meaning) }),
+				" ",
+				drive.remedy && /* @__PURE__ */ a("em", { children: tell(drive.remedy) })
+			]
+		}),
+		!drive.online && drive.reason && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t(drive.online === null ? "drive_not_heard" : "drive_offline") }),
+				" ",
+				tell(drive.reason)
+			]
+		}),
+		drive.lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", drive.lockout.owner) }),
+				" ",
+				drive.lockout.reason
+			]
+		})
+	] });
+}
+// src/parts/Account.tsx
+/** Who is here, with which roles; the password, and the way out. Where nobody logs in, only the name that they give themselves. */
+function Account() {
+	const who = me.value;
+	return /* @__PURE__ */ a($, { children: [namesItself.value && /* @__PURE__ */ a(Actor, {}), who && !who.open && /* @__PURE__ */ a(Menu, {
+		name: who.name ?? "",
+		roles: who.roles,
+		person: who.person
+	})] });
+}
+function Actor() {
+	const name = useSignal(actor());
+	return /* @__PURE__ */ a("span", {
+		class: "actor",
+		children: /* @__PURE__ */ a("input", {
+			value: name.value,
+			maxLength: 64,
+			"aria-label": t("your_name"),
+			autocomplete: "name",
+			title: t("name_hint"),
+			placeholder: t("your_name"),
+			onInput: (event) => {
+				name.value = event.currentTarget.value;
+				nameActor(name.value);
+			}
+		})
+	});
+}
+function Menu({ name, roles, person }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "layers master account",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			title: inWords(roles),
+			onClick: () => open.value = !open.value,
+			children: [
+				/* @__PURE__ */ a("b", { children: name }),
+				" ",
+				/* @__PURE__ */ a("small", { children: inWords(roles) })
+			]
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("account"),
+			children: [
+				/* @__PURE__ */ a("dl", {
+					class: "facts",
+					children: [
+						/* @__PURE__ */ a(Fact, {
+							name: t("name"),
+							children: name
+						}),
+						/* @__PURE__ */ a(Fact, {
+							name: t("roles"),
+							children: inWords(roles) || t("none")
+						}),
+						person && session.value && /* @__PURE__ */ a(Fact, {
+							name: t("good_until"),
+							children: clock(new Date(session.value.until).toISOString())
+						}),
+						!person && /* @__PURE__ */ a(Fact, {
+							name: t("kind"),
+							children: t("machine_key")
+						})
+					]
+				}),
+				person && /* @__PURE__ */ a(Password, {}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => asked$2.value = true,
+						children: t("log_in_as_other")
+					}), /* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => void logOut(),
+						children: t("log_out")
+					})]
+				})
+			]
+		})]
+	});
+}
+function Password() {
+	const old = useSignal("");
+	const next = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			old: old.value,
+			new: next.value
+		};
+		if (await asking.ask(() => call("PUT", "/session/password", body), t("password_changed"))) old.value = next.value = "";
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("change_password") }), /* @__PURE__ */ a("form", {
+		class: "stack",
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("old_password"),
+				name: "old",
+				type: "password",
+				value: old,
+				required: true
+			}),
+			/* @__PURE__ */ a(Field, {
+				label: t("new_password"),
+				name: "new",
+				type: "password",
+				value: next,
+				hint: t("password_rule"),
+				required: true
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "PUT /session/password",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("change_password")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Master.tsx
+/** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
+var FIRES = ["fire", "earthquake"];
+function Master() {
+	const open = useSignal(false);
+	const now = controller.value;
+	if (!now) return null;
+	const emergencies = FIRES.filter((kind) => now.emergencies.some((words) => words.includes(kind)));
+	return /* @__PURE__ */ a("div", {
+		class: "layers master",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			onClick: () => open.value = !open.value,
+			children: t("master")
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("master"),
+			children: [now.emergencies.map((words) => /* @__PURE__ */ a("p", {
+				class: "note alarm",
+				children: tell(words)
+			}, words)), /* @__PURE__ */ a(Reasoned, { decisions: [
+				{
+					label: t("pause"),
+					needs: "POST /controller/pause",
+					does: (reason) => post("/controller/pause", { reason })
+				},
+				{
+					label: t("stop_all"),
+					needs: "POST /controller/stop",
+					grave: true,
+					does: (reason) => post("/controller/stop", { reason })
+				},
+				...FIRES.filter((kind) => !emergencies.includes(kind)).map((kind) => ({
+					label: t(`tell_${kind}`),
+					needs: "POST /controller/emergency",
+					grave: true,
+					does: (reason) => post("/controller/emergency", {
+						kind,
+						reason
+					})
+				})),
+				{
+					label: t("resume"),
+					needs: "POST /controller/resume",
+					bare: true,
+					does: () => post("/controller/resume")
+				},
+				...emergencies.map((kind) => ({
+					label: t(`release_${kind}`),
+					needs: "POST /controller/emergency/release",
+					grave: true,
+					does: (reason) => post("/controller/emergency/release", {
+						kind,
+						reason
+					})
+				}))
+			] })]
+		})]
+	});
+}
+// src/parts/Header.tsx
+/** What the plant is, how it does, whether what is shown is live, who looks at it. */
+function Header() {
+	return /* @__PURE__ */ a("header", { children: [
+		/* @__PURE__ */ a("h1", { children: [/* @__PURE__ */ a("svg", {
+			viewBox: "0 0 32 32",
+			width: "24",
+			height: "24",
+			"aria-hidden": "true",
+			children: [/* @__PURE__ */ a("path", {
+				d: "M3 8h26M16 8v8",
+				stroke: "var(--accent)",
+				"stroke-width": "3",
+				"stroke-linecap": "round"
+			}), /* @__PURE__ */ a("rect", {
+				x: "9",
+				y: "16",
+				width: "14",
+				height: "10",
+				rx: "2",
+				fill: "#f5b83d"
+			})]
+		}), "Hoistway"] }),
+		/* @__PURE__ */ a("span", {
+			class: "plant",
+			children: layout.value?.name ?? ""
+		}),
+		/* @__PURE__ */ a(ControllerState, {}),
+		/* @__PURE__ */ a(KeptOff, {}),
+		!inPast.value && /* @__PURE__ */ a(Master, {}),
+		/* @__PURE__ */ a("span", { class: "grow" }),
+		/* @__PURE__ */ a(Counts, {}),
+		/* @__PURE__ */ a(Account, {}),
+		/* @__PURE__ */ a(Theme, {}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			class: "plain",
+			onClick: () => speak(language.value === "en" ? "ko" : "en"),
+			children: language.value === "en" ? "KO" : "EN"
+		}),
+		/* @__PURE__ */ a(LinkState, {})
+	] });
+}
+function Rooms() {
+	const grave = troubles.value.filter((wrong) => wrong.grave).length;
+	return /* @__PURE__ */ a("nav", {
+		class: "rooms",
+		"aria-label": t("rooms"),
+		children: (recording.value ? ["playback"] : ROOMS).map((name) => /* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-current": room$1.value === name ? "page" : void 0,
+			onClick: () => room$1.value = name,
+			children: [t(name), name === "alarms" && grave > 0 && /* @__PURE__ */ a("b", {
+				class: "badge",
+				children: ["! ", grave]
+			})]
+		}, name))
+	});
+}
+function Theme() {
+	const other = theme.value === "dark" ? "light" : "dark";
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "plain",
+		title: t(`theme_${other}`),
+		"aria-label": t(`theme_${other}`),
+		onClick: () => choose$1(other),
+		children: other === "light" ? "☀" : "☾"
+	});
+}
+function ControllerState() {
+	const now = controller.value;
+	if (!now) return /* @__PURE__ */ a("span", { class: "pill" });
+	const emergency = (now.emergencies ?? []).join(", ");
+	const grave = now.trouble || emergency;
+	const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
+	const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
+	const why = tell(notice.value || grave || now.reason || roll);
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("span", {
+		class: `pill ${tone}`,
+		title: t("controller"),
+		children: said(now.state)
+	}), /* @__PURE__ */ a("span", {
+		class: `why ${grave ? "bad" : ""}`,
+		role: "status",
+		title: why,
+		children: why
+	})] });
+}
+function Counts() {
+	const looks = /* @__PURE__ */ new Map();
+	for (const vehicle of vehicleList.value) looks.set(lookOf(vehicle), (looks.get(lookOf(vehicle)) ?? 0) + 1);
+	const open = jobList.value.filter((job) => !ENDED.has(job.state)).length;
+	return /* @__PURE__ */ a("span", {
+		class: "counts",
+		children: [
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: vehicleList.value.length }),
+				" ",
+				t("vehicles")
+			] }),
+			[
+				"alarm",
+				"held",
+				"gone"
+			].map((look) => looks.has(look) && /* @__PURE__ */ a("span", {
+				style: { color: LOOKS[look] },
+				children: [
+					/* @__PURE__ */ a("b", { children: looks.get(look) }),
+					" ",
+					t(`look_${look}`)
+				]
+			}, look)),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: open }),
+				" ",
+				t("open_jobs")
+			] })
+		]
+	});
+}
+function LinkState() {
+	tick.value;
+	const state = link.value;
+	if (inPast.value) return /* @__PURE__ */ a("span", {
+		class: "link past",
+		children: [/* @__PURE__ */ a("i", { class: "dot" }), t("playback")]
+	});
+	const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1e3) : null;
+	const text = state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);
+	return /* @__PURE__ */ a("span", {
+		class: `link ${state}`,
+		role: "status",
+		"aria-live": "polite",
+		children: [/* @__PURE__ */ a("i", { class: "dot" }), text]
+	});
+}
+// src/parts/JobPanel.tsx
+/** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
+var COLOURS$1 = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+var EVERY$2 = 3;
+function JobPanel({ id }) {
+	const why = useSignal(null);
+	const whole = useSignal(null);
+	const error = useSignal(null);
+	const job = jobList.value.find((job) => job.id === id) ?? whole.value;
+	const over = job ? ENDED.has(job.state) : false;
+	const round = over ? 0 : Math.floor(tick.value / EVERY$2);
+	A$1(() => {
+		const path = `/jobs/${encodeURIComponent(id)}`;
+		get(`${path}/why`).then((found) => why.value = found, (failure) => error.value = failure);
+		get(path).then((found) => whole.value = found, (failure) => error.value = failure);
+	}, [
+		id,
+		job?.state,
+		job?.vehicle,
+		round
+	]);
+	if (!job) return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t("job"),
+		colour: "var(--dim)",
+		children: /* @__PURE__ */ a(Problem, { error: error.value })
+	});
+	const tone = TONES$2[job.state] ?? "calm";
+	return /* @__PURE__ */ a(Panel, {
+		title: job.id,
+		tag: said(job.state),
+		colour: COLOURS$1[tone],
+		children: [
+			job.reason && !over && /* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: [
+					/* @__PURE__ */ a("b", { children: t("waits") }),
+					" ",
+					tell(job.reason)
+				]
+			}),
+			!over && /* @__PURE__ */ a(CutOff, { id: job.source }),
+			!over && /* @__PURE__ */ a(CutOff, { id: job.destination }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("source"),
+					children: /* @__PURE__ */ a(Name, { id: job.source })
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("destination"),
+					children: [/* @__PURE__ */ a(Name, { id: job.destination }), job.fallbacks.length > 0 && /* @__PURE__ */ a("small", { children: [" · ", t("fallbacks", job.fallbacks.join(", "))] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: job.carrier ?? t("unknown")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("vehicle"),
+					children: [job.vehicle ? /* @__PURE__ */ a(Name, { id: job.vehicle }) : t("none"), job.wish && /* @__PURE__ */ a("small", { children: [" · ", t("wished", job.wish)] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("priority"),
+					children: job.priority
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("ordered_by"),
+					children: [
+						job.actor,
+						" ",
+						/* @__PURE__ */ a("small", { children: ["· ", clock(job.created)] })
+					]
+				}),
+				over && /* @__PURE__ */ a(Fact, {
+					name: t("result"),
+					children: tell(job.result || job.reason) || said(job.state)
+				})
+			] }),
+			why.value && /* @__PURE__ */ a(Phases$1, { why: why.value }),
+			!over && /* @__PURE__ */ a(Change$1, { job }),
+			why.value && /* @__PURE__ */ a(Why, { why: why.value }),
+			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
+var seconds$1 = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
+/** How long it lay, was fetched, was carried: drawn to scale. */
+function Phases$1({ why }) {
+	const phases = [
+		"queued",
+		"fetching",
+		"carrying"
+	].flatMap((name) => {
+		const took = why[name];
+		return took === null ? [] : [{
+			name,
+			took
+		}];
+	});
+	if (phases.length === 0) return null;
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("phases") }),
+			/* @__PURE__ */ a("div", {
+				class: "phases",
+				children: phases.map(({ name, took }) => /* @__PURE__ */ a("span", {
+					class: name,
+					style: { flex: `${Math.max(took, .01)} 1 0` },
+					title: `${t(`phase_${name}`)} ${seconds$1(took)}`,
+					children: seconds$1(took)
+				}, name))
+			}),
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: phases.map(({ name, took }) => `${t(`phase_${name}`)} ${seconds$1(took)}`).join(" · ")
+			})
+		]
+	});
+}
+function Why({ why }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("section", {
+		class: "part why-list",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("why_vehicle") }),
+			why.assignments.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("not_assigned_yet")
+			}),
+			why.assignments.map((choice) => /* @__PURE__ */ a(Choice, { choice }, choice.at + choice.vehicle))
+		]
+	}), /* @__PURE__ */ a("section", {
+		class: "part why-list",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("why_waits") }),
+			why.waits.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("never_waited")
+			}),
+			/* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: why.waits.map((wait) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: clock(wait.since) }),
+				/* @__PURE__ */ a("td", { children: wait.seconds === null ? t("still") : seconds$1(wait.seconds) }),
+				/* @__PURE__ */ a("td", { children: tell(wait.reason) })
+			] }, wait.since + wait.reason)) }) }),
+			why.left_out > 0 && /* @__PURE__ */ a("small", {
+				class: "calm",
+				children: t("left_out", why.left_out)
+			})
+		]
+	})] });
+}
+function Choice({ choice }) {
+	return /* @__PURE__ */ a("div", {
+		class: "choice",
+		children: [
+			/* @__PURE__ */ a("b", { children: [
+				/* @__PURE__ */ a(Name, { id: choice.vehicle }),
+				" · ",
+				t("to_source", seconds$1(choice.seconds))
+			] }),
+			" ",
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: clock(choice.at)
+			}),
+			/* @__PURE__ */ a("div", { children: [
+				choice.hot && `${t("hot_lot")} · `,
+				choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds$1(choice.saved))} · `,
+				t("worth", seconds$1(choice.waited), seconds$1(choice.switch))
+			] }),
+			choice.candidates.length > 0 && /* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: choice.candidates.map((other) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: other.vehicle }) }),
+				/* @__PURE__ */ a("td", { children: other.seconds === null ? t("no_way") : seconds$1(other.seconds) }),
+				/* @__PURE__ */ a("td", { children: tell(other.why_not) })
+			] }, other.vehicle)) }) })
+		]
+	});
+}
+function History({ events }) {
+	return /* @__PURE__ */ a("details", {
+		class: "part",
+		children: [/* @__PURE__ */ a("summary", { children: [
+			t("events"),
+			" ",
+			events.length
+		] }), /* @__PURE__ */ a("table", {
+			class: "bits",
+			children: /* @__PURE__ */ a("tbody", { children: events.map((event) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("th", { children: clock(event.ts) }),
+				/* @__PURE__ */ a("td", { children: ["#", event.seq] }),
+				/* @__PURE__ */ a("td", { children: [
+					happening(event.event),
+					" ",
+					[
+						event.vehicle,
+						event.result,
+						tell(event.detail)
+					].filter(Boolean).join(" · ")
+				] })
+			] }, event.seq)) })
+		})]
+	});
+}
+var CANCELLABLE$1 = /* @__PURE__ */ new Set(["queued", "waiting"]);
+var ABORTABLE$1 = /* @__PURE__ */ new Set(["transferring", "paused"]);
+/** Other priority, destination or vehicle; or its end. */
+function Change$1({ job }) {
+	const error = useSignal(null);
+	const done = useSignal(false);
+	const priority = useSignal(String(job.priority));
+	const destination = useSignal(job.destination);
+	const vehicle = useSignal("");
+	changes.stations.value;
+	const path = `/jobs/${encodeURIComponent(job.id)}`;
+	const report = (asked) => {
+		error.value = null;
+		done.value = false;
+		asked.then(() => done.value = true, (failure) => error.value = failure);
+	};
+	const body = {
+		...Number(priority.value) !== job.priority ? { priority: Number(priority.value) } : {},
+		...destination.value !== job.destination ? { destination: destination.value } : {},
+		...vehicle.value ? { vehicle: vehicle.value } : {}
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "part",
+		onSubmit: (event) => {
+			event.preventDefault();
+			report(call("PATCH", path, body));
+		},
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("change") }),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("priority") }), /* @__PURE__ */ a("input", {
+						name: "priority",
+						type: "number",
+						min: "0",
+						max: "99",
+						required: true,
+						value: priority.value,
+						onInput: (event) => priority.value = event.currentTarget.value
+					})] }),
+					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("vehicle") }), /* @__PURE__ */ a("input", {
+						name: "vehicle",
+						list: "vehicle-names",
+						autocomplete: "off",
+						placeholder: job.vehicle ?? t("any"),
+						value: vehicle.value,
+						onInput: (event) => vehicle.value = event.currentTarget.value.trim()
+					})] }),
+					/* @__PURE__ */ a("label", {
+						class: "wide",
+						children: [/* @__PURE__ */ a("span", { children: t("destination") }), /* @__PURE__ */ a("input", {
+							name: "destination",
+							list: "station-names",
+							autocomplete: "off",
+							required: true,
+							value: destination.value,
+							onInput: (event) => destination.value = event.currentTarget.value.trim()
+						})]
+					})
+				]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "vehicle-names",
+				children: layout.value?.vehicles.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a(Button, {
+						needs: "PATCH /jobs/{job}",
+						type: "submit",
+						class: "primary",
+						disabled: Object.keys(body).length === 0,
+						children: t("change")
+					}),
+					CANCELLABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
+						needs: "POST /jobs/{job}/cancel",
+						label: t("cancel"),
+						does: () => report(post(`${path}/cancel`))
+					}),
+					ABORTABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
+						needs: "POST /jobs/{job}/abort",
+						label: t("abort"),
+						does: () => report(post(`${path}/abort`))
+					}),
+					done.value && /* @__PURE__ */ a("span", {
+						class: "done",
+						role: "status",
+						children: t("taken")
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
+// src/parts/JobRoom.tsx
+/** All jobs in a table: open ones live, ended ones from the history, older ones on demand. */
+var PAGE = 200;
+var STATES = [
+	"queued",
+	"waiting",
+	"transferring",
+	"paused",
+	"cancelling",
+	"aborting",
+	"completed",
+	"failed",
+	"cancelled",
+	"aborted"
+];
+function JobRoom() {
+	const letters = useSignal("");
+	const state = useSignal("");
+	const older = useSignal([]);
+	const error = useSignal(null);
+	tick.value;
+	const known = new Set(jobList.value.map((job) => job.id));
+	const all = [...jobList.value, ...older.value.filter((job) => !known.has(job.id))];
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (job) => [
+		job.id,
+		job.source,
+		job.destination,
+		job.carrier,
+		job.vehicle,
+		job.actor
+	].some((name) => name?.toLowerCase().includes(wanted) ?? false);
+	const rows = all.filter((job) => (!state.value || (state.value === "open" ? !ENDED.has(job.state) : job.state === state.value)) && hits(job));
+	const more = async () => {
+		error.value = null;
+		const oldest = all.filter((job) => ENDED.has(job.state)).reduce((least, job) => Math.min(least, job.order), Number.MAX_SAFE_INTEGER);
+		try {
+			const { items } = await get(`/jobs?limit=${PAGE}&after=${oldest}`);
+			older.value = [...older.value, ...items.filter((job) => ENDED.has(job.state))];
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("jobs"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: [
+					t("jobs"),
+					" ",
+					rows.length
+				] }),
+				/* @__PURE__ */ a(Problem, { error: error.value }),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => void more(),
+					children: t("older")
+				}),
+				/* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: state.value,
+					onChange: (event) => state.value = event.currentTarget.value,
+					children: [
+						/* @__PURE__ */ a("option", {
+							value: "",
+							children: t("all")
+						}),
+						/* @__PURE__ */ a("option", {
+							value: "open",
+							children: t("open")
+						}),
+						STATES.map((name) => /* @__PURE__ */ a("option", {
+							value: name,
+							children: said(name)
+						}, name))
+					]
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("jobs"),
+			rows,
+			keyOf: (job) => job.id,
+			pick: ({ id }) => selected.value = {
+				kind: "job",
+				id
+			},
+			chosen: selected.value?.kind === "job" ? selected.value.id : null,
+			none: t("no_jobs"),
+			columns: [
+				{
+					name: t("job"),
+					by: (job) => job.order,
+					of: ({ id }) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "job",
+							id
+						},
+						children: id
+					})
+				},
+				{
+					name: t("state"),
+					by: (job) => said(job.state),
+					of: (job) => /* @__PURE__ */ a("span", {
+						class: `state ${TONES$2[job.state] ?? "calm"}`,
+						children: said(job.state)
+					})
+				},
+				{
+					name: t("priority"),
+					by: (job) => job.priority,
+					of: (job) => job.priority,
+					number: true
+				},
+				{
+					name: t("source"),
+					by: (job) => job.source,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.source })
+				},
+				{
+					name: t("destination"),
+					by: (job) => job.destination,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.destination })
+				},
+				{
+					name: t("carrier"),
+					by: (job) => job.carrier,
+					of: (job) => job.carrier ?? ""
+				},
+				{
+					name: t("vehicle"),
+					by: (job) => job.vehicle,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.vehicle })
+				},
+				{
+					name: t("ordered_at"),
+					by: (job) => job.created,
+					of: (job) => clock(job.created)
+				},
+				{
+					name: t("takes"),
+					by: (job) => took(job),
+					of: (job) => elapsed(job, serverNow()),
+					number: true
+				},
+				{
+					name: t("why"),
+					of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason)
+				}
+			]
+		})]
+	});
+}
+function took(job) {
+	return (job.ended ? Date.parse(job.ended) : serverNow()) - Date.parse(job.created);
+}
+// src/past/reel.ts
+/** Where what is listed in the first line of an answer begins, and the line itself. */
+function headOf(body) {
+	const end = body.indexOf(10);
+	return {
+		head: JSON.parse(new TextDecoder().decode(body.subarray(0, end))),
+		from: end + 1
+	};
+}
+async function unpacked(body) {
+	const plain = new Blob([body]).stream().pipeThrough(new DecompressionStream("deflate"));
+	return await new Response(plain).json();
+}
+/** Give the pieces of an answer one after the other, so that nothing else has to wait for all of them. */
+async function* piecesOf(body) {
+	const { head, from } = headOf(body);
+	let at = from;
+	for (const { id, kind, begin, end, size } of head.items) {
+		const content = await unpacked(body.subarray(at, at + size));
+		at += size;
+		yield kind === "state" ? {
+			id,
+			begin,
+			end,
+			state: content
+		} : {
+			id,
+			begin,
+			end,
+			changes: content
+		};
+	}
+}
+/** So many changes are kept before those that are furthest back go. */
+var MOST$2 = 25e4;
+var Reel = class {
+	pieces = [];
+	count = 0;
+	/** What comes next: the piece, and the change in it. */
+	index = 0;
+	within = 0;
+	/** All that happened before this moment is here, s. */
+	until = Number.NEGATIVE_INFINITY;
+	clear() {
+		this.pieces = [];
+		this.count = this.index = this.within = 0;
+		this.until = Number.NEGATIVE_INFINITY;
+	}
+	/** Put a piece behind the others. */
+	add(piece) {
+		this.pieces.push(piece);
+		this.count += piece.changes?.length ?? 0;
+		this.until = Math.max(this.until, piece.end);
+	}
+	get last() {
+		return this.pieces.at(-1)?.id ?? null;
+	}
+	/** The first moment that can be shown. */
+	get begin() {
+		return this.pieces[0]?.begin ?? Number.POSITIVE_INFINITY;
+	}
+	holds(at) {
+		return this.begin <= at && at <= this.until;
+	}
+	/** Show a moment, from the whole state before it. */
+	seek(at, screen) {
+		let from = 0;
+		this.pieces.forEach((piece, i) => {
+			if (piece.state && piece.begin <= at) from = i;
+		});
+		this.index = from;
+		this.within = 0;
+		this.forward(at, screen);
+	}
+	/** Go on to a moment that is not before the present one. */
+	forward(at, screen) {
+		for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
+			if (piece.state) {
+				if (piece.begin > at && this.index > 0) return;
+				screen.whole(piece.state);
+			} else {
+				const changes = piece.changes ?? [];
+				for (; this.within < changes.length; this.within++) {
+					const change = changes[this.within];
+					if (change[0] > at) return;
+					screen.change(change);
+				}
+			}
+			this.index++;
+			this.within = 0;
+		}
+	}
+	/** Let go of what lies furthest back if there is very much of it, up to a whole state; returns from when on there is something. */
+	trim() {
+		while (this.count > MOST$2) {
+			const next = this.pieces.findIndex((piece, i) => i > 0 && piece.state);
+			if (next < 0 || next >= this.index) break;
+			for (const piece of this.pieces.splice(0, next)) this.count -= piece.changes?.length ?? 0;
+			this.index -= next;
+		}
+		return this.begin;
+	}
+};
+// src/glide.ts
+/** The drawn one runs on at its last pace for so long when no report comes, s. */
+var RUN_ON = 1.2;
+/** Reports lag and jump: share of the gap to make good per second. */
+var CATCH_UP = 2.5;
+/** A gap longer than this is not driven but jumped, mm. */
+var JUMP = 12e3;
+/** Track kept behind the front, so that the hull bends with the rail, mm. */
+var TAIL$1 = 1500;
+var Glide = class {
+	track;
+	topSpeed;
+	path = [];
+	/** The ways between the barcodes of the path: `ways[i]` leads from `path[i]` on. */
+	ways = [];
+	s = 0;
+	reported = 0;
+	/** Index in the path of the barcode that was reported last: track driven both ways may have it twice. */
+	here = 0;
+	pace = 0;
+	since = 0;
+	moving = false;
+	last = 0;
+	constructor(track, topSpeed = 3e3) {
+		this.track = track;
+		this.topSpeed = topSpeed;
+	}
+	/** Take a report at `now` (s). */
+	report(report, now) {
+		const { barcode } = report;
+		if (barcode === null || !this.track.points.has(barcode)) {
+			this.lay([]);
+			return;
+		}
+		const ahead = this.connected(barcode, report.granted);
+		const reached = this.reach(barcode, ahead);
+		let offset = this.lengthTo(reached ?? 0);
+		this.here = reached ?? 0;
+		if (reached === null) {
+			const tail = this.tail(barcode);
+			this.lay([...tail, ...ahead]);
+			this.here = tail.length;
+			offset = this.lengthTo(tail.length);
+		}
+		const at = offset + Math.max(0, report.dist ?? 0);
+		if (reached === null) this.s = Math.min(at, this.lengthTo(this.path.length - 1));
+		const travelled = reached === null ? 0 : at - this.reported;
+		this.moving = report.moving;
+		if (!report.moving || reached === null) this.pace = 0;
+		else if (travelled < 1) return;
+		else this.learn(travelled, now - this.since);
+		this.reported = at;
+		this.since = now;
+	}
+	/** Drive on to `now` (s). `still`: jump to where the report says. */
+	drive(now, still = false) {
+		const dt = Math.min(Math.max(now - this.last, 0), .25);
+		this.last = now;
+		const end = this.lengthTo(this.path.length - 1);
+		const run = this.moving && !still ? this.pace * Math.min(now - this.since, RUN_ON) : 0;
+		const goal = Math.min(this.reported + run, Math.max(end, this.s));
+		const gap = goal - this.s;
+		if (still || Math.abs(gap) > JUMP) this.s = goal;
+		else if (gap > 0) {
+			const pace = Math.min(this.topSpeed * 1.3, (this.moving ? this.pace : 0) + gap * CATCH_UP);
+			this.s = Math.min(goal, this.s + Math.max(pace, 150) * dt);
+		} else if (!this.moving) this.s = Math.max(goal, this.s + Math.min(-150, gap * CATCH_UP) * dt);
+		this.trim();
+		return this;
+	}
+	/** Where the point lies that is `back` mm behind its front; null while its place is not known. */
+	middle(back = 0) {
+		let rest = this.s - back;
+		for (let i = 0; i + 1 < this.path.length; i++) {
+			const way = this.ways[i];
+			if (!way) break;
+			if (rest <= way.edge.length || i + 2 === this.path.length) return behind(this.track.along(way, rest), -rest);
+			rest -= way.edge.length;
+		}
+		const first = this.path[0];
+		const spot = first === void 0 ? void 0 : this.track.spot(first);
+		return spot ? behind(spot, back - this.s) : null;
+	}
+	/** Whether the drawn place still differs from the reported one. */
+	get busy() {
+		return this.moving || Math.abs(this.reported - this.s) > 5;
+	}
+	/** The report's own path, as far as edges join it; at least one edge on, to have a heading and room for `dist`. */
+	connected(barcode, granted) {
+		const path = [barcode];
+		for (const step of granted) {
+			const here = path[path.length - 1];
+			if (step === here) continue;
+			if (!this.track.way(here, step)) break;
+			path.push(step);
+		}
+		const only = this.track.next.get(barcode);
+		if (path.length === 1 && only?.length === 1) path.push(only[0].end);
+		return path;
+	}
+	/** Lay the report's path behind the drawn place; returns the index of its barcode, or null if it is elsewhere. */
+	reach(barcode, ahead) {
+		if (this.path.length === 0) return null;
+		const onward = this.path.indexOf(barcode, this.here);
+		const known = onward >= 0 ? onward : this.path.lastIndexOf(barcode);
+		if (known >= 0) {
+			this.lay([...this.path.slice(0, known), ...ahead]);
+			return known;
+		}
+		const from = this.index();
+		const way = this.track.path(this.path[from], barcode);
+		if (!way) return null;
+		const path = [...this.path.slice(0, from), ...way];
+		this.lay([...path.slice(0, -1), ...ahead]);
+		return this.lengthTo(path.length - 1) - this.s > JUMP ? null : path.length - 1;
+	}
+	learn(travelled, took) {
+		if (took < .02) return;
+		const measured = Math.min(travelled / took, this.topSpeed);
+		this.pace = this.pace === 0 ? measured : this.pace * .5 + measured * .5;
+	}
+	/** The barcodes before one, as long as there is only one way to have come. */
+	tail(barcode) {
+		const path = [];
+		for (let length = 0, here = barcode; length < TAIL$1;) {
+			const [edge, other] = this.track.before.get(here) ?? [];
+			if (!edge || other || path.includes(edge.start)) break;
+			path.unshift(edge.start);
+			length += edge.length;
+			here = edge.start;
+		}
+		return path;
+	}
+	lay(path) {
+		this.path = path;
+		this.ways = path.slice(1).map((end, i) => this.track.way(path[i], end));
+	}
+	lengthTo(index) {
+		let sum = 0;
+		for (let i = 0; i < index; i++) sum += this.ways[i]?.edge.length ?? 0;
+		return sum;
+	}
+	/** Which edge of the path the drawn front is on. */
+	index() {
+		let i = 0;
+		while (i + 2 < this.path.length && this.lengthTo(i + 1) <= this.s) i++;
+		return i;
+	}
+	trim() {
+		while (this.path.length > 2) {
+			const length = this.ways[0]?.edge.length ?? 0;
+			if (this.s < length + TAIL$1 || this.reported < length) return;
+			this.path.shift();
+			this.ways.shift();
+			this.here = Math.max(0, this.here - 1);
+			this.s -= length;
+			this.reported -= length;
+		}
+	}
+};
+/** Straight back from a place, for as long as there is no track known behind it. */
+function behind(spot, mm) {
+	const more = Math.max(0, mm);
+	return {
+		x: spot.x - Math.cos(spot.angle) * more,
+		y: spot.y - Math.sin(spot.angle) * more,
+		angle: spot.angle
+	};
+}
+// src/past/trails.ts
+/**
+* Where to draw a vehicle at a moment of the past: it is known when it came by one barcode and when by the next, and it is drawn
+* between them by the time. Pure.
+*/
+/** One that was not said to drive gets to its next barcode in the last so many seconds before it is there. */
+var LEAP = 1;
+/** Nothing drives faster; whatever would have is not drawn on its way, mm/s. */
+var FASTEST$1 = 6e3;
+/** Track known behind the barcode, so that the hull bends with the rail, mm. */
+var TAIL = 1500;
+var Course = class {
+	marks = [];
+	/** The mark at or before the moment asked about last, and the ways about it. */
+	index = 0;
+	drawn = -1;
+	ways = [];
+	/** Where on those ways the barcode of the mark lies, and how far it is to the next, mm. */
+	offset = 0;
+	length = 0;
+	add(mark) {
+		const last = this.marks.at(-1);
+		if (last?.barcode === mark.barcode && last.moves === mark.moves) return;
+		if (this.drawn === this.marks.length - 1) this.drawn = -1;
+		this.marks.push(mark);
+	}
+	trim(before) {
+		let count = 0;
+		while (count + 4 < this.marks.length && this.marks[count + 3].at < before) count++;
+		if (count < 500) return;
+		this.marks.splice(0, count);
+		this.index = Math.max(0, this.index - count);
+		this.drawn = -1;
+	}
+	spot(track, at, back, still) {
+		const mark = this.find(at);
+		if (!mark?.barcode || mark.at > at) return null;
+		if (this.drawn !== this.index) this.draw(track, mark);
+		const next = this.marks[this.index + 1];
+		const s = this.offset + (still || !next ? 0 : this.length * share(mark, next, at));
+		return place(track, this.ways, s - back) ?? rest(track, mark.barcode, back);
+	}
+	find(at) {
+		const { marks } = this;
+		let low = this.index;
+		if ((marks[low]?.at ?? Number.POSITIVE_INFINITY) > at) low = 0;
+		let step = 1;
+		while ((marks[low + step]?.at ?? Number.POSITIVE_INFINITY) <= at) {
+			low += step;
+			step *= 2;
+		}
+		while (step >= 1) {
+			if ((marks[low + step]?.at ?? Number.POSITIVE_INFINITY) <= at) low += step;
+			step >>= 1;
+		}
+		this.index = low;
+		return marks[low];
+	}
+	/** Lay out the ways by which it came, and the one that leads on. */
+	draw(track, mark) {
+		this.drawn = this.index;
+		const behindIt = [];
+		let length = 0;
+		for (let i = this.index; i > 0 && length < TAIL; i--) {
+			const [from, to] = [this.marks[i - 1]?.barcode, this.marks[i]?.barcode];
+			if (from === to) continue;
+			const ways = waysOf(track, from, to);
+			if (ways.length === 0) break;
+			behindIt.unshift(...ways);
+			length += sum(ways);
+		}
+		if (length < TAIL) {
+			const more = only(track, behindIt[0]?.edge.start ?? mark.barcode, TAIL - length);
+			behindIt.unshift(...more);
+			length += sum(more);
+		}
+		const next = this.marks[this.index + 1];
+		let on = next && next.barcode !== mark.barcode ? waysOf(track, mark.barcode, next.barcode) : [];
+		if (next && sum(on) > FASTEST$1 * Math.max(next.at - mark.at, LEAP)) on = [];
+		this.ways = [...behindIt, ...on];
+		this.offset = length;
+		this.length = sum(on);
+	}
+};
+/** How much of the way to the next mark was behind it. */
+function share(mark, next, at) {
+	const left = mark.moves ? mark.at : Math.max(mark.at, next.at - LEAP);
+	return Math.min(Math.max((at - left) / Math.max(next.at - left, .001), 0), 1);
+}
+function sum(ways) {
+	return ways.reduce((length, way) => length + way.edge.length, 0);
+}
+function waysOf(track, from, to) {
+	if (!from || !to) return [];
+	const direct = track.way(from, to);
+	if (direct) return [direct];
+	const path = track.path(from, to, 12) ?? [];
+	return path.slice(1).flatMap((end, i) => track.way(path[i], end) ?? []);
+}
+/** The ways to a barcode for so many mm, as long as there is only one to have come. */
+function only(track, barcode, mm) {
+	const ways = [];
+	for (let here = barcode, length = 0; length < mm;) {
+		const [edge, other] = track.before.get(here) ?? [];
+		const way = edge && !other ? track.way(edge.start, here) : void 0;
+		if (!edge || !way || ways.includes(way)) break;
+		ways.unshift(way);
+		length += edge.length;
+		here = edge.start;
+	}
+	return ways;
+}
+function place(track, ways, mm) {
+	const first = ways[0];
+	if (!first) return null;
+	if (mm < 0) return behind(track.along(first, 0), -mm);
+	let left = mm;
+	for (const way of ways) {
+		if (left <= way.edge.length) return track.along(way, left);
+		left -= way.edge.length;
+	}
+	return track.along(ways.at(-1), Number.POSITIVE_INFINITY);
+}
+function rest(track, barcode, back) {
+	const spot = track.spot(barcode);
+	return spot ? behind(spot, back) : null;
+}
+/** The courses of all vehicles, as far as the recording was fetched. */
+var Trails = class {
+	courses = /* @__PURE__ */ new Map();
+	seen = /* @__PURE__ */ new Map();
+	clear() {
+		this.courses.clear();
+		this.seen.clear();
+	}
+	whole(at, state) {
+		for (const [id, vehicle] of Object.entries(state["vehicles"] ?? {})) this.take(at, id, vehicle);
+	}
+	change([at, topic, key, value]) {
+		if (topic === "vehicles") this.take(at, key, value ?? { barcode: null });
+	}
+	trim(before) {
+		for (const course of this.courses.values()) course.trim(before);
+	}
+	/** Where the point lies that is `back` mm behind a vehicle's front at a moment; `still`: at its barcode. */
+	spot(track, id, at, back, still = false) {
+		return this.courses.get(id)?.spot(track, at, back, still) ?? null;
+	}
+	take(at, id, value) {
+		if (!("barcode" in value) && !("activity" in value)) return;
+		const seen = {
+			...this.seen.get(id) ?? {
+				barcode: null,
+				activity: ""
+			},
+			...value
+		};
+		this.seen.set(id, {
+			barcode: seen.barcode,
+			activity: seen.activity
+		});
+		let course = this.courses.get(id);
+		if (!course) this.courses.set(id, course = new Course());
+		course.add({
+			at,
+			barcode: seen.barcode,
+			moves: seen.activity === "moving"
+		});
+	}
+};
+// src/past/player.ts
+/** Plays back what was recorded: which moment is shown, how fast it goes on, and that the pieces ahead are there in time. */
+var PACES = [
+	1,
+	2,
+	4,
+	8,
+	16
+];
+/** The moment that is shown, UTC seconds; 0: none yet. */
+var moment = y$1(0);
+var playing = y$1(false);
+var pace = y$1(1);
+/** From when to when something was recorded; null: that is not known yet, or nothing was. */
+var kept$1 = y$1(null);
+/** The recording of the moment is being fetched. */
+var loading = y$1(false);
+var error = y$1(null);
+var trails = new Trails();
+/** Pieces are fetched so far ahead: seconds of the viewer's time. */
+var AHEAD = 12;
+/** So much is fetched at once, seconds of the viewer's time. */
+var PORTION = 10;
+/** What the lists and panels show follows so often, ms. */
+var SHOWN$1 = 100;
+/** Nobody looks at a page that was not painted for longer, ms. */
+var LONGEST = 250;
+/** Whether more was recorded is asked so often, ms. */
+var AGAIN = 5e3;
+/** Who opens the room without naming a moment sees what was so long ago, s. */
+var AT_FIRST = 60;
+var reel = new Reel();
+var screen = {
+	whole: showWhole,
+	change: showChange
+};
+var round = 0;
+var fetching = false;
+var wanted = null;
+var frame = 0;
+var last = 0;
+var flushed = 0;
+var timer = 0;
+var iso$1 = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
+/** Ask from when to when there is something. */
+async function look() {
+	try {
+		const span = await get("/history/span");
+		const found = span.from && span.to ? {
+			from: Date.parse(span.from) / 1e3,
+			to: Date.parse(span.to) / 1e3,
+			incident: span.incident
+		} : null;
+		if (JSON.stringify(found) !== JSON.stringify(kept$1.value)) kept$1.value = found;
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+/** Fetch pieces from a moment on, or those after the last one. */
+async function fetchOn(from, to, mine) {
+	const query = new URLSearchParams({
+		from: iso$1(from),
+		to: iso$1(Math.max(to, from + .001))
+	});
+	if (reel.last !== null) query.set("after", String(reel.last));
+	const body = await bytes(`/history/pieces?${query}`);
+	if (mine !== round) return;
+	for await (const piece of piecesOf(body)) {
+		if (mine !== round) return;
+		if (piece.state) trails.whole(piece.begin, piece.state);
+		for (const change of piece.changes ?? []) trails.change(change);
+		reel.add(piece);
+	}
+	if (!headOf(body).head.more) reel.until = Math.max(reel.until, to);
+	trails.trim(reel.trim());
+}
+/** Fetch what will be shown soon, if it is not here. */
+async function feed() {
+	const span = kept$1.value;
+	if (fetching || !span || wanted !== null || reel.last === null) return;
+	const need = Math.min(moment.value + AHEAD * pace.value, span.to);
+	if (reel.until >= need) return;
+	fetching = true;
+	try {
+		await fetchOn(reel.until, Math.min(Math.max(need, reel.until + PORTION * pace.value), span.to), round);
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+		pause();
+	} finally {
+		fetching = false;
+	}
+}
+/** Show a moment. While it is being fetched another may be asked for: then that one is shown next. */
+async function seek(at) {
+	const span = kept$1.value;
+	if (!span) return;
+	const goal = Math.min(Math.max(at, span.from), span.to);
+	moment.value = goal;
+	if (reel.holds(goal) && wanted === null) {
+		reel.seek(goal, screen);
+		shown();
+		settle();
+		feed();
+		return;
+	}
+	const busy = wanted !== null;
+	wanted = goal;
+	if (!busy) await load$1();
+}
+async function load$1() {
+	loading.value = true;
+	try {
+		for (let at = wanted; at !== null; at = wanted === at ? null : wanted) {
+			const mine = ++round;
+			reel.clear();
+			trails.clear();
+			const end = Math.min(at + PORTION * pace.value, kept$1.value?.to ?? at);
+			for (let first = true; first || reel.last !== null && reel.until < at; first = false) await fetchOn(at, end, mine);
+			if (mine !== round) return;
+			if (reel.begin > at) moment.value = Math.min(reel.begin, kept$1.value?.to ?? reel.begin);
+			reel.seek(moment.value, screen);
+			shown();
+		}
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+		playing.value = false;
+	} finally {
+		wanted = null;
+		loading.value = false;
+		settle();
+	}
+}
+/** Where it stands still, the address names the moment. */
+function settle() {
+	if (!playing.value && room$1.value === "playback" && moment.value > 0) momentShown.value = iso$1(moment.value);
+}
+function pause() {
+	playing.value = false;
+	cancelAnimationFrame(frame);
+	if (reel.last !== null) {
+		reel.forward(moment.value, screen);
+		shown();
+	}
+	settle();
+}
+function play() {
+	const span = kept$1.value;
+	if (!span || playing.value) return;
+	if (moment.value >= span.to) seek(span.from);
+	playing.value = true;
+	last = performance.now();
+	frame = requestAnimationFrame(turn);
+}
+function turn(now) {
+	if (!playing.value) return;
+	frame = requestAnimationFrame(turn);
+	const took = Math.min(now - last, LONGEST) / 1e3;
+	last = now;
+	feed();
+	if (loading.value || reel.last === null) return;
+	const end = kept$1.value?.to ?? 0;
+	const next = moment.value + took * pace.value;
+	moment.value = Math.min(next, reel.until, end);
+	if (now - flushed >= SHOWN$1) {
+		flushed = now;
+		reel.forward(moment.value, screen);
+		shown();
+	}
+	if (moment.value >= end) pause();
+}
+async function enter() {
+	lookBack();
+	const mine = ++round;
+	await look();
+	if (mine !== round || room$1.value !== "playback") return;
+	window.clearInterval(timer);
+	if (!kept$1.value?.incident) timer = window.setInterval(() => void look(), AGAIN);
+	if (!kept$1.value) return;
+	const asked = momentAsked.value === null ? NaN : Date.parse(momentAsked.value) / 1e3;
+	const first = kept$1.value.incident ? kept$1.value.from : kept$1.value.to - AT_FIRST;
+	await seek(Number.isNaN(asked) ? first : asked);
+}
+function leave() {
+	round++;
+	window.clearInterval(timer);
+	cancelAnimationFrame(frame);
+	playing.value = false;
+	wanted = null;
+	moment.value = 0;
+	momentShown.value = momentAsked.value = null;
+	reel.clear();
+	trails.clear();
+	backToNow();
+}
+/** Follow the room: whoever opens playback sees the past, whoever leaves it the present. A recorded incident has nothing else. */
+function begin$1() {
+	forbidWhile(() => inPast.value ? t("past_no_commands") : "");
+	let inside = false;
+	x(() => {
+		const now = room$1.value === "playback";
+		if (now === inside) return;
+		inside = now;
+		queueMicrotask(() => now ? void enter() : leave());
+	});
+	x(() => {
+		if (recording.value) room$1.value = "playback";
+	});
+	momentAsked.subscribe((asked) => {
+		if (asked !== null && inside && kept$1.value && asked !== momentShown.peek()) seek(Date.parse(asked) / 1e3);
+	});
+}
+// src/parts/Jobs.tsx
+/** Jobs, newest first: what each does, or why it waits. */
+var SHOWN = 100;
+var CANCELLABLE = /* @__PURE__ */ new Set(["queued", "waiting"]);
+var ABORTABLE = /* @__PURE__ */ new Set(["transferring", "paused"]);
+function Jobs() {
+	const which = useSignal("all");
+	const error = useSignal(null);
+	tick.value;
+	const all = jobList.value;
+	const open = all.filter((job) => !ENDED.has(job.state));
+	const list = which.value === "open" ? open : which.value === "ended" ? all.filter((job) => ENDED.has(job.state)) : all;
+	const ask = (job, what) => {
+		error.value = null;
+		post(`/jobs/${encodeURIComponent(job.id)}/${what}`).catch((failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "card jobs",
+		children: [
+			/* @__PURE__ */ a("h2", { children: [t("jobs"), /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: [
+					"all",
+					"open",
+					"ended"
+				].map((tab) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": which.value === tab,
+					onClick: () => which.value = tab,
+					children: [t(tab), tab === "open" && ` ${open.length}`]
+				}, tab))
+			})] }),
+			/* @__PURE__ */ a(Problem, { error: error.value }),
+			/* @__PURE__ */ a("ul", {
+				class: "scroll",
+				children: [list.length === 0 && /* @__PURE__ */ a("li", {
+					class: "nothing",
+					children: t("no_jobs")
+				}), list.slice(0, SHOWN).map((job) => /* @__PURE__ */ a(Row, {
+					job,
+					ask
+				}, job.id))]
+			})
+		]
+	});
+}
+function Row({ job, ask }) {
+	const over = ENDED.has(job.state);
+	const why = over ? job.result || job.reason : job.reason || leg(job);
+	return /* @__PURE__ */ a("li", {
+		class: over ? "job over" : "job",
+		"data-job": job.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `state ${TONES$2[job.state] ?? "calm"}`,
+				children: said(job.state)
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						title: t("job_details"),
+						onClick: () => selected.value = {
+							kind: "job",
+							id: job.id
+						},
+						children: job.id
+					}),
+					job.priority !== 50 && /* @__PURE__ */ a("span", {
+						title: t("priority"),
+						children: ["P", job.priority]
+					}),
+					job.carrier && /* @__PURE__ */ a("span", { children: job.carrier }),
+					job.vehicle && /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "vehicle",
+							id: job.vehicle
+						},
+						children: job.vehicle
+					})
+				]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "age",
+				children: elapsed(job, inPast.value ? moment.value * 1e3 : serverNow())
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "route",
+				children: [
+					/* @__PURE__ */ a(Place$1, { id: job.source }),
+					/* @__PURE__ */ a("i", { children: "→" }),
+					/* @__PURE__ */ a(Place$1, { id: job.destination })
+				]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "act",
+				children: [!inPast.value && CANCELLABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+					needs: "POST /jobs/{job}/cancel",
+					label: t("cancel"),
+					does: () => ask(job, "cancel")
+				}), !inPast.value && ABORTABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+					needs: "POST /jobs/{job}/abort",
+					label: t("abort"),
+					does: () => ask(job, "abort")
+				})]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "reason",
+				title: tell(why),
+				children: tell(why)
+			})
+		]
+	});
+}
+function leg(job) {
+	const waiting = job.vehicle ? vehicles.get(job.vehicle)?.waiting : "";
+	if (waiting) return waiting;
+	if (job.leg === "to_source") return `${job.vehicle} → ${job.source}`;
+	if (job.leg === "to_destination") return `${job.vehicle} → ${job.destination}`;
+	return job.leg === "none" ? "" : `${job.vehicle}: ${said(job.leg)}`;
+}
+function Place$1({ id }) {
+	const kind = vehicles.has(id) ? "vehicle" : "station";
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "text",
+		onClick: () => selected.value = {
+			kind,
+			id
+		},
+		children: id
+	});
+}
+// src/parts/LogIn.tsx
+/** Asks who is there: name and password, or a machine's key. What stands on the page behind it stays as it was. */
+function LogIn() {
+	const byKey = useSignal(false);
+	const name = useSignal(me.value?.person ? me.value.name ?? "" : "");
+	const secret = useSignal("");
+	const box = T(null);
+	const asking = useAsking();
+	const again = me.value !== null && !me.value.open;
+	A$1(() => box.current?.showModal(), []);
+	const enter = async (event) => {
+		event.preventDefault();
+		const given = secret.value;
+		if (!await asking.ask(() => byKey.value ? useKey(given.trim()) : logIn(name.value.trim(), given), "")) secret.value = "";
+	};
+	const other = () => {
+		byKey.value = !byKey.value;
+		secret.value = "";
+		asking.error.value = null;
+	};
+	return /* @__PURE__ */ a("dialog", {
+		ref: box,
+		"aria-label": t("log_in"),
+		onCancel: (event) => event.preventDefault(),
+		children: /* @__PURE__ */ a("form", {
+			onSubmit: (event) => void enter(event),
+			children: [
+				/* @__PURE__ */ a("h2", { children: t(again ? "log_in_again" : byKey.value ? "key_title" : "log_in_title") }),
+				again && /* @__PURE__ */ a("p", { children: t("nothing_lost") }),
+				!byKey.value && /* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("name") }), /* @__PURE__ */ a("input", {
+					name: "name",
+					required: true,
+					maxLength: 64,
+					autocomplete: "username",
+					value: name.value,
+					onInput: (event) => name.value = event.currentTarget.value
+				})] }),
+				/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t(byKey.value ? "key_label" : "password") }), /* @__PURE__ */ a("input", {
+					name: byKey.value ? "key" : "password",
+					type: "password",
+					required: true,
+					autocomplete: byKey.value ? "off" : "current-password",
+					value: secret.value,
+					onInput: (event) => secret.value = event.currentTarget.value
+				})] }, String(byKey.value)),
+				byKey.value && /* @__PURE__ */ a("p", { children: t("key_hint") }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("button", {
+						type: "submit",
+						class: "primary",
+						disabled: asking.busy.value,
+						children: t(byKey.value ? "key_use" : "log_in")
+					}), /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: other,
+						children: t(byKey.value ? "use_password" : "use_a_key")
+					})]
+				})
+			]
+		})
+	});
+}
+// src/parts/Vehicles.tsx
+/** All vehicles in a table: what each does, and why one waits. */
+var GROUPS = [
+	"all",
+	"alarm",
+	"held",
+	"waiting",
+	"moving",
+	"handling",
+	"charging",
+	"idle",
+	"gone"
+];
+/** Idle at a parking place is said so: else one would look for why it does not move. */
+function doing(vehicle) {
+	return vehicle.parked && vehicle.activity === "idle" ? t("idle_parked") : said(vehicle.activity);
+}
+function Vehicles() {
+	const letters = useSignal("");
+	const group = useSignal("all");
+	const wanted = letters.value.trim().toLowerCase();
+	const rows = vehicleList.value.filter((vehicle) => (group.value === "all" || lookOf(vehicle) === group.value) && [
+		vehicle.id,
+		vehicle.job,
+		vehicle.carrier,
+		vehicle.goal,
+		vehicle.barcode
+	].some((name) => name?.toLowerCase().includes(wanted) ?? !wanted));
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("vehicles"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: [
+					t("vehicles"),
+					" ",
+					rows.length
+				] }),
+				/* @__PURE__ */ a("select", {
+					"aria-label": t("activity"),
+					value: group.value,
+					onChange: (event) => group.value = event.currentTarget.value,
+					children: GROUPS.map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "all" ? t("all") : t(`look_${name}`)
+					}, name))
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("vehicles"),
+			rows,
+			keyOf: (vehicle) => vehicle.id,
+			pick: ({ id }) => selected.value = {
+				kind: "vehicle",
+				id
+			},
+			chosen: selected.value?.kind === "vehicle" ? selected.value.id : null,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("vehicle"),
+					by: ({ id }) => id,
+					of: (vehicle) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "vehicle",
+							id: vehicle.id
+						},
+						children: [
+							/* @__PURE__ */ a("i", {
+								class: "dot",
+								style: { background: LOOKS[lookOf(vehicle)] }
+							}),
+							" ",
+							vehicle.id
+						]
+					})
+				},
+				{
+					name: t("activity"),
+					by: doing,
+					of: (vehicle) => /* @__PURE__ */ a("span", {
+						style: { color: LOOKS[lookOf(vehicle)] },
+						children: doing(vehicle)
+					})
+				},
+				{
+					name: t("place"),
+					by: ({ barcode }) => barcode,
+					of: ({ barcode }) => barcode ?? t("unknown")
+				},
+				{
+					name: t("carrier"),
+					by: ({ carrier, loaded }) => carrier ?? (loaded ? "~" : null),
+					of: ({ carrier, loaded }) => loaded ? carrier ?? t("loaded") : ""
+				},
+				{
+					name: t("job"),
+					by: ({ job }) => job,
+					of: ({ job }) => /* @__PURE__ */ a(Name, { id: job })
+				},
+				{
+					name: t("goal"),
+					by: ({ goal }) => goal,
+					of: ({ goal }) => /* @__PURE__ */ a(Name, { id: goal })
+				},
+				{
+					name: t("why"),
+					of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting)
+				}
+			]
+		})]
+	});
+}
+// src/parts/PastPanels.tsx
+/** What was recorded of the chosen thing at the moment that is shown: to be read, nothing can be done about it any more. */
+function PastPanel({ pick }) {
+	switch (pick.kind) {
+		case "vehicle": return /* @__PURE__ */ a(PastVehicle, { id: pick.id });
+		case "station": return /* @__PURE__ */ a(PastStation, { id: pick.id });
+		case "job": return /* @__PURE__ */ a(PastJob, { id: pick.id });
+		case "device": return /* @__PURE__ */ a(PastDevice, { id: pick.id });
+		default: return driveNow(pick.id) ? null : /* @__PURE__ */ a(Unknown, { id: pick.id });
+	}
+}
+function Unknown({ id }) {
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t("unknown"),
+		colour: "var(--dim)",
+		children: /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("not_then")
+		})
+	});
+}
+var upper$1 = (word) => word?.toUpperCase() ?? "–";
+function PastVehicle({ id }) {
+	const then = vehicleNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const load = then.loaded === null ? t("unknown") : then.loaded ? then.carrier ?? t("loaded") : t("empty");
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: doing(then),
+		colour: LOOKS[lookOf(then)],
+		children: [then.waiting && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(then.waiting)
+			]
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("state"),
+				children: [
+					said(then.state),
+					" · ",
+					said(then.service)
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("mode"),
+				children: [
+					upper$1(then.mode),
+					" · ",
+					upper$1(then.oper),
+					then.code ? ` · 0x${then.code.toString(16).toUpperCase().padStart(4, "0")}` : ""
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: load
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("place"),
+				children: then.barcode ?? t("unknown")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("job"),
+				children: then.job ? /* @__PURE__ */ a(Name, { id: then.job }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("goal"),
+				children: then.goal ? /* @__PURE__ */ a(Name, { id: then.goal }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("granted"),
+				children: then.granted.length > 0 ? then.granted.join(" ") : t("none")
+			})
+		] })]
+	});
+}
+function PastStation({ id }) {
+	const then = stationNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const occupied = then.present === null ? t("unknown") : then.present ? t("yes") : t("no");
+	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: said(then.kind),
+		colour: then.present ? "var(--ink-carrier)" : "var(--ink-mark)",
+		children: /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("present"),
+				children: [
+					occupied,
+					" ",
+					/* @__PURE__ */ a("small", { children: [
+						"(",
+						then.verified ? t("verified") : t("believed"),
+						")"
+					] })
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: then.carrier ?? t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("reserved"),
+				children: then.reserved || t("no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("out_of_service"),
+				children: then.out_of_service || t("no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("barcode"),
+				children: then.barcode
+			}),
+			buffer && /* @__PURE__ */ a(Fact, {
+				name: t("buffer"),
+				children: t(`device_${lookAt(buffer)}`)
+			})
+		] })
+	});
+}
+var COLOURS = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+function PastJob({ id }) {
+	const then = jobList.value.find((job) => job.id === id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: said(then.state),
+		colour: COLOURS[TONES$2[then.state] ?? "calm"],
+		children: [then.reason && !ENDED.has(then.state) && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(then.reason)
+			]
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("source"),
+				children: /* @__PURE__ */ a(Name, { id: then.source })
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("destination"),
+				children: /* @__PURE__ */ a(Name, { id: then.destination })
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: then.carrier ?? t("unknown")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("vehicle"),
+				children: then.vehicle ? /* @__PURE__ */ a(Name, { id: then.vehicle }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("priority"),
+				children: then.priority
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("ordered_by"),
+				children: [
+					then.actor,
+					" ",
+					/* @__PURE__ */ a("small", { children: ["· ", clock(then.created)] })
+				]
+			})
+		] })]
+	});
+}
+function PastDevice({ id }) {
+	const then = deviceNow(id);
+	const look = lookAt(id);
+	const charger = layout.value?.chargers.some((one) => one.id === id);
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t(`device_${look}`),
+		colour: colourOfDevice(then, look),
+		children: [(then?.alarm || then?.reason) && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: tell(then.alarm || then.reason)
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("kind"),
+				children: t(charger ? "charger" : "door")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("vehicles"),
+				children: then?.vehicles.join(", ") || t("none")
+			}),
+			then?.out_of_service && /* @__PURE__ */ a(Fact, {
+				name: t("out_of_service"),
+				children: then.out_of_service
+			})
+		] })]
+	});
+}
+// src/past/marks.ts
+/** What to look for in the past: the stretch of time that is drawn, the events of note in it, and the next one. */
+var STRETCHES = {
+	minutes: 600,
+	hour: 3600,
+	shift: 28800,
+	day: 86400,
+	all: Number.POSITIVE_INFINITY
+};
+var stretch = y$1("hour");
+/** What the scrubber reaches over, UTC seconds. */
+var reach = y$1({
+	from: 0,
+	to: 1
+});
+var marks = y$1([]);
+/** The event that was stepped to last. */
+var stepped = y$1(null);
+/** Shown so long after an event: what it changed is published with it, not before. */
+var AFTER = .05;
+var MOST$1 = 1e3;
+var iso = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
+var asked$1 = "";
+/** Read the events of note in what the scrubber reaches over. */
+async function readMarks() {
+	const { from, to } = reach.value;
+	const query = new URLSearchParams({
+		from: iso(from),
+		to: iso(to + 1),
+		of_note: "true",
+		newest: "true",
+		limit: String(MOST$1)
+	});
+	asked$1 = String(query);
+	try {
+		const { items } = await get(`/history/events?${query}`);
+		if (asked$1 === String(query)) marks.value = items;
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+/** Go to the next (1) or the one before (-1): of what is chosen, any event; else those of note. */
+async function step(way) {
+	const span = kept$1.value;
+	if (!span) return;
+	pause();
+	const at = moment.value;
+	const [from, to] = way > 0 ? [at + .001, span.to + 1] : [span.from, at - AFTER - .001];
+	if (from >= to) return;
+	const pick = selected.value;
+	const query = new URLSearchParams({
+		from: iso(from),
+		to: iso(to),
+		limit: "1",
+		newest: String(way < 0)
+	});
+	if (pick?.kind === "vehicle" || pick?.kind === "job") query.set(pick.kind, pick.id);
+	else query.set("of_note", "true");
+	try {
+		const { items } = await get(`/history/events?${query}`);
+		stepped.value = items[0] ?? null;
+		if (items[0]) await goTo(items[0]);
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+async function goTo(event) {
+	pause();
+	stepped.value = event;
+	await seek(Date.parse(event.ts) / 1e3 + AFTER);
+}
+// src/past/reach.ts
+var KINDS = [
+	[/^(AlarmSet|VehicleBrokenDown|DriveErrorSet|DriveOffline|.*Abort.*|.*Failed)$/, "alarm"],
+	[/^(AlarmCleared|VehicleMended|DriveErrorCleared|VehicleReleased|EmergencyReleased|ControllerAuto|ZoneResumed|VehicleInstalled)$/, "over"],
+	[/^Place/, "closure"],
+	[/^(Emergency|Controller|Zone|VehicleHeld|VehicleRemoved)/, "halt"]
+];
+function kindOf(event) {
+	return KINDS.find(([pattern]) => pattern.test(event))?.[1] ?? "other";
+}
+/** What the scrubber should reach over to show a moment: what it does now, if that is in it. Pure. */
+function reachOf(at, span, length, now) {
+	const whole = Math.max(span.to - span.from, 1);
+	if (length >= whole) return {
+		from: span.from,
+		to: span.from + whole
+	};
+	if (Math.abs(now.to - now.from - length) < 1 && now.from <= at && at <= now.to && now.from >= span.from - 1) return now;
+	const from = Math.min(Math.max(at - length / 2, span.from), span.to - length);
+	return {
+		from,
+		to: from + length
+	};
+}
+// src/parts/Scrubber.tsx
+/** Moves through the time that was recorded: play, steps from event to event, a moment by its time, and an incident as a file. */
+function Scrubber() {
+	A$1(() => follow(), []);
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: [
+				/* @__PURE__ */ a(Buttons, {}),
+				/* @__PURE__ */ a("span", { class: "grow" }),
+				/* @__PURE__ */ a(Jump, {}),
+				/* @__PURE__ */ a(CopyLink, {})
+			]
+		}),
+		/* @__PURE__ */ a(Line$1, {}),
+		/* @__PURE__ */ a(Export, {})
+	] });
+}
+/** Keep the moment within what is drawn, and the marks up to date. */
+function follow() {
+	const stops = [x(() => {
+		const span = kept$1.value;
+		if (!span || moment.value === 0) return;
+		const next = reachOf(moment.value, span, STRETCHES[stretch.value], reach.peek());
+		const { from, to } = reach.peek();
+		if (next.from !== from || next.to !== to) reach.value = next;
+	}), x(() => {
+		if (reach.value.from > 0) readMarks();
+	})];
+	const key = (event) => {
+		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input:not([type=range]), select, textarea")) return;
+		const does = {
+			",": () => void step(-1),
+			".": () => void step(1),
+			k: toggle
+		};
+		if (event.key === " " && !event.target.closest("button, a, summary")) does[" "] = toggle;
+		if (!does[event.key]) return;
+		event.preventDefault();
+		does[event.key]?.();
+	};
+	document.addEventListener("keydown", key);
+	return () => {
+		for (const stop of stops) stop();
+		document.removeEventListener("keydown", key);
+	};
+}
+var toggle = () => playing.value ? pause() : play();
+function Buttons() {
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			title: `${t("event_before")} (,)`,
+			"aria-label": t("event_before"),
+			onClick: () => void step(-1),
+			children: "|◀"
+		}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			class: "primary play",
+			title: `${t(playing.value ? "stop_playing" : "play")} (k)`,
+			"aria-label": t(playing.value ? "stop_playing" : "play"),
+			onClick: toggle,
+			children: playing.value ? "❚❚" : "▶"
+		}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			title: `${t("event_next")} (.)`,
+			"aria-label": t("event_next"),
+			onClick: () => void step(1),
+			children: "▶|"
+		}),
+		/* @__PURE__ */ a("span", {
+			class: "tabs",
+			role: "group",
+			"aria-label": t("pace"),
+			children: PACES.map((times) => /* @__PURE__ */ a("button", {
+				type: "button",
+				"aria-pressed": pace.value === times,
+				onClick: () => pace.value = times,
+				children: ["×", times]
+			}, times))
+		}),
+		/* @__PURE__ */ a("select", {
+			"aria-label": t("stretch"),
+			class: "narrow",
+			value: stretch.value,
+			onChange: (event) => stretch.value = event.currentTarget.value,
+			children: Object.keys(STRETCHES).map((name) => /* @__PURE__ */ a("option", {
+				value: name,
+				children: t(`stretch_${name}`)
+			}, name))
+		})
+	] });
+}
+/** The moment as a field for day and time has it. */
+function local(seconds) {
+	return dated(seconds).replace(" ", "T");
+}
+function Jump() {
+	const span = kept$1.value;
+	return /* @__PURE__ */ a("label", {
+		class: "jump",
+		children: [/* @__PURE__ */ a("span", { children: t("moment") }), /* @__PURE__ */ a("input", {
+			type: "datetime-local",
+			step: "1",
+			min: span ? local(span.from) : void 0,
+			max: span ? local(span.to) : void 0,
+			value: moment.value ? local(Math.floor(moment.value)) : "",
+			onChange: (event) => {
+				const at = Date.parse(event.currentTarget.value) / 1e3;
+				if (!Number.isNaN(at)) seek(at);
+			}
+		})]
+	});
+}
+function CopyLink() {
+	const done = useSignal(false);
+	const copy = async () => {
+		pause();
+		await navigator.clipboard?.writeText(location.href).catch(() => void 0);
+		done.value = true;
+		window.setTimeout(() => done.value = false, 2e3);
+	};
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		title: t("link_hint"),
+		onClick: () => void copy(),
+		children: t(done.value ? "link_copied" : "link_copy")
+	});
+}
+var cut = {
+	from: 0,
+	to: 0
+};
+function Line$1() {
+	const { from, to } = reach.value;
+	const share = (at) => `${100 * (at - from) / (to - from)}%`;
+	return /* @__PURE__ */ a("div", {
+		class: "scrubber",
+		children: [
+			/* @__PURE__ */ a(Marks, {}),
+			/* @__PURE__ */ a("input", {
+				type: "range",
+				min: Math.floor(from),
+				max: Math.ceil(to),
+				step: "1",
+				value: moment.value,
+				"aria-label": t("moment"),
+				"aria-valuetext": dated(moment.value),
+				onInput: (event) => void seek(Number(event.currentTarget.value))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "ends",
+				"aria-hidden": "true",
+				children: [
+					/* @__PURE__ */ a("span", { children: dated(from) }),
+					/* @__PURE__ */ a("span", {
+						class: "here",
+						style: { left: share(moment.value) },
+						children: clock(iso(moment.value))
+					}),
+					/* @__PURE__ */ a("span", { children: dated(to) })
+				]
+			})
+		]
+	});
+}
+/** Where something happened, by form and colour; the list beside the map says the same in words. */
+function Marks() {
+	const { from, to } = reach.value;
+	return /* @__PURE__ */ a("div", {
+		class: "marks",
+		"aria-hidden": "true",
+		children: marks.value.map((event) => {
+			const at = (Date.parse(event.ts) / 1e3 - from) / (to - from);
+			const title = `${clock(event.ts)} ${happening(event.event)} ${event.vehicle ?? event.source ?? ""}`;
+			return /* @__PURE__ */ a("i", {
+				class: `mark ${kindOf(event.event)}`,
+				style: { left: `${100 * at}%` },
+				title,
+				onClick: () => void goTo(event)
+			}, event.seq);
+		})
+	});
+}
+/** From when to when, and the file that `hoistway replay` opens. */
+function Export() {
+	const from = useSignal(cut.from);
+	const to = useSignal(cut.to);
+	const asking = useAsking();
+	const span = kept$1.value;
+	if (recording.value || !span) return null;
+	const begin = from.value || Math.max(span.from, moment.value - 300);
+	const end = to.value || Math.min(span.to, moment.value + 300);
+	const field = (label, value, set) => /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("label", {
+		class: "jump",
+		children: [/* @__PURE__ */ a("span", { children: t(label) }), /* @__PURE__ */ a("input", {
+			type: "datetime-local",
+			step: "1",
+			value: local(Math.floor(value)),
+			onChange: (event) => set(Date.parse(event.currentTarget.value) / 1e3 || 0)
+		})]
+	}), /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "plain",
+		title: t("take_moment"),
+		"aria-label": `${t(label)} ${t("here")}`,
+		onClick: () => set(moment.value),
+		children: t("here")
+	})] });
+	const save = () => {
+		const query = new URLSearchParams({
+			from: iso(begin),
+			to: iso(end)
+		});
+		const name = `incident-${iso(begin).slice(0, 19).replaceAll(":", "")}Z.hoistway.gz`;
+		asking.ask(() => download(`/history/export?${query}`, name), t("saved_as", name));
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "acts-row export",
+		role: "group",
+		"aria-label": t("incident"),
+		children: [
+			/* @__PURE__ */ a("b", { children: t("incident") }),
+			field("from_moment", begin, (at) => from.value = cut.from = at),
+			field("to_moment", end, (at) => to.value = cut.to = at),
+			/* @__PURE__ */ a(Button, {
+				needs: "GET /history/export",
+				disabled: end <= begin || asking.busy.value,
+				onClick: save,
+				children: [t("incident_save"), " ⤓"]
+			}),
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: t("incident_hint")
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/layers.ts
+/** What lies over the track on the map, and what of it is shown. */
+var LAYERS = [
+	"grants",
+	"zones",
+	"closures",
+	"holds"
+];
+var KEPT = "hoistway.layers";
+function kept() {
+	const all = Object.fromEntries(LAYERS.map((layer) => [layer, true]));
+	try {
+		const found = JSON.parse(localStorage.getItem(KEPT) ?? "{}");
+		for (const layer of LAYERS) if (typeof found[layer] === "boolean") all[layer] = found[layer];
+	} catch {}
+	return all;
+}
+var layers = y$1(kept());
+/** Which heat is shown over the track; none at first. */
+var heatShown = y$1(null);
+/** Whether the chosen vehicle is kept in the middle of the map. */
+var following = y$1(false);
+function show(layer, on) {
+	layers.value = {
+		...layers.value,
+		[layer]: on
+	};
+	localStorage.setItem(KEPT, JSON.stringify(layers.value));
+}
+// src/gestures.ts
+/** How people move the map and choose on it: pointer, wheel and keys. */
+/** Listens on the map; `show` is told what lies under the pointer, and where that is. Returns how to stop. */
+function listenTo(touched, paint, show) {
+	const ends = new AbortController();
+	const { signal } = ends;
+	let from = null;
+	touched.addEventListener("wheel", (event) => {
+		event.preventDefault();
+		paint.view.zoom(Math.exp(-event.deltaY * .0015), event.offsetX, event.offsetY);
+		paint.move();
+	}, {
+		passive: false,
+		signal
+	});
+	touched.addEventListener("pointerdown", (event) => {
+		from = {
+			x: event.offsetX,
+			y: event.offsetY,
+			moved: false
+		};
+		touched.setPointerCapture(event.pointerId);
+	}, { signal });
+	touched.addEventListener("pointermove", (event) => {
+		const [x, y] = [event.offsetX, event.offsetY];
+		if (from) {
+			if (!from.moved && Math.hypot(x - from.x, y - from.y) < 4) return;
+			paint.view.pan(x - from.x, y - from.y);
+			from = {
+				x,
+				y,
+				moved: true
+			};
+			show(null, 0, 0);
+			following.value = false;
+			paint.move();
+			return;
+		}
+		paint.hovered = paint.at(x, y);
+		touched.style.cursor = paint.hovered ? "pointer" : "grab";
+		show(paint.hovered, Math.min(x + 14, paint.view.width - 250), Math.min(y + 14, paint.view.height - 90));
+		paint.wake();
+	}, { signal });
+	touched.addEventListener("pointerup", (event) => {
+		if (from && !from.moved) click(paint, event.offsetX, event.offsetY);
+		from = null;
+	}, { signal });
+	touched.addEventListener("pointerleave", () => {
+		paint.hovered = null;
+		show(null, 0, 0);
+		paint.wake();
+	}, { signal });
+	touched.addEventListener("keydown", (event) => void (keyed(event.key, paint) && event.preventDefault()), { signal });
+	return () => ends.abort();
+}
+/** Choose what is there; while track is being chosen, the barcode. */
+function click(paint, x, y) {
+	const barcode = choosing.value ? paint.barcodeAt(x, y) : null;
+	if (barcode !== null) choosing.value?.(barcode);
+	else selected.value = paint.at(x, y);
+}
+function keyed(key, paint) {
+	const { view } = paint;
+	const step = 60;
+	const move = {
+		ArrowLeft: () => view.pan(step, 0),
+		ArrowRight: () => view.pan(-60, 0),
+		ArrowUp: () => view.pan(0, step),
+		ArrowDown: () => view.pan(0, -60),
+		"+": () => view.zoom(1.25, view.width / 2, view.height / 2),
+		"-": () => view.zoom(.8, view.width / 2, view.height / 2),
+		"0": () => paint.fit(),
+		Escape: () => selected.value = null,
+		f: () => following.value = !following.value
+	}[key];
+	move?.();
+	if (move) paint.move();
+	return move !== void 0;
+}
+// src/doors.ts
+function doorMarks(layout, track) {
+	return layout.doors.flatMap((door) => {
+		return door.passages.flatMap(([a, b]) => track.way(a, b) ?? track.way(b, a) ?? []).map((way, i) => ({
+			id: door.id,
+			...track.along(way, way.edge.length / 2),
+			named: i === 0
+		}));
+	});
+}
+// src/heat.ts
+/** A longer gap between two reports is not counted as a wait, s. */
+var GAP = 5;
+var Heat = class {
+	/** Seconds waited, and vehicles that came, by barcode. */
+	counts = {
+		waiting: /* @__PURE__ */ new Map(),
+		traffic: /* @__PURE__ */ new Map()
+	};
+	last = /* @__PURE__ */ new Map();
+	clear() {
+		this.last.clear();
+		for (const counts of Object.values(this.counts)) counts.clear();
+	}
+	/** A vehicle's report at `now` (s). */
+	take(vehicle, now) {
+		const { barcode } = vehicle;
+		if (barcode === null) return;
+		const before = this.last.get(vehicle.id);
+		if (before?.waits) this.add("waiting", before.barcode, Math.min(now - before.at, GAP));
+		if (before && before.barcode !== barcode) this.add("traffic", barcode, 1);
+		const waits = vehicle.activity === "waiting";
+		if (!before) this.last.set(vehicle.id, {
+			barcode,
+			at: now,
+			waits
+		});
+		else Object.assign(before, {
+			barcode,
+			at: now,
+			waits
+		});
+	}
+	/** Each counted barcode with its share of the most (0 to 1), on a scale on which half of it is still seen. */
+	shares(kind) {
+		const counts = this.counts[kind];
+		let most = 0;
+		for (const count of counts.values()) most = Math.max(most, count);
+		return [...counts].map(([barcode, count]) => [barcode, Math.sqrt(count / most)]);
+	}
+	most(kind) {
+		let most = 0;
+		for (const count of this.counts[kind].values()) most = Math.max(most, count);
+		return most;
+	}
+	add(kind, barcode, count) {
+		this.counts[kind].set(barcode, (this.counts[kind].get(barcode) ?? 0) + count);
+	}
+};
+// src/paint/ink.ts
+var NAMES = [
+	"ground",
+	"rail",
+	"tape",
+	"core",
+	"arrow",
+	"zone",
+	"soft",
+	"mark",
+	"frame",
+	"text",
+	"faint",
+	"park",
+	"carrier",
+	"reserved",
+	"closed",
+	"picked",
+	"plate",
+	"plan"
+];
+/** The colours of the present theme, read from the style sheet by `dip`. */
+var INK = Object.fromEntries(NAMES.map((name) => [name, "#888"]));
+var LOOK_INK = { ...LOOKS };
+var DEVICE_INK = { ...DEVICE_LOOKS };
+/** From little to much; a scale that is also told apart without red and green. */
+var HEAT = [];
+var STEPS = 6;
+/** Take the colours of the theme that is worn now. */
+function dip() {
+	const style = getComputedStyle(document.documentElement);
+	const of = (name) => style.getPropertyValue(name).trim() || "#888888";
+	for (const name of NAMES) INK[name] = of(`--ink-${name}`);
+	for (const look of Object.keys(LOOK_INK)) LOOK_INK[look] = of(`--look-${look}`);
+	for (const look of Object.keys(DEVICE_INK)) DEVICE_INK[look] = of(`--device-${look}`);
+	HEAT.splice(0, HEAT.length, ...Array.from({ length: STEPS }, (_, i) => of(`--heat-${i + 1}`)));
+}
+var LETTERS = "\"Segoe UI\", Roboto, \"Noto Sans KR\", \"Malgun Gothic\", \"NanumGothic\", Arial, system-ui, sans-serif";
+function font(px, weight = 400) {
+	return `${weight} ${px}px ${LETTERS}`;
+}
+function text(ctx, words, x, y, colour, letters) {
+	ctx.font = letters;
+	ctx.textAlign = "center";
+	ctx.fillStyle = colour;
+	ctx.fillText(words, x, y);
+}
+var widths = /* @__PURE__ */ new Map();
+/** Width of words in px; measured once, since names do not change. */
+function widthOf(ctx, words, letters) {
+	const key = `${letters}${words}`;
+	const known = widths.get(key);
+	if (known !== void 0) return known;
+	if (widths.size > 2e4) widths.clear();
+	ctx.font = letters;
+	const { width } = ctx.measureText(words);
+	widths.set(key, width);
+	return width;
+}
+// src/paint/labels.ts
+/** Height of a line of letters above and below its base line, px. */
+var ABOVE = 10;
+var BELOW = 3;
+/** Boxes are looked up by the squares of this size that they lie in, px: hundreds of vehicles have names. */
+var CELL = 64;
+function boxOf$1(place, width) {
+	return {
+		x0: place.x - width / 2 - 2,
+		x1: place.x + width / 2 + 2,
+		y0: place.y - ABOVE,
+		y1: place.y + BELOW
+	};
+}
+var Labels = class {
+	cells = /* @__PURE__ */ new Map();
+	/** Keep a box free of names. */
+	block(box) {
+		for (const cell of cellsOf(box)) {
+			const boxes = this.cells.get(cell);
+			if (boxes) boxes.push(box);
+			else this.cells.set(cell, [box]);
+		}
+	}
+	free(box) {
+		const touches = (b) => b.x0 < box.x1 && b.x1 > box.x0 && b.y0 < box.y1 && b.y1 > box.y0;
+		return cellsOf(box).every((cell) => !this.cells.get(cell)?.some(touches));
+	}
+	/** Take the first place (middle of its base line) where a name of that width fits; returns which, -1: nowhere. */
+	take(places, width) {
+		const which = places.findIndex((place) => this.free(boxOf$1(place, width)));
+		const place = places[which];
+		if (place) this.block(boxOf$1(place, width));
+		return which;
+	}
+};
+function cellsOf({ x0, y0, x1, y1 }) {
+	const cells = [];
+	for (let x = Math.floor(x0 / CELL); x <= Math.floor(x1 / CELL); x++) for (let y = Math.floor(y0 / CELL); y <= Math.floor(y1 / CELL); y++) cells.push(`${x}/${y}`);
+	return cells;
+}
+// src/paint/doors.ts
+/** Drawing of doors: a bar across the track, whose form says what its colour says. */
+/** Half the width of a doorway, mm. */
+var WING = 750;
+var wingOf = (view) => Math.max(13, WING * view.scale);
+function paintDoors(ctx, view, scene, now, labels) {
+	for (const mark of scene.doors) {
+		const look = now.look(mark.id);
+		const [px, py] = [view.px(mark.x), view.py(mark.y)];
+		const wing = wingOf(view);
+		const [w, h] = [Math.abs(Math.sin(mark.angle)) * wing + 6, Math.abs(Math.cos(mark.angle)) * wing + 6];
+		labels.block({
+			x0: px - w,
+			y0: py - h,
+			x1: px + w,
+			y1: py + h
+		});
+		paintBar(ctx, px, py, mark.angle, wing, look);
+		if (now.picked?.id === mark.id) {
+			ctx.strokeStyle = INK.picked;
+			ctx.lineWidth = 2;
+			ctx.strokeRect(px - w - 2, py - h - 2, w * 2 + 4, h * 2 + 4);
+		}
+	}
+	if (view.scale < .012) return;
+	for (const mark of scene.doors.filter((one) => one.named)) paintName$1(ctx, view, mark, now, labels);
+}
+/**
+* Closed: a whole bar. Open: its halves drawn back to the posts. Busy: the halves on their way, dotted between. Unknown: an
+* empty bar. Not heard: a dashed one. Error: a whole bar crossed out.
+*/
+function paintBar(ctx, px, py, angle, wing, look) {
+	const thick = Math.max(4, wing * .22);
+	ctx.save();
+	ctx.translate(px, py);
+	ctx.rotate(angle);
+	ctx.lineCap = "butt";
+	ctx.strokeStyle = ctx.fillStyle = DEVICE_INK[look];
+	ctx.lineWidth = 1.6;
+	const bar = (from, to) => ctx.fillRect(-thick / 2, from, thick, to - from);
+	if (look === "open") {
+		bar(-wing, -wing * .62);
+		bar(wing * .62, wing);
+	} else if (look === "busy") {
+		bar(-wing, -wing * .35);
+		bar(wing * .35, wing);
+		ctx.setLineDash([2, 2]);
+		line(ctx, 0, -wing * .35, 0, wing * .35);
+	} else if (look === "closed" || look === "error") bar(-wing, wing);
+	else {
+		ctx.fillStyle = INK.ground;
+		bar(-wing, wing);
+		ctx.setLineDash(look === "silent" ? [3, 3] : []);
+		ctx.strokeRect(-thick / 2, -wing, thick, wing * 2);
+	}
+	ctx.setLineDash([]);
+	if (look === "error") {
+		const s = thick * 1.3;
+		ctx.strokeStyle = INK.picked;
+		line(ctx, -s, -s, s, s);
+		line(ctx, -s, s, s, -s);
+	}
+	ctx.fillStyle = INK.text;
+	for (const end of [-wing, wing]) ctx.fillRect(-thick / 2 - 2, end - 1.5, thick + 4, 3);
+	ctx.restore();
+}
+function line(ctx, x0, y0, x1, y1) {
+	ctx.beginPath();
+	ctx.moveTo(x0, y0);
+	ctx.lineTo(x1, y1);
+	ctx.stroke();
+}
+/** A door's name, with its sign, beside one of its posts. */
+function paintName$1(ctx, view, mark, now, labels) {
+	const look = now.look(mark.id);
+	const device = now.device(mark.id);
+	const words = `${mark.id} ${signOfDevice(device, look)}`.trim();
+	const letters = font(view.scale > .045 ? 12 : 10.5, 600);
+	const width = widthOf(ctx, words, letters);
+	const wing = wingOf(view);
+	const [px, py] = [view.px(mark.x), view.py(mark.y)];
+	const [w, h] = [Math.abs(Math.sin(mark.angle)) * wing, Math.abs(Math.cos(mark.angle)) * wing];
+	const across = [{
+		x: px + w + 11 + width / 2,
+		y: py + 4
+	}, {
+		x: px - w - 11 - width / 2,
+		y: py + 4
+	}];
+	const along = [{
+		x: px,
+		y: py - h - 11
+	}, {
+		x: px,
+		y: py + h + 20
+	}];
+	const places = w > h ? [...across, ...along] : [...along, ...across];
+	const place = places[labels.take(places, width)];
+	if (place) text(ctx, words, place.x, place.y, DEVICE_INK[device?.alarm ? "error" : look], letters);
+}
+// src/places.ts
+var OFFSET = {
+	port: 720,
+	agv_buffer: 1150,
+	charger: 1150
+};
+var SIDE = 640;
+var NEAR = 2200;
+/** Room beyond this makes no difference, mm. */
+var FURTHEST = 4e3;
+/** Stations with the same first part of the name, of one kind, next to each other, on one side of the track. */
+function clustersOf(layout, track) {
+	const groups = [];
+	const named = /* @__PURE__ */ new Map();
+	const sides = sidesOf(layout);
+	const chargers = layout.chargers.map(({ id, barcode }) => ({
+		id,
+		kind: "charger",
+		barcode
+	}));
+	for (const { id, kind, barcode } of [...layout.stations, ...chargers]) {
+		const spot = track.spot(barcode);
+		if (!spot) continue;
+		const cut = id.lastIndexOf("-");
+		const name = cut > 0 ? id.slice(0, cut) : id;
+		const near = (s) => s.kind === kind && Math.hypot(s.spot.x - spot.x, s.spot.y - spot.y) < NEAR;
+		const mates = named.get(name)?.find((group) => group.stands.some(near));
+		if (mates) mates.stands.push({
+			id,
+			kind,
+			barcode,
+			spot
+		});
+		else {
+			const group = {
+				name,
+				stands: [{
+					id,
+					kind,
+					barcode,
+					spot
+				}]
+			};
+			groups.push(group);
+			named.set(name, [...named.get(name) ?? [], group]);
+		}
+	}
+	return groups.map(({ name, stands }) => ({
+		name,
+		marks: beside(stands, sides, track)
+	}));
+}
+function sidesOf(layout) {
+	const of = (kind) => new Set(layout.stations.filter((station) => station.kind === kind).map((station) => station.barcode));
+	return {
+		sbfl: of("sbfl"),
+		sbfr: of("sbfr")
+	};
+}
+function beside(stands, sides, track) {
+	const left = onLeft(stands, sides, track);
+	return stands.map(({ id, kind, barcode, spot }) => {
+		const sign = left ? 1 : -1;
+		const [nx, ny] = [Math.sin(spot.angle) * sign, -Math.cos(spot.angle) * sign];
+		const offset = OFFSET[kind] ?? SIDE;
+		const short = id.includes("-") ? id.slice(id.lastIndexOf("-") + 1) : "";
+		return {
+			id,
+			kind,
+			barcode,
+			x: spot.x + nx * offset,
+			y: spot.y + ny * offset,
+			angle: spot.angle,
+			nx,
+			ny,
+			short
+		};
+	});
+}
+/** Side buffers have their side; everything else is drawn where there is more room. */
+function onLeft(stands, sides, track) {
+	const kind = stands[0]?.kind;
+	if (kind === "sbfl" || kind === "sbfr") return kind === "sbfl";
+	const taken = (side) => stands.some((stand) => sides[side].has(stand.barcode));
+	if (taken("sbfl") !== taken("sbfr")) return taken("sbfr");
+	const least = (sign) => Math.min(...stands.map(({ spot }) => room(track, spot, sign)));
+	return least(1) > least(-1) + 1;
+}
+/** How far the nearest other track is on that side (1 left, -1 right), mm; bounded. */
+function room(track, spot, sign) {
+	const [nx, ny] = [Math.sin(spot.angle) * sign, -Math.cos(spot.angle) * sign];
+	let least = FURTHEST;
+	for (const point of track.grid.around(spot.x, spot.y, 5500)) {
+		const [dx, dy] = [point.x - spot.x, point.y - spot.y];
+		const across = dx * nx + dy * ny;
+		const along = Math.abs(dx * ny - dy * nx);
+		if (across > 300 && across < least && along < 1500) least = across;
+	}
+	return least;
+}
+// src/paint/stations.ts
+/** Drawing of stations and chargers, with what is believed of them, and their names. */
+/** Below this scale a station is a dot, and only what is occupied or closed is told apart. */
+var DOTS = .011;
+/** Below this one their machines have no names. */
+var NAMED$1 = .012;
+function paintStations(ctx, view, scene, now, labels) {
+	const size = Math.max(7, 460 * view.scale);
+	if (view.scale < DOTS) {
+		paintDots$1(ctx, view, scene, now);
+		return;
+	}
+	const buffers = new Map(scene.layout.stations.map((station) => [station.id, station.buffer]));
+	const seen = scene.clusters.filter((cluster) => cluster.marks.some((mark) => near(view, mark)));
+	const frames = seen.map((cluster) => frameOf(view, cluster, size));
+	seen.forEach((cluster, i) => {
+		const frame = frames[i];
+		labels.block(frame);
+		paintFrame(ctx, frame, cluster);
+		for (const mark of cluster.marks) {
+			const buffer = buffers.get(mark.id);
+			if (mark.kind === "charger") paintCharger(ctx, view, mark, size, now);
+			else paintMark(ctx, view, mark, size, now.station(mark.id), buffer ? now.device(buffer) : void 0);
+			if (now.picked?.id === mark.id) paintPicked(ctx, view, mark, size);
+		}
+	});
+	if (view.scale < NAMED$1) return;
+	seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i], labels));
+}
+function near(view, { x, y }) {
+	return view.sees({
+		x0: x,
+		x1: x,
+		y0: y,
+		y1: y
+	}, 120);
+}
+/** A whole fab at once: one path for each kind of dot. */
+function paintDots$1(ctx, view, scene, now) {
+	const size = Math.max(1.6, 460 * view.scale * 1.1);
+	const kinds = [
+		[INK.mark, (station) => !station?.present && !station?.out_of_service],
+		[INK.carrier, (station) => station?.present === true && !station.out_of_service],
+		[INK.closed, (station) => Boolean(station?.out_of_service)]
+	];
+	for (const [colour, is] of kinds) {
+		ctx.fillStyle = colour;
+		ctx.beginPath();
+		for (const mark of scene.marks) if (near(view, mark) && is(now.station(mark.id))) ctx.rect(view.px(mark.x) - size / 2, view.py(mark.y) - size / 2, size, size);
+		ctx.fill();
+	}
+	const picked = scene.marks.find((mark) => mark.id === now.picked?.id);
+	if (picked) paintPicked(ctx, view, picked, 7);
+}
+function frameOf(view, cluster, size) {
+	const [xs, ys] = [cluster.marks.map((m) => view.px(m.x)), cluster.marks.map((m) => view.py(m.y))];
+	const pad = size * (cluster.marks[0]?.kind === "agv_buffer" || cluster.marks[0]?.kind === "charger" ? .75 : .5) + Math.max(3, size * .3);
+	return {
+		x0: Math.min(...xs) - pad,
+		y0: Math.min(...ys) - pad,
+		x1: Math.max(...xs) + pad,
+		y1: Math.max(...ys) + pad
+	};
+}
+function paintFrame(ctx, box, cluster) {
+	ctx.fillStyle = INK.frame;
+	ctx.beginPath();
+	const round = cluster.marks[0]?.kind === "sbfl" || cluster.marks[0]?.kind === "sbfr";
+	ctx.roundRect(box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0, round ? 12 : 3);
+	ctx.fill();
+}
+function paintPicked(ctx, view, mark, size) {
+	ctx.strokeStyle = INK.picked;
+	ctx.lineWidth = 2;
+	const half = size * (mark.kind === "agv_buffer" || mark.kind === "charger" ? .75 : .5) + 4;
+	ctx.strokeRect(view.px(mark.x) - half, view.py(mark.y) - half, half * 2, half * 2);
+}
+function paintMark(ctx, view, mark, size, station, buffer) {
+	const [px, py] = [view.px(mark.x), view.py(mark.y)];
+	ctx.save();
+	ctx.translate(px, py);
+	ctx.lineWidth = Math.max(1.2, size * .1);
+	ctx.strokeStyle = station?.out_of_service ? INK.closed : station?.reserved ? INK.reserved : INK.mark;
+	if (mark.kind === "agv_buffer") paintBay(ctx, mark, size, buffer);
+	else shape$1(ctx, mark.kind, size);
+	if (station?.present) paintLoad(ctx, mark.kind, size, station.verified);
+	else if (station?.present === null) text(ctx, "?", 0, size * .26, INK.faint, font(Math.round(size * .75), 700));
+	if (station?.out_of_service) strike(ctx, size);
+	ctx.restore();
+	if (buffer) paintTrouble(ctx, px, py, size, buffer, lookOfDevice(buffer));
+	if (view.scale > .055 && mark.short) {
+		const [lx, ly] = [px + mark.nx * size * .95, py + mark.ny * size * .95 + 3];
+		text(ctx, mark.short, lx, ly, INK.text, font(10));
+	}
+}
+function strike(ctx, size) {
+	ctx.beginPath();
+	ctx.moveTo(-size / 2, -size / 2);
+	ctx.lineTo(size / 2, size / 2);
+	ctx.stroke();
+}
+/** Ports are square; side buffers are round. */
+function shape$1(ctx, kind, size) {
+	ctx.beginPath();
+	if (kind === "port") ctx.roundRect(-size / 2, -size / 2, size, size, size * .16);
+	else ctx.arc(0, 0, size * .52, 0, 7);
+	ctx.fillStyle = INK.ground;
+	ctx.fill();
+	ctx.stroke();
+}
+/** An AGV's buffer is a bay, open towards the tape; dashed while its device is not heard. */
+function paintBay(ctx, mark, size, buffer) {
+	const half = size * .68;
+	ctx.fillStyle = INK.ground;
+	ctx.fillRect(-half, -half, half * 2, half * 2);
+	ctx.save();
+	ctx.rotate(Math.atan2(mark.ny, mark.nx) - Math.PI / 2);
+	ctx.setLineDash(buffer && lookOfDevice(buffer) === "silent" ? [size * .3, size * .22] : []);
+	ctx.lineCap = "butt";
+	ctx.lineWidth = Math.max(1.8, size * .16);
+	if (buffer?.lock) ctx.strokeStyle = INK.reserved;
+	ctx.beginPath();
+	ctx.moveTo(-half, -half);
+	ctx.lineTo(-half, half);
+	ctx.lineTo(half, half);
+	ctx.lineTo(half, -half);
+	ctx.stroke();
+	ctx.restore();
+}
+/** A FOUP is a square; a cart has wheels. */
+function paintLoad(ctx, kind, size, verified) {
+	ctx.fillStyle = INK.carrier;
+	ctx.globalAlpha = verified ? 1 : .92;
+	const s = size * (kind === "agv_buffer" ? .72 : .54);
+	if (kind !== "agv_buffer") ctx.fillRect(-s / 2, -s / 2, s, s);
+	else {
+		ctx.fillRect(-s / 2, -s / 2, s, s * .7);
+		ctx.beginPath();
+		for (const side of [-1, 1]) ctx.arc(side * s * .3, s * .36, s * .17, 0, 7);
+		ctx.fill();
+	}
+	ctx.globalAlpha = 1;
+}
+/** A buffer that does not answer or is in error says so by a sign at its corner. */
+function paintTrouble(ctx, px, py, size, device, look) {
+	const sign = signOfDevice(device, look);
+	if (!sign) return;
+	const [x, y] = [px + size * .75, py - size * .75];
+	ctx.fillStyle = DEVICE_INK[device?.alarm ? "error" : look];
+	ctx.beginPath();
+	ctx.arc(x, y, 6, 0, 7);
+	ctx.fill();
+	text(ctx, sign, x, y + 3.5, INK.ground, font(10, 700));
+}
+/** A charger is a flash in a diamond: filled while somebody charges, crossed out while it is out of service. */
+function paintCharger(ctx, view, mark, size, now) {
+	const device = now.device(mark.id);
+	const look = now.look(mark.id);
+	const half = size * .85;
+	ctx.save();
+	ctx.translate(view.px(mark.x), view.py(mark.y));
+	ctx.strokeStyle = device?.out_of_service ? INK.closed : DEVICE_INK[look];
+	ctx.fillStyle = look === "charging" ? DEVICE_INK.charging : INK.ground;
+	ctx.lineWidth = Math.max(1.4, size * .11);
+	ctx.beginPath();
+	ctx.moveTo(0, -half);
+	ctx.lineTo(half, 0);
+	ctx.lineTo(0, half);
+	ctx.lineTo(-half, 0);
+	ctx.closePath();
+	ctx.fill();
+	ctx.stroke();
+	ctx.fillStyle = look === "charging" ? INK.ground : DEVICE_INK[look];
+	flash(ctx, size * 1.05);
+	if (device?.out_of_service) strike(ctx, size * 1.2);
+	ctx.restore();
+	if (device) paintTrouble(ctx, view.px(mark.x), view.py(mark.y), size, device, look);
+}
+function flash(ctx, size) {
+	const s = size / 2;
+	ctx.beginPath();
+	ctx.moveTo(s * .25, -s);
+	ctx.lineTo(-s * .5, s * .15);
+	ctx.lineTo(-s * .02, s * .15);
+	ctx.lineTo(-s * .25, s);
+	ctx.lineTo(s * .5, -s * .15);
+	ctx.lineTo(s * .02, -s * .15);
+	ctx.closePath();
+	ctx.fill();
+}
+/** The name goes away from the track if there is room, else to another side of the frame, else nowhere. */
+function paintName(ctx, view, cluster, frame, labels) {
+	const letters = font(view.scale > .045 ? 12 : 10.5, 600);
+	const width = widthOf(ctx, cluster.name, letters);
+	const half = width / 2;
+	const more = view.scale > .055 && cluster.marks.some((mark) => mark.short) ? 13 : 0;
+	const { nx, ny } = cluster.marks[0];
+	const [mx, my] = [(frame.x0 + frame.x1) / 2, (frame.y0 + frame.y1) / 2];
+	const above = {
+		x: mx,
+		y: frame.y0 - 5 - (ny < -.5 ? more : 0)
+	};
+	const below = {
+		x: mx,
+		y: frame.y1 + 12 + (ny > .5 ? more : 0)
+	};
+	const left = {
+		x: frame.x0 - 5 - half - (nx < -.5 ? more : 0),
+		y: my + 4
+	};
+	const right = {
+		x: frame.x1 + 5 + half + (nx > .5 ? more : 0),
+		y: my + 4
+	};
+	const flat = Math.abs(ny) > Math.abs(nx);
+	const first = flat ? ny < 0 ? above : below : nx < 0 ? left : right;
+	const away = nx < 0 ? frame.x1 - half : frame.x0 + half;
+	const others = flat ? [left, right] : [
+		{
+			...above,
+			x: away
+		},
+		{
+			...below,
+			x: away
+		},
+		above,
+		below
+	];
+	const place = [first, ...others][labels.take([first, ...others], width)];
+	if (place) text(ctx, cluster.name, place.x, place.y, INK.text, letters);
+}
+// src/paint/plant.ts
+/** Below this scale a whole fab is on the map, and what is small is left out. */
+var FINE = .011;
+/** Draws the plant; returns what room names and marks take, for those that are drawn over it. */
+function paintPlant(ctx, view, scene, now) {
+	ctx.lineJoin = "round";
+	const rail = Math.min(14, Math.max(view.scale < FINE ? 1.6 : 3, 260 * view.scale));
+	ctx.lineCap = view.scale < FINE ? "butt" : "round";
+	const ways = [...scene.track.ways.values()].filter((way) => view.sees(way.box));
+	if (now.zones) paintZones(ctx, view, scene, rail);
+	paintRails(ctx, view, scene.track, ways, rail);
+	if (view.scale > FINE) paintArrows(ctx, view, scene.track, ways, rail);
+	paintDots(ctx, view, scene.track, rail);
+	const labels = new Labels();
+	paintDoors(ctx, view, scene, now, labels);
+	paintStations(ctx, view, scene, now, labels);
+	nameBarcodes(ctx, view, scene.track, rail, labels);
+	return labels;
+}
+/** Zones are broad bands under the track: no-stop and capped ones whole, soft ones dotted. */
+function paintZones(ctx, view, scene, rail) {
+	const width = Math.max(rail + (view.scale < FINE ? 3 : 8), 900 * view.scale);
+	const of = (which) => scene.layout.zones.filter(which).flatMap((zone) => inside(scene.track, zone));
+	ctx.strokeStyle = INK.zone;
+	ctx.globalAlpha = .24;
+	stroke(ctx, view, of((zone) => zone.no_stop && !zone.soft), width);
+	ctx.globalAlpha = .15;
+	stroke(ctx, view, of((zone) => !zone.no_stop && !zone.soft), width);
+	ctx.strokeStyle = INK.soft;
+	ctx.globalAlpha = .4;
+	ctx.setLineDash([2, width * .8]);
+	stroke(ctx, view, of((zone) => zone.soft !== null), width);
+	ctx.setLineDash([]);
+	ctx.globalAlpha = 1;
+}
+function inside(track, zone) {
+	const barcodes = new Set(zone.barcodes);
+	return zone.barcodes.flatMap((barcode) => (track.next.get(barcode) ?? []).filter((edge) => barcodes.has(edge.end)).flatMap((edge) => track.way(edge.start, edge.end) ?? []));
+}
+/** Rail hangs and is hollow; tape lies on the floor and is thin. */
+function paintRails(ctx, view, track, ways, rail) {
+	const hung = ways.filter((way) => !track.floor.has(way.edge.start));
+	ctx.strokeStyle = INK.tape;
+	stroke(ctx, view, ways.filter((way) => track.floor.has(way.edge.start)), Math.max(2.5, rail * .6));
+	ctx.strokeStyle = INK.rail;
+	stroke(ctx, view, hung, rail);
+	if (rail <= 5) return;
+	ctx.strokeStyle = INK.core;
+	stroke(ctx, view, hung, rail * .45);
+}
+function stroke(ctx, view, ways, width) {
+	ctx.lineWidth = width;
+	ctx.beginPath();
+	let [lastX, lastY] = [NaN, NaN];
+	for (const { pts } of ways) {
+		const first = pts[0];
+		if (first.x !== lastX || first.y !== lastY) ctx.moveTo(view.px(first.x), view.py(first.y));
+		for (let i = 1; i < pts.length; i++) {
+			const point = pts[i];
+			ctx.lineTo(view.px(point.x), view.py(point.y));
+			[lastX, lastY] = [point.x, point.y];
+		}
+	}
+	ctx.stroke();
+}
+/** One arrow where track is driven one way; two, back to back, where it is driven both ways. */
+function paintArrows(ctx, view, track, ways, rail) {
+	ctx.strokeStyle = INK.arrow;
+	ctx.lineWidth = Math.max(1.2, rail * .16);
+	const size = Math.max(3, rail * .42);
+	const every = Math.max(1500, 95 / view.scale);
+	let gone = every / 2;
+	let both = every;
+	ctx.beginPath();
+	for (const way of ways) {
+		const { edge } = way;
+		const double = track.twoWay(edge);
+		if (double && edge.start > edge.end) continue;
+		if (double) both += edge.length;
+		else gone += edge.length;
+		if ((double ? both : gone) < every) continue;
+		if (double) both = 0;
+		else gone = 0;
+		const { x, y, angle } = track.along(way, edge.length / 2);
+		const [px, py] = [view.px(x), view.py(y)];
+		const apart = double ? size * 1.3 : 0;
+		arrow(ctx, px + Math.cos(angle) * apart, py + Math.sin(angle) * apart, angle, size);
+		if (double) arrow(ctx, px - Math.cos(angle) * apart, py - Math.sin(angle) * apart, angle + Math.PI, size);
+	}
+	ctx.stroke();
+}
+function arrow(ctx, px, py, angle, size) {
+	const [c, s] = [Math.cos(angle) * size, Math.sin(angle) * size];
+	ctx.moveTo(px - c * .5 + s, py - s * .5 - c);
+	ctx.lineTo(px + c * .5, py + s * .5);
+	ctx.lineTo(px - c * .5 - s, py - s * .5 + c);
+}
+function paintDots(ctx, view, track, rail) {
+	if (view.scale < FINE) return;
+	for (const { x, y, park } of track.points.values()) {
+		if (!park && view.scale <= .05) continue;
+		if (!view.sees({
+			x0: x,
+			x1: x,
+			y0: y,
+			y1: y
+		})) continue;
+		ctx.fillStyle = park ? INK.park : INK.arrow;
+		ctx.beginPath();
+		ctx.arc(view.px(x), view.py(y), park ? Math.max(1.6, rail * .16) : Math.max(1, rail * .1), 0, 7);
+		ctx.fill();
+	}
+}
+/** Barcodes and tags have their names where there is room: tags lie further apart. */
+function nameBarcodes(ctx, view, track, rail, labels) {
+	const letters = font(10);
+	if (view.scale <= .045) return;
+	for (const [barcode, { x, y }] of track.points) {
+		if (view.scale <= (track.floor.has(barcode) ? .045 : .085)) continue;
+		const [px, py] = [view.px(x), view.py(y)];
+		if (px < -50 || py < -50 || px > view.width + 50 || py > view.height + 50) continue;
+		const width = widthOf(ctx, barcode, letters);
+		const places = besides(track, barcode, rail * .5 + 5, width).map(({ x: dx, y: dy }) => ({
+			x: px + dx,
+			y: py + dy
+		}));
+		const place = places[labels.take(places, width)];
+		if (place) text(ctx, barcode, place.x, place.y, INK.faint, letters);
+	}
+}
+/** Where a barcode's name can stand, from the barcode: on the sides where no track leaves. */
+function besides(track, barcode, away, width) {
+	const angles = [...(track.next.get(barcode) ?? []).flatMap((edge) => track.way(edge.start, edge.end) ?? []).map((way) => track.along(way, 0).angle), ...(track.before.get(barcode) ?? []).flatMap((edge) => track.way(edge.start, edge.end) ?? []).map((way) => track.along(way, way.edge.length).angle + Math.PI)];
+	return [
+		{
+			angle: -Math.PI / 2,
+			x: 0,
+			y: -away
+		},
+		{
+			angle: Math.PI / 2,
+			x: 0,
+			y: away + 8
+		},
+		{
+			angle: 0,
+			x: away + width / 2,
+			y: 3
+		},
+		{
+			angle: Math.PI,
+			x: -away - width / 2,
+			y: 3
+		}
+	].filter((side) => angles.every((angle) => Math.cos(angle - side.angle) < .6));
+}
+// src/paint/vehicles.ts
+/** Drawn last: what needs a person lies over what does not. */
+var ORDER = [
+	"gone",
+	"idle",
+	"charging",
+	"moving",
+	"handling",
+	"waiting",
+	"held",
+	"alarm"
+];
+/** Vehicles: solid with a carrier aboard, hollow without. A hoist has a nose; an AGV, which drives both ways, has wheels. */
+function paintFleet(ctx, view, bodies) {
+	const groups = /* @__PURE__ */ new Map();
+	for (const body of bodies) {
+		const group = groups.get(body.look);
+		if (group) group.push(body);
+		else groups.set(body.look, [body]);
+	}
+	ctx.lineJoin = "round";
+	for (const look of ORDER) {
+		const group = groups.get(look);
+		if (group) paintGroup(ctx, view, group, LOOK_INK[look], look === "gone");
+	}
+}
+function paintGroup(ctx, view, bodies, colour, dashed) {
+	if (sizeOf(view, bodies[0])[0] < SMALL) {
+		paintSmall(ctx, view, bodies, colour);
+		return;
+	}
+	const agvs = bodies.filter((body) => body.agv);
+	if (agvs.length > 0) fill(ctx, INK.arrow, () => agvs.forEach((body) => wheels(ctx, view, body)));
+	const loaded = bodies.filter((body) => body.vehicle.loaded);
+	const empty = bodies.filter((body) => !body.vehicle.loaded);
+	const hulls = (some) => () => some.forEach((body) => hull(ctx, view, body));
+	fill(ctx, INK.ground, hulls(empty));
+	ctx.globalAlpha = .3;
+	fill(ctx, colour, hulls(empty));
+	ctx.globalAlpha = 1;
+	fill(ctx, colour, hulls(loaded));
+	ctx.strokeStyle = colour;
+	ctx.lineWidth = 1.8;
+	ctx.setLineDash(dashed ? [3, 3] : []);
+	ctx.beginPath();
+	hulls(bodies)();
+	ctx.stroke();
+	ctx.setLineDash([]);
+	fill(ctx, INK.carrier, () => loaded.forEach((body) => load(ctx, view, body)));
+	ctx.strokeStyle = INK.ground;
+	ctx.lineWidth = 1.4;
+	ctx.stroke();
+}
+/** A whole fab at once: wedges, with a dot where a carrier is aboard. */
+function paintSmall(ctx, view, bodies, colour) {
+	fill(ctx, colour, () => {
+		for (const body of bodies) {
+			const [length, width] = sizeOf(view, body);
+			const [l, w] = [length / 2, width / 2];
+			shape(ctx, view, body, body.agv ? [
+				-l,
+				-w,
+				l,
+				-w,
+				l,
+				w,
+				-l,
+				w
+			] : [
+				-l,
+				-w,
+				l,
+				0,
+				-l,
+				w
+			]);
+		}
+	});
+	fill(ctx, INK.carrier, () => {
+		for (const { vehicle, spot } of bodies) if (vehicle.loaded) ctx.rect(view.px(spot.x) - 1.5, view.py(spot.y) - 1.5, 3, 3);
+	});
+}
+function fill(ctx, colour, path) {
+	ctx.fillStyle = colour;
+	ctx.beginPath();
+	path();
+	ctx.fill();
+}
+/** A ring around one that is looked at, and a beat around one in alarm. */
+function paintRings(ctx, view, bodies, strength, pulse) {
+	for (const body of bodies) {
+		const [length] = sizeOf(view, body);
+		if (body.look === "alarm") ring(ctx, view, body, length * (.75 + .25 * pulse), LOOK_INK.alarm, .8 - .6 * pulse);
+		const alpha = strength(body);
+		if (alpha > 0) ring(ctx, view, body, length * .8, INK.picked, alpha);
+	}
+}
+function ring(ctx, view, { spot }, radius, colour, alpha) {
+	ctx.strokeStyle = colour;
+	ctx.globalAlpha = alpha;
+	ctx.lineWidth = 2;
+	ctx.beginPath();
+	ctx.arc(view.px(spot.x), view.py(spot.y), radius, 0, 7);
+	ctx.stroke();
+	ctx.globalAlpha = 1;
+}
+/** A closed shape around the vehicle: pairs along and across it, in px. */
+function shape(ctx, view, { spot }, corners) {
+	const [px, py] = [view.px(spot.x), view.py(spot.y)];
+	const [c, s] = [Math.cos(spot.angle), Math.sin(spot.angle)];
+	for (let i = 0; i < corners.length; i += 2) {
+		const [along, across] = [corners[i], corners[i + 1]];
+		const [x, y] = [px + along * c - across * s, py + along * s + across * c];
+		if (i === 0) ctx.moveTo(x, y);
+		else ctx.lineTo(x, y);
+	}
+	ctx.closePath();
+}
+/** A box with its nose forward, or, for an AGV, one that is the same at both ends. */
+function hull(ctx, view, body) {
+	const [length, width] = sizeOf(view, body);
+	const [l, w] = [length / 2, width / 2];
+	if (body.agv) shape(ctx, view, body, [
+		-l,
+		-w,
+		l,
+		-w,
+		l,
+		w,
+		-l,
+		w
+	]);
+	else shape(ctx, view, body, [
+		-l,
+		-w * .8,
+		-l + w * .2,
+		-w,
+		l - w * .7,
+		-w,
+		l,
+		0,
+		l - w * .7,
+		w,
+		-l + w * .2,
+		w,
+		-l,
+		w * .8
+	]);
+}
+function wheels(ctx, view, body) {
+	const [length, width] = sizeOf(view, body);
+	const [long, thick] = [length * .24, Math.max(2.5, width * .16)];
+	for (const x of [-length * .42, length * .42 - long]) for (const y of [-width / 2 - thick - 1, width / 2 + 1]) shape(ctx, view, body, [
+		x,
+		y,
+		x + long,
+		y,
+		x + long,
+		y + thick,
+		x,
+		y + thick
+	]);
+}
+/** The carrier aboard. */
+function load(ctx, view, body) {
+	const [length, width] = sizeOf(view, body);
+	const s = width * .28;
+	const x = body.agv ? 0 : -length * .06;
+	shape(ctx, view, body, [
+		x - s,
+		-s,
+		x + s,
+		-s,
+		x + s,
+		s,
+		x - s,
+		s
+	]);
+}
+/** Shorter than this a hull has thin lines, px. */
+var SMALL = 13;
+/** From this scale on all vehicles have names; below it those do that are looked at or need a person. */
+var NAMED = .014;
+/** So few vehicles have names at any scale. */
+var FEW = 60;
+var SIGNS$1 = {
+	alarm: "!",
+	held: "‖",
+	gone: "?",
+	waiting: "…",
+	charging: "↯"
+};
+/** Height of a vehicle's name with its ground, px. */
+var LINE = 15;
+/**
+* Names beside their vehicles. One that is looked at or in trouble goes first; each stays on its side while there is room; where
+* there is none at all, the name is left out unless it is one of those.
+*/
+var Signs = class {
+	sides = /* @__PURE__ */ new Map();
+	/** `still`: whether a box is free of the names of what stands still; they are covered only where there is no other room. */
+	paint(ctx, view, seen, first, still) {
+		const labels = new Labels();
+		const rank = (body) => first(body) ? 0 : urgent(body) ? 1 : 2;
+		const all = view.scale > NAMED || seen.length < FEW;
+		const named = all ? seen : seen.filter((body) => rank(body) < 2).slice(0, FEW);
+		for (const body of all ? seen : named) labels.block(hullOf(view, body));
+		for (const body of named.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
+	}
+	sign(ctx, view, body, must, ringed, labels, still) {
+		const { vehicle, look } = body;
+		const words = SIGNS$1[look] ? `${vehicle.id} ${SIGNS$1[look]}` : vehicle.id;
+		const width = widthOf(ctx, words, font(11, 700)) + 8;
+		const places = placesFor(view, body, width, ringed);
+		const clear = [this.sides.get(vehicle.id) ?? 0, ...places.keys()].filter((one) => one < places.length).filter((one) => labels.free(grown(places[one], width)));
+		const found = clear.find((one) => still(grown(places[one], width))) ?? clear[0] ?? (must ? 0 : void 0);
+		if (found === void 0) return;
+		this.sides.set(vehicle.id, found);
+		const { x, y } = places[found];
+		labels.block(grown({
+			x,
+			y
+		}, width));
+		ctx.fillStyle = INK.plate;
+		ctx.beginPath();
+		ctx.roundRect(x - width / 2, y - 11.5, width, LINE, 4);
+		ctx.fill();
+		text(ctx, words, x, y, LOOK_INK[look], font(11, 700));
+	}
+};
+function urgent({ look }) {
+	return look === "alarm" || look === "held";
+}
+function grown(place, width) {
+	return boxOf$1(place, width - 3);
+}
+function visible(view, { spot }) {
+	return view.sees({
+		x0: spot.x,
+		x1: spot.x,
+		y0: spot.y,
+		y1: spot.y
+	}, 50);
+}
+/** In px. On a whole fab they are smaller than they should be to be seen well, so that they do not lie on each other. */
+var sizeOf = (view, { length, agv }) => {
+	const least = view.scale < .02 ? Math.max(7.5, view.scale * 850) : 17;
+	return [Math.max(least, length * .82 * view.scale), Math.max(least * (agv ? .76 : .65), (agv ? 700 : 560) * view.scale)];
+};
+function hullOf(view, body) {
+	const [length, width] = sizeOf(view, body);
+	const [c, s] = [Math.abs(Math.cos(body.spot.angle)), Math.abs(Math.sin(body.spot.angle))];
+	const [w, h] = [(length * c + width * s) / 2, (length * s + width * c) / 2];
+	const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+	return {
+		x0: px - w,
+		x1: px + w,
+		y0: py - h,
+		y1: py + h
+	};
+}
+/** Around the ring of one that is looked at. */
+function ringOf(view, body) {
+	const radius = sizeOf(view, body)[0] * .8;
+	const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+	return {
+		x0: px - radius,
+		x1: px + radius,
+		y0: py - radius,
+		y1: py + radius
+	};
+}
+/** Beside the hull, across the track first; then a line further off. */
+function placesFor(view, body, width, ringed) {
+	const hull = ringed ? ringOf(view, body) : hullOf(view, body);
+	const [px, py] = [(hull.x0 + hull.x1) / 2, (hull.y0 + hull.y1) / 2];
+	const above = {
+		x: px,
+		y: hull.y0 - 7
+	};
+	const below = {
+		x: px,
+		y: hull.y1 + 15
+	};
+	const right = {
+		x: hull.x1 + 5 + width / 2,
+		y: py + 4
+	};
+	const left = {
+		x: hull.x0 - 5 - width / 2,
+		y: py + 4
+	};
+	return [
+		...Math.abs(Math.sin(body.spot.angle)) > .7 ? [
+			right,
+			left,
+			above,
+			below
+		] : [
+			above,
+			below,
+			right,
+			left
+		],
+		{
+			x: px,
+			y: above.y - LINE
+		},
+		{
+			x: px,
+			y: below.y + LINE
+		}
+	];
+}
+// src/paint/over.ts
+/** The track that vehicles hold ahead. One path a look, since there are many; those that are looked at stand out. */
+function paintGrants(ctx, view, track, bodies, strong) {
+	const groups = /* @__PURE__ */ new Map();
+	const width = Math.min(6, Math.max(view.scale < .011 ? 1.4 : 2, 110 * view.scale));
+	ctx.lineCap = "round";
+	ctx.lineJoin = "round";
+	for (const body of bodies) {
+		const ways = granted(track, body);
+		if (ways.length === 0 || !ways.some((way) => view.sees(way.box))) continue;
+		if (strong(body)) {
+			ctx.strokeStyle = LOOK_INK[body.look];
+			ctx.globalAlpha = .8;
+			stroke(ctx, view, ways, width + 2);
+		} else groups.set(body.look, [...groups.get(body.look) ?? [], ...ways]);
+	}
+	ctx.globalAlpha = .38;
+	for (const [look, ways] of groups) {
+		ctx.strokeStyle = LOOK_INK[look];
+		stroke(ctx, view, ways, width);
+	}
+	ctx.globalAlpha = 1;
+}
+function granted(track, { vehicle }) {
+	const ways = [];
+	let here = vehicle.barcode ?? "";
+	for (const step of vehicle.granted) {
+		const way = track.way(here, step);
+		if (way) ways.push(way);
+		here = step;
+	}
+	return ways;
+}
+/** Where the chosen vehicle would go from the end of its grant: dashed, since nobody has granted it. */
+function paintPlan(ctx, view, track, path) {
+	const ways = path.slice(1).flatMap((end, i) => track.way(path[i], end) ?? []);
+	ctx.strokeStyle = INK.plan;
+	ctx.lineCap = "butt";
+	ctx.globalAlpha = .85;
+	ctx.setLineDash([7, 5]);
+	stroke(ctx, view, ways, Math.max(2, Math.min(3.5, 90 * view.scale)));
+	ctx.setLineDash([]);
+	ctx.globalAlpha = 1;
+}
+/** The track behind each barcode in the colour of how much was waited, or how many came by. */
+function paintHeat(ctx, view, track, heat, kind) {
+	const steps = HEAT.map(() => []);
+	for (const [barcode, share] of heat.shares(kind)) {
+		const step = Math.min(HEAT.length - 1, Math.floor(share * HEAT.length));
+		for (const edge of track.before.get(barcode) ?? []) {
+			const way = track.way(edge.start, edge.end);
+			if (way && view.sees(way.box)) steps[step]?.push(way);
+		}
+	}
+	ctx.lineCap = "round";
+	ctx.globalAlpha = .85;
+	steps.forEach((ways, i) => {
+		ctx.strokeStyle = HEAT[i];
+		stroke(ctx, view, ways, Math.max(3 + i, 330 * view.scale));
+	});
+	ctx.globalAlpha = 1;
+}
+/** Closed track: crossed out, so that it is seen without its colour. */
+function paintClosed(ctx, view, track, ways) {
+	ctx.strokeStyle = INK.closed;
+	ctx.lineCap = "butt";
+	ctx.globalAlpha = .9;
+	stroke(ctx, view, ways, Math.max(3, 200 * view.scale));
+	ctx.globalAlpha = 1;
+	ctx.lineWidth = 1.6;
+	ctx.beginPath();
+	let last = -1e3;
+	for (const way of ways) {
+		const { x, y } = track.along(way, way.edge.length / 2);
+		const [px, py] = [view.px(x), view.py(y)];
+		if (Math.abs(px + py - last) < 18) continue;
+		last = px + py;
+		ctx.moveTo(px - 6, py - 6);
+		ctx.lineTo(px + 6, py + 6);
+		ctx.moveTo(px + 6, py - 6);
+		ctx.lineTo(px - 6, py + 6);
+	}
+	ctx.stroke();
+}
+/** Vehicles that people have stopped or locked out: a bracket around each. */
+function paintHolds(ctx, view, bodies) {
+	ctx.lineWidth = 2;
+	ctx.strokeStyle = LOOK_INK.held;
+	ctx.beginPath();
+	for (const body of bodies) {
+		if (!visible(view, body) || !(body.vehicle.hold || body.vehicle.lockout)) continue;
+		const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+		const r = Math.max(10, 900 * view.scale);
+		for (const side of [-1, 1]) {
+			ctx.moveTo(px + side * r * .5, py - r);
+			ctx.lineTo(px + side * r, py - r);
+			ctx.lineTo(px + side * r, py + r);
+			ctx.lineTo(px + side * r * .5, py + r);
+		}
+	}
+	ctx.stroke();
+}
+/** Track that somebody thinks of closing. */
+function paintPreviewed(ctx, view, ways) {
+	ctx.strokeStyle = INK.closed;
+	ctx.lineCap = "butt";
+	ctx.setLineDash([5, 4]);
+	stroke(ctx, view, ways, Math.max(4, 260 * view.scale));
+	ctx.setLineDash([]);
+}
+// src/plan.ts
+/** The way that the chosen vehicle would be led to its goal now: asked of the server when it changes goal or leaves that way. */
+/** Barcodes from the vehicle to its goal; empty: none is known. */
+var plan = y$1([]);
+var asked = "";
+async function ask(vehicle, from, to) {
+	const now = `${vehicle} ${to}`;
+	if (asked === now && plan.value.includes(from)) return;
+	asked = now;
+	try {
+		const { items } = await get(`/layout/routes?${new URLSearchParams({
+			from,
+			to
+		})}`);
+		if (asked === now) plan.value = items[0]?.barcodes ?? [];
+	} catch {
+		if (asked === now) plan.value = [];
+	}
+}
+/** Keep it up to date; returns how to stop. */
+function begin() {
+	return x(() => {
+		const pick = inPast.value ? null : selected.value;
+		changes.vehicles.value;
+		const vehicle = pick?.kind === "vehicle" ? vehicles.get(pick.id) : void 0;
+		const goal = vehicle?.goal ? stations.get(vehicle.goal)?.barcode ?? vehicle.goal : null;
+		if (vehicle?.barcode && goal && goal !== vehicle.barcode) ask(vehicle.id, vehicle.barcode, goal);
+		else {
+			asked = "";
+			if (plan.peek().length > 0) plan.value = [];
+		}
+	});
+}
+// src/view.ts
+var FURTHEST_IN = .4;
+var View = class {
+	scale = .03;
+	x = 0;
+	y = 0;
+	/** Until somebody moves the view, it keeps showing everything. */
+	fitted = true;
+	width = 1;
+	height = 1;
+	fit(box, margin) {
+		const [w, h] = [Math.max(box.x1 - box.x0, 1e3), Math.max(box.y1 - box.y0, 1e3)];
+		const [roomX, roomY] = [this.width - 2 * margin.side, this.height - margin.top - margin.bottom];
+		this.scale = Math.max(1e-5, Math.min(roomX / w, roomY / h, .2));
+		this.x = margin.side + (roomX - w * this.scale) / 2 - box.x0 * this.scale;
+		this.y = margin.top + (roomY - h * this.scale) / 2 - box.y0 * this.scale;
+		this.fitted = true;
+	}
+	zoom(factor, px, py) {
+		const next = Math.min(FURTHEST_IN, Math.max(5e-4, this.scale * factor));
+		const [mx, my] = [(px - this.x) / this.scale, (py - this.y) / this.scale];
+		this.scale = next;
+		this.x = px - mx * next;
+		this.y = py - my * next;
+		this.fitted = false;
+	}
+	pan(dx, dy) {
+		this.x += dx;
+		this.y += dy;
+		this.fitted = false;
+	}
+	centre(mx, my) {
+		this.x = this.width / 2 - mx * this.scale;
+		this.y = this.height / 2 - my * this.scale;
+		this.fitted = false;
+	}
+	px(mx) {
+		return mx * this.scale + this.x;
+	}
+	py(my) {
+		return my * this.scale + this.y;
+	}
+	/** Whether anything of a box in mm may be seen, or lies so many px beside the edge. */
+	sees(box, beside = 40) {
+		return this.px(box.x1) > -beside && this.py(box.y1) > -beside && this.px(box.x0) < this.width + beside && this.py(box.y0) < this.height + beside;
+	}
+};
+// src/sheet.ts
+/** A canvas larger than the map: shifted with the view while somebody moves it, and painted anew only when it has to be. */
+/** After a zoom it is blurred for at most so long, ms. */
+var BLURRED = 140;
+var Sheet = class {
+	canvas;
+	margin;
+	ctx;
+	at = new View();
+	ratio = 1;
+	since = 0;
+	/** `margin`: painted beyond each edge of the map, px. */
+	constructor(canvas, margin) {
+		this.canvas = canvas;
+		this.margin = margin;
+		this.ctx = canvas.getContext("2d");
+		canvas.style.transformOrigin = "0 0";
+	}
+	resize(width, height, ratio) {
+		const { margin } = this;
+		const [w, h] = [width + 2 * margin, height + 2 * margin];
+		this.ratio = ratio;
+		this.canvas.width = Math.round(w * ratio);
+		this.canvas.height = Math.round(h * ratio);
+		Object.assign(this.canvas.style, {
+			left: `${-margin}px`,
+			top: `${-margin}px`,
+			width: `${w}px`,
+			height: `${h}px`
+		});
+		this.at.scale = 0;
+	}
+	/** Shift to where the view is. False: it does not show all of it, or not sharply any more. */
+	follow(view, now) {
+		if (this.at.scale === 0) return false;
+		const { margin } = this;
+		const k = view.scale / this.at.scale;
+		const [dx, dy] = [view.x + margin - k * this.at.x, view.y + margin - k * this.at.y];
+		this.canvas.style.transform = k === 1 ? `translate(${dx}px, ${dy}px)` : `translate(${dx}px, ${dy}px) scale(${k})`;
+		if (k === 1) this.since = now;
+		const [left, top] = [dx - margin, dy - margin];
+		const [right, bottom] = [left + k * (view.width + 2 * margin), top + k * (view.height + 2 * margin)];
+		return left <= 0 && top <= 0 && right >= view.width && bottom >= view.height && (k === 1 || now - this.since < BLURRED);
+	}
+	/** Whether it is shown larger or smaller than painted, and will have to be painted anew soon. */
+	get blurred() {
+		return this.canvas.style.transform.includes("scale");
+	}
+	/** An empty sheet for this view: paint it in the view that is returned. */
+	begin(view, now) {
+		const { at, margin } = this;
+		Object.assign(at, {
+			scale: view.scale,
+			x: view.x + margin,
+			y: view.y + margin
+		});
+		Object.assign(at, {
+			width: view.width + 2 * margin,
+			height: view.height + 2 * margin
+		});
+		this.ctx.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+		this.ctx.clearRect(0, 0, at.width, at.height);
+		this.since = now;
+		this.canvas.style.transform = "translate(0px, 0px)";
+		return at;
+	}
+};
+// src/painter.ts
+/** The live map: what stands still and what lies over it on sheets that are shifted, and what moves on a canvas of its own. */
+/** Room in px beyond the outermost marks: buttons and names. */
+var MARGIN = {
+	top: 66,
+	side: 72,
+	bottom: 58
+};
+/** Vehicles are drawn anew at most and at least so often, ms: the map is shifted between, as often as the screen wants. */
+var PERIOD = 30;
+var SELDOM = 120;
+/** The pace by which a vehicle goes across the map, mm/s. */
+var FASTEST = 3e3;
+/** Below this scale only what is looked at shows its grant: others would be shorter than their vehicles. */
+var GRANTS = .008;
+/** What lies over the track follows the vehicles so often, ms. */
+var OVER = 250;
+/** A map that was moved is drawn as often as the screen wants for so long, ms. */
+var MOVED = 400;
+/** Somebody who looks for one thing sees it at least at this scale. */
+var CLOSE = .03;
+var STILL = matchMedia("(prefers-reduced-motion: reduce)");
+/** Owns the canvases; drawn as often as the screen wants while something moves, and not at all else. */
+var Painter = class {
+	view = new View();
+	hovered = null;
+	scene = null;
+	glides = /* @__PURE__ */ new Map();
+	last = /* @__PURE__ */ new Map();
+	signs = new Signs();
+	bodies = [];
+	names = new Labels();
+	specs = /* @__PURE__ */ new Map();
+	ground;
+	over;
+	front;
+	/** Of what was seen on this page, and of what was played back. */
+	heats = {
+		now: new Heat(),
+		then: new Heat()
+	};
+	stale = true;
+	overAt = Number.NEGATIVE_INFINITY;
+	frame = 0;
+	painted = 0;
+	moved = Number.NEGATIVE_INFINITY;
+	namesAt = {
+		scale: 0,
+		x: 0,
+		y: 0
+	};
+	count = 0;
+	constructor(lower, middle, upper) {
+		this.ground = new Sheet(lower, 400);
+		this.over = new Sheet(middle, 320);
+		this.front = new Sheet(upper, 120);
+	}
+	resize(width, height) {
+		const ratio = Math.min(window.devicePixelRatio || 1, 2);
+		for (const sheet of [
+			this.ground,
+			this.over,
+			this.front
+		]) sheet.resize(width, height, ratio);
+		this.view.width = width;
+		this.view.height = height;
+		if (this.view.fitted) this.fit();
+		this.redraw();
+	}
+	load() {
+		if (!layout.value || !track.value) return;
+		const clusters = clustersOf(layout.value, track.value);
+		const marks = clusters.flatMap((cluster) => cluster.marks);
+		const doors = doorMarks(layout.value, track.value);
+		this.scene = {
+			layout: layout.value,
+			track: track.value,
+			marks,
+			clusters,
+			doors
+		};
+		this.specs = new Map(layout.value.vehicles.map((spec) => [spec.id, spec]));
+		this.forgetAll();
+		this.heats.now.clear();
+		this.fit();
+		this.redraw();
+	}
+	/** Another time is shown: vehicles do not drive from one into the other. */
+	forgetAll() {
+		this.glides.clear();
+		this.last.clear();
+		this.heats.then.clear();
+		this.redraw();
+	}
+	fit() {
+		if (this.scene) this.view.fit(boxOf(this.scene), MARGIN);
+		this.redraw();
+	}
+	/** Something that stands still has changed. */
+	redraw() {
+		this.stale = true;
+		this.overAt = Number.NEGATIVE_INFINITY;
+		this.wake();
+	}
+	/** Somebody moves the map: it is shifted, and painted anew where that does not do. */
+	move() {
+		this.moved = performance.now();
+		this.wake();
+	}
+	/** Other colours. */
+	recolour() {
+		dip();
+		this.redraw();
+	}
+	/** Bring something into the middle. */
+	centre({ kind, id }) {
+		const spot = this.placeOf(kind, id);
+		if (!spot) return;
+		this.view.scale = Math.max(this.view.scale, CLOSE);
+		this.view.centre(spot.x, spot.y);
+		this.move();
+	}
+	placeOf(kind, id) {
+		if (kind === "vehicle") return this.bodies.find((body) => body.vehicle.id === id)?.spot;
+		return [...this.scene?.marks ?? [], ...this.scene?.doors ?? []].find((mark) => mark.id === id) ?? this.scene?.track.points.get(id);
+	}
+	wake() {
+		if (!this.frame) this.frame = requestAnimationFrame(() => this.paint());
+	}
+	stop() {
+		cancelAnimationFrame(this.frame);
+	}
+	/** Take the vehicles' newest reports. */
+	report() {
+		if (!this.scene) return;
+		const then = inPast.value;
+		const now = then ? moment.value : performance.now() / 1e3;
+		const heat = then ? this.heats.then : this.heats.now;
+		for (const id of this.last.keys()) if (!vehicles.has(id)) this.forget(id);
+		for (const vehicle of vehicles.values()) {
+			if (this.last.get(vehicle.id) === vehicle) continue;
+			this.last.set(vehicle.id, vehicle);
+			heat.take(vehicle, now);
+			if (then) continue;
+			let glide = this.glides.get(vehicle.id);
+			if (!glide) {
+				glide = new Glide(this.scene.track, this.specs.get(vehicle.id)?.max_speed);
+				this.glides.set(vehicle.id, glide);
+			}
+			const moving = vehicle.link.up && vehicle.activity === "moving";
+			const { barcode, dist, granted } = vehicle;
+			glide.report({
+				barcode,
+				dist,
+				granted,
+				moving
+			}, now);
+		}
+		this.wake();
+	}
+	at(px, py) {
+		let best = null;
+		let least = 20;
+		for (const body of this.bodies) {
+			const away = Math.hypot(this.view.px(body.spot.x) - px, this.view.py(body.spot.y) - py);
+			if (away < least) [least, best] = [away, {
+				kind: "vehicle",
+				id: body.vehicle.id
+			}];
+		}
+		if (best) return best;
+		least = wingOf(this.view);
+		for (const door of this.scene?.doors ?? []) {
+			const away = Math.hypot(this.view.px(door.x) - px, this.view.py(door.y) - py);
+			if (away < least) [least, best] = [away, {
+				kind: "device",
+				id: door.id
+			}];
+		}
+		least = Math.max(9, 330 * this.view.scale);
+		for (const mark of this.scene?.marks ?? []) {
+			const away = Math.hypot(this.view.px(mark.x) - px, this.view.py(mark.y) - py);
+			if (away < least) [least, best] = [away, {
+				kind: mark.kind === "charger" ? "device" : "station",
+				id: mark.id
+			}];
+		}
+		return best;
+	}
+	/** The barcode nearest to a place of the map. */
+	barcodeAt(px, py) {
+		let best = null;
+		let least = 25;
+		for (const [barcode, { x, y }] of this.scene?.track.points ?? []) {
+			const away = Math.hypot(this.view.px(x) - px, this.view.py(y) - py);
+			if (away < least) [least, best] = [away, barcode];
+		}
+		return best;
+	}
+	forget(id) {
+		this.last.delete(id);
+		this.glides.delete(id);
+	}
+	paint() {
+		this.frame = 0;
+		const { scene, view } = this;
+		if (!scene) return;
+		const ms = performance.now();
+		const moving = ms - this.moved < MOVED;
+		const due = ms - this.painted >= this.period() - 5;
+		if (!moving && !due) {
+			this.wake();
+			return;
+		}
+		const pick = selected.value;
+		if (following.value && pick?.kind === "vehicle") this.keepInMiddle(pick.id);
+		if (!this.ground.follow(view, ms) || this.stale) this.paintGround(scene, ms);
+		if (!this.over.follow(view, ms) || due && ms - this.overAt > OVER) this.paintOver(scene, ms);
+		if (!this.front.follow(view, ms) || due) this.paintFront(ms);
+		this.front.canvas.dataset["pictures"] = String(++this.count);
+		const alarm = this.bodies.some((body) => body.look === "alarm");
+		const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
+		if (!STILL.matches && (alarm || drives) || moving || [
+			this.ground,
+			this.over,
+			this.front
+		].some((sheet) => sheet.blurred)) this.wake();
+	}
+	/** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
+	period() {
+		return Math.min(SELDOM, Math.max(PERIOD, 1e3 / (FASTEST * (inPast.value ? pace.value : 1) * this.view.scale)));
+	}
+	looked(body) {
+		const pick = selected.value;
+		if (pick?.kind === "vehicle" && pick.id === body.vehicle.id) return .95;
+		return this.hovered?.kind === "vehicle" && this.hovered.id === body.vehicle.id ? .5 : 0;
+	}
+	paintFront(ms) {
+		this.painted = ms;
+		this.bodies = this.placed(ms / 1e3);
+		const at = this.front.begin(this.view, ms);
+		const { ctx } = this.front;
+		const seen = this.bodies.filter((body) => visible(at, body));
+		paintFleet(ctx, at, seen);
+		paintRings(ctx, at, seen, (body) => this.looked(body), STILL.matches ? 0 : ms / 1e3 % 1.4 / 1.4);
+		this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, (box) => this.names.free(this.onGround(box, at)));
+	}
+	paintGround(scene, ms) {
+		this.stale = false;
+		const pick = selected.value;
+		const now = {
+			station: (id) => stations.get(id),
+			device: (id) => devices.get(id),
+			look: lookAt,
+			picked: pick?.kind === "station" || pick?.kind === "device" ? pick : null,
+			zones: layers.value.zones
+		};
+		const at = this.ground.begin(this.view, ms);
+		this.names = paintPlant(this.ground.ctx, at, scene, now);
+		this.namesAt = {
+			scale: at.scale,
+			x: at.x,
+			y: at.y
+		};
+	}
+	paintOver(scene, ms) {
+		this.overAt = ms;
+		const at = this.over.begin(this.view, ms);
+		const { ctx } = this.over;
+		const { track: drawn } = scene;
+		if (heatShown.value) paintHeat(ctx, at, drawn, inPast.value ? this.heats.then : this.heats.now, heatShown.value);
+		if (layers.value.closures) paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
+		if (previewedWays.value.length > 0) paintPreviewed(ctx, at, previewedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
+		if (plan.value.length > 0) paintPlan(ctx, at, drawn, plan.value);
+		const strong = (body) => this.looked(body) > 0;
+		const granted = this.view.scale > GRANTS ? this.bodies : this.bodies.filter(strong);
+		if (layers.value.grants) paintGrants(ctx, at, drawn, granted, strong);
+		if (layers.value.holds) paintHolds(ctx, at, this.bodies);
+	}
+	/** Where a box of a view lies on the sheet on which the names stand. */
+	onGround({ x0, x1, y0, y1 }, view) {
+		const { namesAt } = this;
+		const k = namesAt.scale / view.scale;
+		const [dx, dy] = [namesAt.x - view.x * k, namesAt.y - view.y * k];
+		return {
+			x0: x0 * k + dx,
+			x1: x1 * k + dx,
+			y0: y0 * k + dy,
+			y1: y1 * k + dy
+		};
+	}
+	keepInMiddle(id) {
+		const spot = this.bodies.find((body) => body.vehicle.id === id)?.spot;
+		if (spot) this.view.centre(spot.x, spot.y);
+	}
+	spotOf({ id, activity }, back, now) {
+		if (activity === "off_rail" || !this.scene) return null;
+		if (inPast.value) return trails.spot(this.scene.track, id, moment.value, back, STILL.matches);
+		return this.glides.get(id)?.drive(now, STILL.matches).middle(back) ?? null;
+	}
+	placed(now) {
+		const bodies = [];
+		for (const vehicle of this.last.values()) {
+			const spec = this.specs.get(vehicle.id);
+			const agv = spec?.kind === "agv";
+			const length = Math.min(spec?.length ?? 1e3, 1200);
+			const back = agv ? 0 : length * .41;
+			const spot = this.spotOf(vehicle, back, now);
+			if (spot) bodies.push({
+				vehicle,
+				look: lookOf(vehicle),
+				agv,
+				spot,
+				length
+			});
+		}
+		return bodies;
+	}
+};
+/** What has to be seen: the track, and the marks beside it. */
+function boxOf({ track: drawn, marks }) {
+	const box = { ...drawn.box };
+	for (const { x, y } of marks) {
+		box.x0 = Math.min(box.x0, x - 460);
+		box.x1 = Math.max(box.x1, x + 460);
+		box.y0 = Math.min(box.y0, y - 460);
+		box.y1 = Math.max(box.y1, y + 460);
+	}
+	return box;
+}
+// src/find.ts
+/** What the page can be asked for by name. */
+var MOST = 12;
+/** Things whose name has these letters in it, those that begin with them first. */
+function find(letters) {
+	const wanted = letters.trim().toLowerCase();
+	if (!wanted) return [];
+	const names = (kind, ids) => [...ids].filter((id) => id.toLowerCase().includes(wanted)).map((id) => ({
+		kind,
+		id
+	}));
+	const carried = [...[...vehicles.values()].map(({ id, carrier }) => ({
+		kind: "vehicle",
+		id,
+		carrier
+	})), ...[...stations.values()].map(({ id, carrier }) => ({
+		kind: "station",
+		id,
+		carrier
+	}))].filter(({ carrier }) => carrier?.toLowerCase().includes(wanted)).map(({ kind, id, carrier }) => ({
+		kind,
+		id: carrier,
+		at: {
+			kind,
+			id
+		}
+	}));
+	const barcodes = wanted.length > 1 ? names("barcode", (layout.value?.points ?? []).map(({ barcode }) => barcode)) : [];
+	const all = [
+		...names("vehicle", vehicles.keys()),
+		...names("station", stations.keys()),
+		...names("job", jobs.keys()),
+		...carried,
+		...names("device", devices.keys()),
+		...names("drive", drives.keys()),
+		...barcodes
+	];
+	const rank = ({ id }) => id.toLowerCase() === wanted ? 0 : id.toLowerCase().startsWith(wanted) ? 1 : 2;
+	return all.sort((a, b) => rank(a) - rank(b) || NATURAL.compare(a.id, b.id)).slice(0, MOST);
+}
+// src/parts/Finder.tsx
+/** Finds a vehicle, station, carrier, job, device or barcode by its name, and shows it on the map. */
+function Finder({ go }) {
+	const letters = useSignal("");
+	const which = useSignal(0);
+	const box = T(null);
+	A$1(() => {
+		const key = (event) => {
+			if (event.key !== "/" || event.ctrlKey || event.target instanceof HTMLInputElement) return;
+			event.preventDefault();
+			box.current?.focus();
+		};
+		document.addEventListener("keydown", key);
+		return () => document.removeEventListener("keydown", key);
+	}, []);
+	const list = find(letters.value);
+	const choose = (found) => {
+		if (!found) return;
+		const pick = found.at ?? (found.kind === "barcode" ? null : {
+			kind: found.kind,
+			id: found.id
+		});
+		if (pick) selected.value = pick;
+		go(found.at ? {
+			kind: found.at.kind,
+			id: found.at.id
+		} : found);
+		letters.value = "";
+		box.current?.blur();
+	};
+	const key = (event) => {
+		const step = {
+			ArrowDown: 1,
+			ArrowUp: -1
+		}[event.key];
+		if (step) which.value = Math.min(Math.max(which.value + step, 0), list.length - 1);
+		else if (event.key === "Enter") choose(list[which.value]);
+		else if (event.key === "Escape") letters.value = "";
+		else return;
+		event.preventDefault();
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "finder",
+		children: [/* @__PURE__ */ a("input", {
+			ref: box,
+			role: "combobox",
+			"aria-expanded": list.length > 0,
+			"aria-controls": "found",
+			"aria-label": t("find"),
+			placeholder: `${t("find")}  /`,
+			autocomplete: "off",
+			value: letters.value,
+			onInput: (event) => {
+				letters.value = event.currentTarget.value;
+				which.value = 0;
+			},
+			onKeyDown: key
+		}), letters.value.trim() && /* @__PURE__ */ a("ul", {
+			id: "found",
+			role: "listbox",
+			"aria-label": t("find"),
+			children: [list.map((found, i) => /* @__PURE__ */ a("li", {
+				role: "option",
+				"aria-selected": i === which.value,
+				onPointerDown: (event) => {
+					event.preventDefault();
+					choose(found);
+				},
+				children: [found.id, /* @__PURE__ */ a("small", { children: found.at ? `${t("carrier")} · ${found.at.id}` : t(found.kind === "station" ? "at_station" : found.kind) })]
+			}, `${found.kind} ${found.id}`)), list.length === 0 && /* @__PURE__ */ a("li", {
+				class: "none",
+				children: t("nothing_found")
+			})]
+		})]
+	});
+}
+// src/parts/Keys.tsx
+/** The keys that the map takes. */
+var KEYS = [
+	["/", "key_find"],
+	["← ↑ → ↓", "key_pan"],
+	["+ −", "key_zoom"],
+	["0", "key_fit"],
+	["F", "key_follow"],
+	["Esc", "key_none"]
+];
+function Keys$1() {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("button", {
+		type: "button",
+		"aria-label": t("keys"),
+		title: t("keys"),
+		onClick: () => open.value = true,
+		children: "?"
+	}), open.value && /* @__PURE__ */ a(List, { close: () => open.value = false })] });
+}
+function List({ close }) {
+	const box = T(null);
+	A$1(() => box.current?.showModal(), []);
+	return /* @__PURE__ */ a("dialog", {
+		ref: box,
+		"aria-label": t("keys"),
+		onClose: close,
+		children: /* @__PURE__ */ a("form", {
+			method: "dialog",
+			children: [
+				/* @__PURE__ */ a("h2", { children: t("keys") }),
+				/* @__PURE__ */ a("dl", {
+					class: "keys",
+					children: KEYS.map(([key, word]) => /* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("dt", { children: /* @__PURE__ */ a("kbd", { children: key }) }), /* @__PURE__ */ a("dd", { children: t(word) })] }, key))
+				}),
+				/* @__PURE__ */ a("button", {
+					type: "submit",
+					children: t("close")
+				})
+			]
+		})
+	});
+}
+// src/parts/Layers.tsx
+/** Which layers the map shows. */
+var HEATS = [
+	null,
+	"waiting",
+	"traffic"
+];
+function Layers() {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "layers",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			onClick: () => open.value = !open.value,
+			children: t("layers")
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("layers"),
+			children: [
+				LAYERS.map((layer) => /* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("input", {
+					type: "checkbox",
+					checked: layers.value[layer],
+					onChange: (event) => show(layer, event.currentTarget.checked)
+				}), t(`layer_${layer}`)] }, layer)),
+				/* @__PURE__ */ a("b", { children: t("heat") }),
+				HEATS.map((kind) => /* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("input", {
+					type: "radio",
+					name: "heat",
+					checked: heatShown.value === kind,
+					onChange: () => heatShown.value = kind
+				}), t(kind === null ? "heat_off" : kind === "waiting" ? "heat_waiting" : "heat_traffic")] }, kind ?? "off"))
+			]
+		})]
+	});
+}
+// src/parts/Legend.tsx
+/** What the colours and forms on the map mean; what the plant does not have is left out. */
+var SIGNS = {
+	alarm: "!",
+	held: "‖",
+	gone: "?",
+	waiting: "…",
+	charging: "↯"
+};
+function Legend() {
+	const plant = layout.value;
+	const agvs = plant?.vehicles.some((vehicle) => vehicle.kind === "agv") ?? false;
+	const looks = Object.keys(LOOKS).filter((look) => look !== "charging" || agvs);
+	const zones = layers.value.zones ? plant?.zones ?? [] : [];
+	return /* @__PURE__ */ a("div", {
+		class: "legend",
+		children: [
+			looks.map((look) => /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("i", {
+					class: "dot",
+					style: { background: LOOKS[look] }
+				}),
+				t(`look_${look}`),
+				" ",
+				SIGNS[look] ?? ""
+			] }, look)),
+			/* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "box" }), t("legend_carrier")] }),
+			zones.some((zone) => zone.no_stop && !zone.soft) && /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "zone" }), t("legend_zone")] }),
+			zones.some((zone) => zone.soft) && /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "zone soft" }), t("legend_soft")] }),
+			plant && plant.doors.length > 0 && /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("i", { class: "door shut" }),
+				/* @__PURE__ */ a("i", { class: "door ajar" }),
+				t("legend_door")
+			] }),
+			plant && plant.chargers.length > 0 && /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", {
+				class: "flash",
+				children: "↯"
+			}), t("charger")] }),
+			heatShown.value && /* @__PURE__ */ a("span", {
+				class: "heat-key",
+				children: [
+					t("little"),
+					[
+						1,
+						2,
+						3,
+						4,
+						5,
+						6
+					].map((step) => /* @__PURE__ */ a("i", { style: { background: `var(--heat-${step})` } }, step)),
+					t("much")
+				]
+			})
+		]
+	});
+}
+// src/parts/TrackMap.tsx
+/** The live map with its buttons, its legend, and what is said of the thing under the pointer. */
+function tipOf(hit, x, y) {
+	const lines = hit && linesFor(hit.kind, hit.id);
+	return lines ? {
+		x,
+		y,
+		title: hit.id,
+		lines: lines.filter(Boolean)
+	} : null;
+}
+function linesFor(kind, id) {
+	if (kind === "vehicle") {
+		const vehicle = vehicles.get(id);
+		if (!vehicle) return null;
+		const load = vehicle.loaded ? vehicle.carrier ?? t("loaded") : t("empty");
+		return [
+			`${said(vehicle.activity)} · ${load}`,
+			tell(vehicle.waiting),
+			tell(vehicle.hold?.reason ?? "")
+		];
+	}
+	if (kind === "device") {
+		const device = devices.get(id);
+		const charger = layout.value?.chargers.some((one) => one.id === id);
+		return [
+			`${t(charger ? "charger" : "door")} · ${t(`device_${lookAt(id)}`)}`,
+			tell(device?.alarm || device?.reason || ""),
+			passers(id).join(", ")
+		];
+	}
+	const station = stations.get(id);
+	if (!station) return null;
+	const content = station.present === null ? t("unknown") : station.present ? station.carrier ?? t("loaded") : t("empty");
+	const name = layout.value?.stations.find((one) => one.id === id)?.buffer;
+	const buffer = name ? devices.get(name) : void 0;
+	return [`${said(station.kind)} · ${content}`, buffer ? `${buffer.id} · ${t(`device_${lookAt(buffer.id)}`)}` : ""];
+}
+function TrackMap() {
+	const frame = T(null);
+	const lower = T(null);
+	const middle = T(null);
+	const upper = T(null);
+	const touch = T(null);
+	const painter = T(null);
+	const tip = useSignal(null);
+	A$1(() => {
+		const box = frame.current;
+		const paint = new Painter(lower.current, middle.current, upper.current);
+		painter.current = paint;
+		const size = new ResizeObserver(() => paint.resize(box.clientWidth, box.clientHeight));
+		size.observe(box);
+		const stops = [
+			begin(),
+			x(() => {
+				track.value;
+				paint.load();
+			}),
+			x(() => {
+				changes.vehicles.value;
+				track.value;
+				paint.report();
+			}),
+			x(() => {
+				changes.stations.value;
+				changes.devices.value;
+				presence.value;
+				selected.value;
+				layers.value;
+				heatShown.value;
+				closedWays.value;
+				previewedWays.value;
+				plan.value;
+				paint.redraw();
+			}),
+			x(() => {
+				theme.value;
+				paint.recolour();
+			}),
+			x(() => {
+				inPast.value;
+				paint.forgetAll();
+				paint.report();
+			}),
+			x(() => {
+				moment.value;
+				paint.wake();
+			}),
+			x(() => {
+				following.value;
+				paint.move();
+			}),
+			listenTo(touch.current, paint, (hit, x, y) => tip.value = tipOf(hit, x, y))
+		];
+		return () => {
+			size.disconnect();
+			for (const stop of stops) stop();
+			paint.stop();
+		};
+	}, []);
+	const zoom = (factor) => {
+		const paint = painter.current;
+		paint?.view.zoom(factor, paint.view.width / 2, paint.view.height / 2);
+		paint?.move();
+	};
+	const go = (found) => {
+		if (found.kind !== "barcode") painter.current?.centre({
+			kind: found.kind,
+			id: found.id
+		});
+		else painter.current?.centre({
+			kind: "station",
+			id: found.id
+		});
+	};
+	const pick = selected.value;
+	return /* @__PURE__ */ a("div", {
+		class: "map",
+		ref: frame,
+		children: [
+			/* @__PURE__ */ a("canvas", {
+				ref: lower,
+				"aria-hidden": "true"
+			}),
+			/* @__PURE__ */ a("canvas", {
+				ref: middle,
+				"aria-hidden": "true"
+			}),
+			/* @__PURE__ */ a("canvas", {
+				ref: upper,
+				class: "front",
+				"aria-hidden": "true"
+			}),
+			/* @__PURE__ */ a("div", {
+				ref: touch,
+				class: "touch",
+				tabIndex: 0,
+				role: "application",
+				"aria-label": t("map_label")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "map-tools",
+				children: [
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => zoom(1.4),
+						"aria-label": t("zoom_in"),
+						title: t("zoom_in"),
+						children: "+"
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => zoom(1 / 1.4),
+						"aria-label": t("zoom_out"),
+						title: t("zoom_out"),
+						children: "−"
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => painter.current?.fit(),
+						children: t("fit")
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": following.value,
+						disabled: pick?.kind !== "vehicle",
+						title: t("follow_hint"),
+						onClick: () => following.value = !following.value,
+						children: t("follow")
+					}),
+					/* @__PURE__ */ a(Layers, {}),
+					/* @__PURE__ */ a(Finder, { go }),
+					/* @__PURE__ */ a(Keys$1, {})
+				]
+			}),
+			/* @__PURE__ */ a(Legend, {}),
+			tip.value && /* @__PURE__ */ a("div", {
+				class: "tip",
+				style: {
+					left: `${tip.value.x}px`,
+					top: `${tip.value.y}px`
+				},
+				children: [/* @__PURE__ */ a("b", { children: tip.value.title }), tip.value.lines.map((line) => /* @__PURE__ */ a("div", { children: line }, line))]
+			})
+		]
+	});
+}
+// src/parts/VehicleStrip.tsx
+/** All vehicles at a glance, reachable by key; how many do what where there are too many. */
+var CHIPS = 40;
+function VehicleStrip() {
+	const list = vehicleList.value;
+	const pick = selected.value?.kind === "vehicle" ? selected.value.id : "";
+	if (list.length > CHIPS) return /* @__PURE__ */ a(Groups, {});
+	return /* @__PURE__ */ a("nav", {
+		class: "strip",
+		"aria-label": t("vehicles"),
+		children: list.map((vehicle) => {
+			const look = lookOf(vehicle);
+			return /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "chip",
+				"aria-pressed": pick === vehicle.id,
+				style: { "--look": LOOKS[look] },
+				title: tell(vehicle.waiting || vehicle.hold?.reason || ""),
+				onClick: () => choose(pick === vehicle.id ? "" : vehicle.id),
+				children: [/* @__PURE__ */ a("b", { children: [vehicle.id, vehicle.loaded && /* @__PURE__ */ a("i", { class: "box" })] }), /* @__PURE__ */ a("small", { children: look === "gone" ? t("look_gone") : doing(vehicle) })]
+			}, vehicle.id);
+		})
+	});
+}
+/** A fleet too large for a chip each: how many look how; the rest is in the room of vehicles. */
+function Groups() {
+	const counts = /* @__PURE__ */ new Map();
+	for (const vehicle of vehicleList.value) counts.set(lookOf(vehicle), (counts.get(lookOf(vehicle)) ?? 0) + 1);
+	return /* @__PURE__ */ a("nav", {
+		class: "strip",
+		"aria-label": t("vehicles"),
+		children: Object.keys(LOOKS).map((look) => counts.has(look) && /* @__PURE__ */ a("button", {
+			type: "button",
+			class: "chip",
+			style: { "--look": LOOKS[look] },
+			onClick: () => room$1.value = "vehicles",
+			children: [/* @__PURE__ */ a("b", { children: counts.get(look) }), /* @__PURE__ */ a("small", { children: t(`look_${look}`) })]
+		}, look))
+	});
+}
+function choose(id) {
+	selected.value = id ? {
+		kind: "vehicle",
+		id
+	} : null;
+}
+// src/parts/Playback.tsx
+/** The plant as it was: the same map at a moment of the past, and how to move through the time that was recorded. */
+function Playback() {
+	return /* @__PURE__ */ a("div", {
+		class: "plan then",
+		children: [
+			/* @__PURE__ */ a(VehicleStrip, {}),
+			/* @__PURE__ */ a("div", {
+				class: "stage",
+				children: [/* @__PURE__ */ a(PastBanner, {}), /* @__PURE__ */ a(TrackMap, {})]
+			}),
+			/* @__PURE__ */ a("section", {
+				class: "card transport",
+				"aria-label": t("playback"),
+				children: [/* @__PURE__ */ a(Problem, { error: error.value }), kept$1.value ? /* @__PURE__ */ a(Scrubber, {}) : /* @__PURE__ */ a("p", {
+					class: "nothing",
+					children: loading.value ? t("loading") : t("nothing_recorded")
+				})]
+			})
+		]
+	});
+}
+/** Day and time of day at this place. */
+function dated(seconds) {
+	const at = /* @__PURE__ */ new Date(seconds * 1e3);
+	return `${[
+		at.getFullYear(),
+		at.getMonth() + 1,
+		at.getDate()
+	].map((part) => String(part).padStart(2, "0")).join("-")} ${clock(at.toISOString())}`;
+}
+/** Says that this is the past, for as long as it is, and leads back. */
+function PastBanner() {
+	tick.value;
+	const incident = kept$1.value?.incident;
+	const ago = Math.max(0, serverNow() / 1e3 - moment.value);
+	const grave = troubles.value.filter((wrong) => wrong.grave).length;
+	return /* @__PURE__ */ a("div", {
+		class: "past-banner",
+		role: "status",
+		"aria-live": "off",
+		children: [
+			/* @__PURE__ */ a("b", { children: t(recording.value ? "past_recording" : "past_here") }),
+			moment.value > 0 && /* @__PURE__ */ a("time", {
+				class: "then-at",
+				children: dated(moment.value)
+			}),
+			moment.value > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
+			incident && /* @__PURE__ */ a("span", { children: t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`) }),
+			/* @__PURE__ */ a("span", { children: t("past_no_commands") }),
+			loading.value && /* @__PURE__ */ a("span", { children: t("loading") }),
+			/* @__PURE__ */ a("span", { class: "grow" }),
+			grave > 0 && !recording.value && /* @__PURE__ */ a("b", {
+				class: "bad",
+				children: ["! ", t("past_alarms_now", grave)]
+			}),
+			!recording.value && /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "primary",
+				onClick: () => room$1.value = "map",
+				children: t("back_to_live")
+			})
+		]
+	});
+}
+/** What to look for in the stretch of time that is drawn; each leads to its moment. */
+function PastEvents() {
+	const list = marks.value.toReversed();
+	const at = moment.value;
+	A$1(() => {
+		document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
+	}, [stepped.value]);
+	return /* @__PURE__ */ a("section", {
+		class: "card past-events",
+		"aria-label": t("events_of_note"),
+		children: [/* @__PURE__ */ a("h2", { children: [
+			t("events_of_note"),
+			" ",
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: list.length
+			})
+		] }), /* @__PURE__ */ a("ol", {
+			class: "scroll",
+			reversed: true,
+			tabIndex: 0,
+			"aria-label": t("events_of_note"),
+			children: [list.length === 0 && /* @__PURE__ */ a("li", {
+				class: "nothing",
+				children: t("no_events")
+			}), list.map((event) => /* @__PURE__ */ a(Line, {
+				event,
+				past: Date.parse(event.ts) / 1e3 <= at
+			}, event.seq))]
+		})]
+	});
+}
+function Line({ event, past }) {
+	const kind = kindOf(event.event);
+	const go = () => {
+		if (event.vehicle) selected.value = {
+			kind: "vehicle",
+			id: event.vehicle
+		};
+		goTo(event);
+	};
+	return /* @__PURE__ */ a("li", {
+		"data-mark": event.seq,
+		class: past ? "" : "ahead",
+		"aria-current": stepped.value?.seq === event.seq ? "true" : void 0,
+		children: /* @__PURE__ */ a("button", {
+			type: "button",
+			class: "text",
+			onClick: go,
+			children: [
+				/* @__PURE__ */ a("i", {
+					class: `mark ${kind}`,
+					"aria-hidden": "true"
+				}),
+				" ",
+				/* @__PURE__ */ a("time", { children: clock(event.ts) }),
+				" ",
+				/* @__PURE__ */ a("b", { children: happening(event.event) }),
+				" ",
+				[
+					event.vehicle,
+					event.source,
+					tell(event.detail || event.result)
+				].filter(Boolean).join(" · ")
+			]
+		})
+	});
+}
+// src/parts/Stage.tsx
+/** Sends a vehicle to a station before its lot is ready; it stays idle there. */
+function Stage({ id }) {
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const send = () => void asking.ask(async () => {
+		const body = vehicle.value.trim() ? { vehicle: vehicle.value.trim() } : {};
+		const sent = await post(`/stations/${encodeURIComponent(id)}/stage`, body);
+		vehicle.value = sent.id;
+	}, t("staged"));
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("stage") }),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "stage",
+					value: vehicle,
+					list: "stage-vehicles",
+					hint: t("nearest_free")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /stations/{station}/stage",
+						label: t("stage"),
+						does: send
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "stage-vehicles",
+				children: layout.value?.vehicles.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/StationWrite.tsx
+/** A person writes down what is at a station, or that it is not to be used. */
+function StationWrite({ station }) {
+	const present = useSignal(station.present ? "yes" : "no");
+	const carrier = useSignal(station.carrier ?? "");
+	const reserved = useSignal(station.reserved);
+	const closed = useSignal(station.out_of_service);
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const there = present.value === "yes";
+		const body = {
+			present: there,
+			carrier: there ? carrier.value.trim() : "",
+			reserved: reserved.value.trim(),
+			out_of_service: closed.value.trim(),
+			by_person: true
+		};
+		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
+			class: "stack",
+			onSubmit: send,
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [
+						/* @__PURE__ */ a(Choice$1, {
+							label: t("present"),
+							value: present,
+							of: [["yes", t("yes")], ["no", t("no")]]
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("carrier"),
+							name: "carrier",
+							value: carrier,
+							hint: t("unknown")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("reserved"),
+							name: "reserved",
+							value: reserved,
+							hint: t("no")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("out_of_service"),
+							name: "out_of_service",
+							value: closed,
+							hint: t("no")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Button, {
+						needs: "PATCH /stations/{station}",
+						type: "submit",
+						children: t("write_down")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		})]
+	});
+}
+// src/parts/ByHand.tsx
+/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
+var AXES$1 = [
+	"shft",
+	"rota",
+	"lift"
+];
+function ByHand({ kind, path, newest, after }) {
+	const values = {
+		shft: useSignal(String(newest?.shft ?? "")),
+		rota: useSignal(String(newest?.rota ?? "")),
+		lift: useSignal(String(newest?.lift ?? ""))
+	};
+	const asking = useAsking();
+	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
+	const write = async () => {
+		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
+		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
+		if (await asking.ask(() => call("PUT", path, body, match))) after();
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields three",
+				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
+					label: axis.toUpperCase(),
+					name: axis,
+					type: "number",
+					value: values[axis]
+				}, axis))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
+					label: t("write"),
+					disabled: !whole,
+					does: () => void write()
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
+];
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
+}
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
+}
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
+}
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	const byHand = /* @__PURE__ */ a(ByHand, {
+		kind,
+		path,
+		newest,
+		after: () => again.value++
+	}, newest?.version);
+	if (!newest) return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_taught")
+		}), byHand]
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							said(version.source),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking }),
+			byHand
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
+	});
+}
+// src/parts/StationPanel.tsx
+function StationPanel({ id }) {
+	const now = stationNow(id);
+	tick.value;
+	if (!now) return null;
+	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
+	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: said(now.kind),
+		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
+		children: [
+			/* @__PURE__ */ a(CutOff, { id }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("present"),
+					children: [
+						occupied,
+						" ",
+						/* @__PURE__ */ a("small", { children: [
+							"(",
+							now.verified ? t("verified") : t("believed"),
+							")"
+						] })
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: now.carrier ?? t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("provenance"),
+					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("reserved"),
+					children: now.reserved || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("out_of_service"),
+					children: now.out_of_service || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("barcode"),
+					children: now.barcode
+				}),
+				now.target && /* @__PURE__ */ a(Fact, {
+					name: t("target"),
+					children: [
+						"SHFT ",
+						now.target[0],
+						" · ROTA ",
+						now.target[1],
+						" · LIFT ",
+						now.target[2],
+						" ",
+						/* @__PURE__ */ a("small", { children: ["v", now.target_version] })
+					]
+				})
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "buttons",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderFrom(id),
+					children: t("use_source")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderTo(id),
+					children: t("use_destination")
+				})]
+			}),
+			/* @__PURE__ */ a(Stage, { id }),
+			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
+			now.kind === "port" && /* @__PURE__ */ a(Taught, {
+				kind: "station",
+				id
+			}),
+			buffer && /* @__PURE__ */ a("section", {
+				class: "part",
+				children: [/* @__PURE__ */ a("h3", { children: [
+					t("buffer"),
+					" ",
+					buffer
+				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
+			})
+		]
+	});
+}
+// src/parts/Once.tsx
+/** Something that is shown once and never again: a key, a secret; it is copied and put away. */
+function Once({ label, value }) {
+	const box = T(null);
+	const copied = useSignal(false);
+	if (!value.value) return null;
+	const copy = async () => {
+		box.current?.select();
+		try {
+			await navigator.clipboard.writeText(value.value);
+		} catch {
+			document.execCommand("copy");
+		}
+		copied.value = true;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "note waits stack",
+		"data-once": true,
+		children: [
+			/* @__PURE__ */ a("b", { children: label }),
+			/* @__PURE__ */ a("span", { children: t("shown_once") }),
+			/* @__PURE__ */ a("input", {
+				ref: box,
+				readOnly: true,
+				class: "hex",
+				"aria-label": label,
+				value: value.value,
+				onFocus: (event) => event.currentTarget.select()
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					class: "primary",
+					onClick: () => void copy(),
+					children: t(copied.value ? "copied" : "copy")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => {
+						value.value = "";
+						copied.value = false;
+					},
+					children: t("put_away")
+				})]
+			})
+		]
+	});
+}
+// src/parts/Staff.tsx
+/** Users and keys: who may log in, which machines may call, with which roles; for administrators. */
+function Staff() {
+	const tab = useSignal("users");
+	const why = refusal("GET /users");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("access"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [/* @__PURE__ */ a("h2", { children: t("access") }), /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: ["users", "keys"].map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": tab.value === name,
+					onClick: () => tab.value = name,
+					children: t(name === "users" ? "users" : "machine_keys")
+				}, name))
+			})]
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : tab.value === "users" ? /* @__PURE__ */ a(Users, {}) : /* @__PURE__ */ a(Keys, {})]
+	});
+}
+function Roles({ value }) {
+	const turn = (role, on) => {
+		value.value = allRoles.value.filter((one) => one === role ? on : value.value.includes(one));
+	};
+	return /* @__PURE__ */ a("fieldset", {
+		class: "roles",
+		children: [/* @__PURE__ */ a("legend", { children: t("roles") }), allRoles.value.map((role) => /* @__PURE__ */ a("label", { children: [
+			/* @__PURE__ */ a("input", {
+				type: "checkbox",
+				checked: value.value.includes(role),
+				onChange: (event) => turn(role, event.currentTarget.checked)
+			}),
+			" ",
+			said(`role_${role}`)
+		] }, role))]
+	});
+}
+function Users() {
+	const again = useSignal(0);
+	const chosen = useSignal(null);
+	const { value } = useRead("/users", again.value);
+	const user = value?.items.find(({ name }) => name === chosen.value);
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("users"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			pick: (row) => chosen.value = row.name,
+			chosen: chosen.value,
+			none: t("no_users"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => chosen.value = row.name,
+						children: row.name
+					})
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => Number(row.disabled),
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.disabled ? "bad" : "good",
+						children: t(row.disabled ? "disabled" : "enabled")
+					})
+				},
+				{
+					name: t("logged_in"),
+					by: (row) => row.logged_in,
+					of: (row) => row.logged_in ? moment$1(row.logged_in) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment$1(row.created)} · ${row.created_by}`
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [user && /* @__PURE__ */ a(Change, {
+			user,
+			after: () => again.value++
+		}, user.name), /* @__PURE__ */ a(Add, { after: () => again.value++ })] })]
+	});
+}
+function Change({ user, after }) {
+	const roles = useSignal(user.roles);
+	const password = useSignal("");
+	const asking = useAsking();
+	const path = `/users/${encodeURIComponent(user.name)}`;
+	const change = async (body, words) => {
+		if (await asking.ask(() => call("PATCH", path, body), words)) {
+			password.value = "";
+			after();
+		}
+	};
+	const same = roles.value.join() === user.roles.join();
+	return /* @__PURE__ */ a("section", {
+		class: "stack padded",
+		"data-user": user.name,
+		"aria-label": user.name,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: user.name
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t("change_roles"),
+					disabled: same || roles.value.length === 0,
+					does: () => void change({ roles: roles.value }, t("taken"))
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t(user.disabled ? "enable" : "disable"),
+					does: () => void change({ disabled: !user.disabled }, t("taken"))
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("new_password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "PATCH /users/{user}",
+						label: t("reset_password"),
+						disabled: !password.value,
+						does: () => void change({ password: password.value }, t("password_reset", user.name))
+					})
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Add({ after }) {
+	const [name, password] = [useSignal(""), useSignal("")];
+	const roles = useSignal([]);
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			password: password.value
+		};
+		if (!await asking.ask(() => post("/users", body), t("user_added", body.name))) return;
+		name.value = password.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("add_user"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("add_user")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule"),
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /users",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("add_user")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Keys() {
+	const again = useSignal(0);
+	const { value } = useRead("/keys", again.value);
+	const asking = useAsking();
+	const revoke = async (name) => {
+		await asking.ask(() => call("DELETE", `/keys/${encodeURIComponent(name)}`), t("key_revoked", name));
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Told, { asking }), /* @__PURE__ */ a(Table, {
+			label: t("machine_keys"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			none: t("no_keys"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => row.name
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.state === "active" ? "good" : "bad",
+						children: said(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
+					})
+				},
+				{
+					name: t("expires"),
+					by: (row) => row.expires,
+					of: (row) => row.expires ? moment$1(row.expires) : t("never")
+				},
+				{
+					name: t("last_used"),
+					by: (row) => row.used,
+					of: (row) => row.used ? moment$1(row.used) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment$1(row.created)} · ${row.created_by}`
+				},
+				{
+					name: "",
+					of: (row) => row.state === "active" && /* @__PURE__ */ a(Sure, {
+						needs: "DELETE /keys/{key}",
+						label: t("revoke"),
+						does: () => void revoke(row.name)
+					})
+				}
+			]
+		})] }), /* @__PURE__ */ a(Issue, { after: () => again.value++ })]
+	});
+}
+function Issue({ after }) {
+	const [name, days] = [useSignal(""), useSignal("365")];
+	const roles = useSignal([]);
+	const made = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			...days.value ? { days: Number(days.value) } : {}
+		};
+		if (!await asking.ask(async () => {
+			made.value = (await post("/keys", body)).key;
+		}, "")) return;
+		name.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("issue_key"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("issue_key")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("days_good"),
+					name: "days",
+					type: "number",
+					min: 1,
+					max: 3660,
+					value: days,
+					hint: t("until_revoked")
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /keys",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("issue_key")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("new_key"),
+				value: made
+			})
+		]
+	});
+}
+// src/parts/Stations.tsx
+/** Stations and carriers: where everything is believed to be, and how well that is known. */
+function Stations() {
+	const tab = useSignal("stations");
+	const letters = useSignal("");
+	const group = useSignal("all");
+	tick.value;
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
+	const groups = {
+		all: () => true,
+		present: (station) => station.present === true,
+		free: (station) => station.present === false,
+		unknown: (station) => station.present === null,
+		believed: (station) => !station.verified,
+		out_of_service: (station) => station.out_of_service !== "",
+		reserved: (station) => station.reserved !== ""
+	};
+	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
+	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
+	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("stations"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "tabs-head",
+					children: /* @__PURE__ */ a("span", {
+						class: "tabs",
+						children: [/* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "stations",
+							onClick: () => tab.value = "stations",
+							children: [
+								t("stations"),
+								" ",
+								stationList.value.length
+							]
+						}), /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "carriers",
+							onClick: () => tab.value = "carriers",
+							children: [
+								t("carriers"),
+								" ",
+								carrierList.value.length
+							]
+						})]
+					})
+				}),
+				tab.value === "stations" && /* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: group.value,
+					onChange: (event) => group.value = event.currentTarget.value,
+					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "free" ? t("empty") : said(name)
+					}, name))
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
+			label: t("stations"),
+			rows: stations,
+			keyOf: ({ id }) => id,
+			pick: ({ id }) => selected.value = {
+				kind: "station",
+				id
+			},
+			chosen: selected.value?.kind === "station" ? selected.value.id : null,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("at_station"),
+					by: ({ id }) => id,
+					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
+				},
+				{
+					name: t("kind"),
+					by: ({ kind }) => kind,
+					of: ({ kind }) => said(kind)
+				},
+				{
+					name: t("barcode"),
+					by: ({ barcode }) => barcode,
+					of: ({ barcode }) => barcode
+				},
+				{
+					name: t("present"),
+					by: ({ present }) => present === null ? null : Number(present),
+					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
+				},
+				{
+					name: t("carrier"),
+					by: ({ carrier }) => carrier,
+					of: ({ carrier }) => carrier ?? ""
+				},
+				{
+					name: t("provenance"),
+					by: ({ provenance }) => provenance,
+					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+				},
+				{
+					name: t("age"),
+					by: ({ at }) => at,
+					of: ({ at }) => since(at)
+				},
+				{
+					name: t("reserved"),
+					by: ({ reserved }) => reserved || null,
+					of: ({ reserved }) => reserved
+				},
+				{
+					name: t("out_of_service"),
+					by: (station) => station.out_of_service || null,
+					of: (station) => station.out_of_service
+				}
+			]
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("carriers"),
+				rows: carriers,
+				keyOf: ({ id }) => id,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("carrier"),
+						by: ({ id }) => id,
+						of: ({ id }) => id
+					},
+					{
+						name: t("place"),
+						by: ({ place }) => place,
+						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
+					},
+					{
+						name: t("provenance"),
+						by: ({ provenance }) => provenance,
+						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					},
+					{
+						name: t("age"),
+						by: ({ at }) => at,
+						of: ({ at }) => since(at)
+					},
+					{
+						name: "",
+						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
+					}
+				]
+			}), /* @__PURE__ */ a(Install, {})]
+		})]
+	});
+}
+function Remove({ id }) {
+	const asking = useAsking();
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
+		needs: "DELETE /carriers/{carrier}",
+		label: t("remove"),
+		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
+	}), /* @__PURE__ */ a(Told, { asking })] });
+}
+/** A person says where a carrier is. */
+function Install() {
+	const carrier = useSignal("");
+	const place = useSignal("");
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
+		asking.ask(() => call("PUT", path, {
+			place: place.value.trim(),
+			by_person: true
+		}));
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		onSubmit: send,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("carrier_is")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("carrier"),
+					name: "carrier",
+					value: carrier,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("place"),
+					name: "place",
+					value: place,
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "PUT /carriers/{carrier}",
+					type: "submit",
+					children: t("write_down")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/Chart.tsx
+/** A chart over time. */
+var HEIGHT = 190;
+/** `times` in seconds since 1970, one for each value. */
+function Chart({ label, times, lines, unit }) {
+	const box = T(null);
+	const wears = theme.value;
+	A$1(() => {
+		const parent = box.current;
+		const style = getComputedStyle(document.documentElement);
+		const of = (name) => style.getPropertyValue(name).trim();
+		const axis = {
+			stroke: of("--dim"),
+			grid: {
+				stroke: of("--line"),
+				width: 1
+			},
+			ticks: {
+				stroke: of("--line"),
+				width: 1
+			}
+		};
+		const chart = new uPlot({
+			width: parent.clientWidth,
+			height: HEIGHT,
+			series: [{}, ...lines.map((line) => ({
+				label: line.label,
+				stroke: of(line.colour),
+				width: 2,
+				...line.bars ? {
+					fill: `${of(line.colour)}66`,
+					paths: uPlot.paths.bars?.({ size: [.8, 40] })
+				} : {}
+			}))],
+			axes: [axis, {
+				...axis,
+				label: unit,
+				labelSize: 16,
+				stroke: of("--dim")
+			}],
+			cursor: { drag: {
+				x: true,
+				y: false
+			} }
+		}, [times, ...lines.map(({ values }) => values)], parent);
+		const size = new ResizeObserver(() => chart.setSize({
+			width: parent.clientWidth,
+			height: HEIGHT
+		}));
+		size.observe(parent);
+		return () => {
+			size.disconnect();
+			chart.destroy();
+		};
+	}, [
+		wears,
+		times,
+		lines
+	]);
+	return /* @__PURE__ */ a("figure", {
+		class: "chart",
+		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
+			ref: box,
+			role: "img",
+			"aria-label": label
+		})]
+	});
+}
+// src/parts/Statistics.tsx
+/** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
+var PERIODS = {
+	hour: [3600, 60],
+	shift: [28800, 900],
+	day: [86400, 3600],
+	week: [604800, 21600]
+};
+var PHASES = [
+	"queued",
+	"fetching",
+	"acquiring",
+	"carrying",
+	"depositing",
+	"total"
+];
+var TABLES = [
+	"phases",
+	"intervals",
+	"vehicles",
+	"waits",
+	"transfers"
+];
+/** Read anew so often, s. */
+var EVERY$1 = 60;
+function Statistics() {
+	const period = useSignal("hour");
+	const round = Math.floor(tick.value / EVERY$1);
+	const query = w$2(() => {
+		const [length, interval] = PERIODS[period.value];
+		const end = Date.now();
+		return new URLSearchParams({
+			from: (/* @__PURE__ */ new Date(end - length * 1e3)).toISOString(),
+			to: new Date(end).toISOString(),
+			interval: String(interval)
+		});
+	}, [period.value, round]);
+	const { value, error } = useRead(`/statistics?${query}`);
+	const asking = useAsking();
+	const save = (path, name) => void asking.ask(() => download(path, name), "");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("statistics"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: t("statistics") }),
+				/* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: Object.keys(PERIODS).map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": period.value === name,
+						onClick: () => period.value = name,
+						children: t(`period_${name}`)
+					}, name))
+				}),
+				TABLES.map((table) => /* @__PURE__ */ a("button", {
+					type: "button",
+					title: t("save_csv"),
+					onClick: () => save(`/statistics/${table}.csv?${query}`, `${table}.csv`),
+					children: [t(`table_${table}`), " ⤓"]
+				}, table)),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => save(`/statistics/report?${query}&lang=${language.value}`, "report.html"),
+					children: [t("report"), " ⤓"]
+				}),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Problem, { error })
+			]
+		}), /* @__PURE__ */ a("div", {
+			class: "scroll figures",
+			tabIndex: 0,
+			role: "group",
+			"aria-label": t("statistics"),
+			children: value && /* @__PURE__ */ a(Shown, { found: value })
+		})]
+	});
+}
+var seconds = (value) => value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1e3);
+function Shown({ found }) {
+	const times = w$2(() => found.intervals.map((one) => Date.parse(one.begin) / 1e3), [found]);
+	const through = w$2(() => [
+		{
+			label: t("completed"),
+			colour: "--look-charging",
+			values: found.intervals.map((one) => one.completed),
+			bars: true
+		},
+		{
+			label: t("ordered_at"),
+			colour: "--look-moving",
+			values: found.intervals.map((one) => one.ordered)
+		},
+		{
+			label: t("queue"),
+			colour: "--look-waiting",
+			values: found.intervals.map((one) => one.queue)
+		}
+	], [found, language.value]);
+	const delivery = w$2(() => [{
+		label: "p50",
+		colour: "--look-moving",
+		values: found.intervals.map((one) => one.delivery.p50)
+	}, {
+		label: "p95",
+		colour: "--look-held",
+		values: found.intervals.map((one) => one.delivery.p95)
+	}], [found]);
+	const most = Math.max(1, ...found.waits.map((one) => one.seconds));
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("p", {
+			class: "tiles",
+			children: [Object.entries(found.jobs).map(([state, count]) => /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: count }),
+				" ",
+				said(state)
+			] }, state)), /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %` }),
+				" ",
+				t("empty_travel")
+			] })]
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("throughput"),
+			times,
+			lines: through,
+			unit: t("jobs")
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("delivery_time"),
+			times,
+			lines: delivery,
+			unit: "s"
+		}),
+		/* @__PURE__ */ a(Phases, { phases: found.phases }),
+		/* @__PURE__ */ a("h3", { children: t("waits_by_cause") }),
+		/* @__PURE__ */ a("table", {
+			class: "list",
+			children: /* @__PURE__ */ a("tbody", { children: found.waits.map((one) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: tell(said(one.cause)) }),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: one.times
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: span(one.seconds * 1e3)
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "bar",
+					children: /* @__PURE__ */ a("i", { style: { width: `${100 * one.seconds / most}%` } })
+				})
+			] }, one.cause)) })
+		}),
+		found.waits.length === 0 && /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_waited")
+		}),
+		/* @__PURE__ */ a("h3", { children: t("vehicles") }),
+		/* @__PURE__ */ a(Table, {
+			label: t("vehicles"),
+			rows: found.vehicles,
+			keyOf: (row) => row.vehicle,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("completed"),
+					by: (row) => row.completed,
+					of: (row) => row.completed,
+					number: true
+				},
+				{
+					name: t("utilisation"),
+					by: (row) => row.busy_share,
+					of: (row) => `${(row.busy_share * 100).toFixed(1)} %`,
+					number: true
+				},
+				{
+					name: t("failures"),
+					by: (row) => row.failures,
+					of: (row) => row.failures,
+					number: true
+				},
+				{
+					name: "MTBF (h)",
+					by: (row) => row.mtbf_hours,
+					of: (row) => row.mtbf_hours ?? "–",
+					number: true
+				},
+				{
+					name: "MTTR (min)",
+					by: (row) => row.mttr_minutes,
+					of: (row) => row.mttr_minutes ?? "–",
+					number: true
+				},
+				{
+					name: t("availability"),
+					by: (row) => row.availability,
+					of: (row) => `${(row.availability * 100).toFixed(2)} %`,
+					number: true
+				}
+			]
+		})
+	] });
+}
+function Phases({ phases }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h3", { children: t("phases") }), /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("phase"),
+			t("count"),
+			t("mean"),
+			"p50",
+			"p95",
+			t("longest")
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: PHASES.filter((name) => phases[name]).map((name) => {
+			const { count, mean, p50, p95, longest } = phases[name];
+			return /* @__PURE__ */ a("tr", {
+				"data-phase": name,
+				children: [
+					/* @__PURE__ */ a("td", { children: t(`phase_${name}`) }),
+					/* @__PURE__ */ a("td", { children: count }),
+					[
+						mean,
+						p50,
+						p95,
+						longest
+					].map((value, i) => /* @__PURE__ */ a("td", { children: seconds(value) }, i))
+				]
+			}, name);
+		}) })]
+	})] });
+}
+// src/parts/TeachingFiles.tsx
+/** Taught values as files: saved, and read back after a look at what each row would come to. */
+var TONES$1 = {
+	new: "good",
+	changed: "wait",
+	same: "calm",
+	error: "bad"
+};
+function TeachingFiles() {
+	const side = useSignal("dests");
+	const file = useSignal(null);
+	const report = useSignal(null);
+	const asking = useAsking();
+	const ask = (dry) => void asking.ask(async () => {
+		const given = file.value;
+		report.value = null;
+		report.value = await upload(`/teaching/${side.value}/import?dry_run=${dry}`, await given.text(), given.name.endsWith(".json") ? "application/json" : "text/csv");
+		if (!dry) file.value = null;
+	}, dry ? "" : t("imported"));
+	const choose = (chosen) => {
+		file.value = chosen ?? null;
+		if (chosen) ask(true);
+	};
+	const save = (kind, history) => void asking.ask(() => download(`/teaching/${side.value}?format=${kind}&history=${history}`, `${side.value}.${kind}`), "");
+	const found = report.value;
+	const wrong = found?.counts["error"] ?? 0;
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [/* @__PURE__ */ a("div", {
+			class: "stack padded",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Choice$1, {
+						label: t("kind"),
+						value: side,
+						of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: [
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", false),
+								children: t("save_csv")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("json", false),
+								children: t("save_json")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", true),
+								children: t("save_history")
+							}),
+							/* @__PURE__ */ a("label", {
+								class: "file",
+								children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
+									type: "file",
+									accept: ".csv,.json,text/csv,application/json",
+									"aria-label": t("read_file"),
+									onChange: (event) => {
+										choose(event.currentTarget.files?.[0]);
+										event.currentTarget.value = "";
+									}
+								})]
+							})
+						]
+					})]
+				}),
+				found && /* @__PURE__ */ a("p", {
+					role: "status",
+					"data-import": found.dry_run ? "tried" : "done",
+					children: [
+						"new",
+						"changed",
+						"same",
+						"error"
+					].map((fate) => /* @__PURE__ */ a("span", {
+						class: TONES$1[fate] ?? "",
+						children: [
+							/* @__PURE__ */ a("b", { children: found.counts[fate] }),
+							" ",
+							t(`fate_${fate}`),
+							" "
+						]
+					}, fate))
+				}),
+				found?.dry_run && file.value && /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
+						needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
+						label: t("import"),
+						disabled: wrong > 0,
+						does: () => ask(false)
+					})]
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("import"),
+			rows: found?.items ?? [],
+			keyOf: (row) => String(row.line),
+			none: t("import_none"),
+			columns: [
+				{
+					name: t("line_of_file"),
+					by: (row) => row.line,
+					of: (row) => row.line,
+					number: true
+				},
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+				},
+				{
+					name: t("result"),
+					by: (row) => row.fate,
+					of: (row) => /* @__PURE__ */ a("b", {
+						class: TONES$1[row.fate] ?? "",
+						children: t(`fate_${row.fate}`)
+					})
+				},
+				{
+					name: t("in_words"),
+					of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
+				}
+			]
+		})]
+	});
+}
+// src/parts/TeachingRaw.tsx
+/** What vehicles sent while they were taught, as they sent it; and the offsets of two vehicles side by side. */
+function TeachingRaw() {
+	const after = useSignal(0);
+	const { value } = useRead(`/teaching/events?limit=200&after=${after.value}`, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [
+			/* @__PURE__ */ a(TwoOffsets, {}),
+			/* @__PURE__ */ a(Table, {
+				label: t("teaching_events"),
+				rows: [...value?.items ?? []].reverse(),
+				keyOf: (row) => String(row.number),
+				none: t("no_proposals"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.number,
+						of: (row) => row.number,
+						number: true
+					},
+					{
+						name: t("when"),
+						by: (row) => row.at,
+						of: (row) => moment$1(row.at)
+					},
+					{
+						name: t("vehicle"),
+						by: (row) => row.vehicle,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+					},
+					{
+						name: t("barcode"),
+						by: (row) => row.barcode,
+						of: (row) => row.barcode
+					},
+					{
+						name: t("what"),
+						by: (row) => row.code,
+						of: (row) => `${row.axis?.toUpperCase() ?? "–"} · 0x${row.code}`
+					},
+					{
+						name: t("position"),
+						by: (row) => row.position,
+						of: (row) => row.position ?? "–",
+						number: true
+					},
+					{
+						name: t("asked_by"),
+						by: (row) => row.asked_by,
+						of: (row) => row.asked_by ?? ""
+					}
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: after.value === 0,
+					onClick: () => after.value = 0,
+					children: t("from_start")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: !value?.next,
+					onClick: () => after.value = value?.next ?? 0,
+					children: [t("newer"), " ▶"]
+				})]
+			})
+		]
+	});
+}
+function TwoOffsets() {
+	const [one, other] = [useSignal(""), useSignal("")];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	const known = (id) => hoists.some((vehicle) => vehicle.id === id);
+	const ready = known(one.value) && known(other.value) && one.value !== other.value;
+	const path = `/teaching/compare/offsets/${encodeURIComponent(one.value)}/${encodeURIComponent(other.value)}`;
+	const { value, error } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		role: "group",
+		"aria-label": t("compare_offsets"),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("compare_offsets")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "one",
+					value: one,
+					list: "offset-hoists"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle_other"),
+					name: "other",
+					value: other,
+					list: "offset-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "offset-hoists",
+				children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && /* @__PURE__ */ a(Problem, { error }),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: one.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.one })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: other.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.other })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("difference"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: value.differences,
+							signed: true
+						})
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Teaching.tsx
+/** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
+var TABS = [
+	"proposals",
+	"sessions",
+	"drift",
+	"dry_run",
+	"files",
+	"raw"
+];
+function Teaching() {
+	const tab = useSignal("proposals");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("teaching"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "head",
+				children: [/* @__PURE__ */ a("h2", { children: t("teaching") }), /* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: TABS.map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": tab.value === name,
+						onClick: () => tab.value = name,
+						children: t(name === "files" || name === "raw" ? `teaching_${name}` : name)
+					}, name))
+				})]
+			}),
+			tab.value === "proposals" && /* @__PURE__ */ a(Proposals, {}),
+			tab.value === "sessions" && /* @__PURE__ */ a(Sessions, {}),
+			tab.value === "drift" && /* @__PURE__ */ a(Drift, {}),
+			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {}),
+			tab.value === "files" && /* @__PURE__ */ a(TeachingFiles, {}),
+			tab.value === "raw" && /* @__PURE__ */ a(TeachingRaw, {})
+		]
+	});
+}
+var OPEN = /* @__PURE__ */ new Set([
+	"collecting",
+	"ready",
+	"incomplete",
+	"out_of_range",
+	"wrong_mode",
+	"pending",
+	"ambiguous"
+]);
+var tone$1 = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
+function Proposals() {
+	const chosen = useSignal(null);
+	const { value } = useRead("/teaching/proposals?limit=200", changes.teaching.value);
+	const id = chosen.value ?? value?.items[0]?.id ?? null;
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("proposals"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(id),
+			none: t("no_proposals"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: `state ${tone$1(row.state)}`,
+						children: said(row.state)
+					})
+				},
+				{
+					name: t("kind"),
+					by: (row) => row.side,
+					of: (row) => t(row.side)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("new"),
+					of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.result })
+				},
+				{
+					name: t("when"),
+					by: (row) => row.at,
+					of: (row) => clock(row.at)
+				}
+			]
+		}), id !== null && /* @__PURE__ */ a(Detail$1, { id }, id)]
+	});
+}
+/** A proposal: what was sent, what it would make, for whom that changes anything; and the decision. */
+function Detail$1({ id }) {
+	const again = useSignal(0);
+	const { value: proposal } = useRead(`/teaching/proposals/${id}`, changes.teaching.value, again.value);
+	const station = useSignal("");
+	const asking = useAsking();
+	if (!proposal) return /* @__PURE__ */ a("div", {});
+	const path = `/teaching/proposals/${id}`;
+	const match = { "If-Match": `"${proposal.revision}"` };
+	const over = proposal.closed !== null;
+	const against = [
+		"incomplete",
+		"wrong_mode",
+		"out_of_range"
+	].includes(proposal.state) ? [proposal.state] : [];
+	const decide = (verb, body) => async (reason) => {
+		await post(`${path}/${verb}`, {
+			...body,
+			reason
+		}, match);
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-proposal": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					t(proposal.side),
+					" · ",
+					proposal.station ?? "?",
+					" · ",
+					proposal.vehicle
+				]
+			}),
+			proposal.why && /* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: [
+					tell(proposal.why),
+					" ",
+					/* @__PURE__ */ a("em", { children: tell(proposal.remedy) })
+				]
+			}),
+			[...proposal.warnings, proposal.drift].filter(Boolean).map((words) => /* @__PURE__ */ a("p", {
+				class: "note held",
+				children: tell(words)
+			}, words)),
+			/* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("sent_positions"),
+						children: /* @__PURE__ */ a(Pulses, { axes: proposal.raw })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("old"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: proposal.present }),
+							" ",
+							proposal.present && /* @__PURE__ */ a("small", { children: ["v", proposal.present.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("new"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: proposal.result,
+							before: proposal.present
+						})
+					}),
+					proposal.asked_by && /* @__PURE__ */ a(Fact, {
+						name: t("asked_by"),
+						children: proposal.asked_by
+					}),
+					over && /* @__PURE__ */ a(Fact, {
+						name: said(proposal.state),
+						children: [
+							proposal.closed_by,
+							" · ",
+							clock(proposal.closed ?? ""),
+							" ",
+							proposal.reason
+						]
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Changes, { changes: proposal.changes }),
+			!over && proposal.state === "ambiguous" && /* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: t("at_station"),
+						value: station,
+						list: "station-names"
+					}),
+					/* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /teaching/proposals/{proposal}/assign",
+							disabled: !station.value,
+							onClick: () => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match)),
+							children: t("assign")
+						})
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "station-names",
+						children: layout.value?.stations.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+					})
+				]
+			}),
+			!over && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t(against.length ? "approve_anyway" : "approve"),
+					needs: "POST /teaching/proposals/{proposal}/approve",
+					bare: against.length === 0,
+					grave: true,
+					does: decide("approve", { accept: against })
+				}, {
+					label: t("reject"),
+					needs: "POST /teaching/proposals/{proposal}/reject",
+					does: decide("reject", {})
+				}]
+			})
+		]
+	});
+}
+function Sessions() {
+	const chosen = useSignal(null);
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead("/teaching/sessions?limit=100", changes.teaching.value);
+	const open = (event) => {
+		event.preventDefault();
+		asking.ask(async () => {
+			const made = await post("/teaching/sessions", {
+				station: station.value.trim(),
+				vehicle: vehicle.value.trim()
+			});
+			chosen.value = made.id;
+		});
+	};
+	const ports = layout.value?.stations.filter(({ kind }) => kind === "port") ?? [];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("sessions"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(chosen.value),
+			none: t("no_sessions"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => said(row.state)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("who"),
+					by: (row) => row.actor,
+					of: (row) => row.actor
+				},
+				{
+					name: t("when"),
+					by: (row) => row.opened,
+					of: (row) => clock(row.opened)
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("form", {
+			class: "stack padded",
+			onSubmit: open,
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "sub",
+					children: t("teach_port")
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("port"),
+						name: "station",
+						value: station,
+						list: "port-names",
+						required: true
+					}), /* @__PURE__ */ a(Field, {
+						label: t("vehicle"),
+						name: "vehicle",
+						value: vehicle,
+						list: "hoist-names",
+						required: true
+					})]
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "port-names",
+					children: ports.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "hoist-names",
+					children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Button, {
+						needs: "POST /teaching/sessions",
+						type: "submit",
+						children: t("open_session")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), chosen.value !== null && /* @__PURE__ */ a(Session, { id: chosen.value }, chosen.value)] })]
+	});
+}
+function Session({ id }) {
+	const { value: session } = useRead(`/teaching/sessions/${id}`, changes.teaching.value, Math.floor(changes.vehicles.value / 20));
+	const asking = useAsking();
+	if (!session) return null;
+	const path = `/teaching/sessions/${id}`;
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-session": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					"#",
+					id,
+					" ",
+					session.station,
+					" · ",
+					session.vehicle,
+					" · ",
+					said(session.state)
+				]
+			}),
+			/* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: tell(session.advice)
+			}),
+			session.state === "open" && /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a(Button, {
+					needs: "POST /teaching/sessions/{session}/start",
+					onClick: () => void asking.ask(() => post(`${path}/start`, { what }), t("sent")),
+					children: t(what === "dest" ? "teach_dest" : "teach_offset")
+				}, what))
+			}), /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("close_session"),
+					needs: "POST /teaching/sessions/{session}/close",
+					bare: true,
+					does: (reason) => post(`${path}/close`, { reason })
+				}, {
+					label: t("abandon"),
+					needs: "POST /teaching/sessions/{session}/close",
+					bare: true,
+					grave: true,
+					does: (reason) => post(`${path}/close`, {
+						reason,
+						abandon: true
+					})
+				}]
+			})] }),
+			session.proposals.map((proposal) => /* @__PURE__ */ a("p", { children: [
+				"#",
+				proposal.id,
+				" ",
+				said(proposal.state),
+				" ",
+				/* @__PURE__ */ a(Pulses, { axes: proposal.result })
+			] }, proposal.id))
+		]
+	});
+}
+function Drift() {
+	const { value } = useRead("/teaching/drift", changes.teaching.value);
+	return /* @__PURE__ */ a(Table, {
+		label: t("drift"),
+		rows: value?.items ?? [],
+		keyOf: (row) => row.side + row.name,
+		none: t("no_drift"),
+		columns: [
+			{
+				name: t("kind"),
+				by: (row) => row.side,
+				of: (row) => t(row.side)
+			},
+			{
+				name: t("name"),
+				by: (row) => row.name,
+				of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+			},
+			{
+				name: t("old"),
+				of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.old })
+			},
+			{
+				name: t("new"),
+				of: (row) => /* @__PURE__ */ a(Pulses, {
+					axes: row.new,
+					before: row.old
+				})
+			},
+			{
+				name: t("drift"),
+				of: (row) => tell(row.drift)
+			}
+		]
+	});
+}
+/** What a vehicle would be sent at a port, and from which rows; nothing is sent. */
+function DryRun() {
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const ready = layout.value?.stations.some(({ id }) => id === station.value) && layout.value.vehicles.some(({ id }) => id === vehicle.value);
+	const path = `/teaching/targets/${encodeURIComponent(station.value)}/${encodeURIComponent(vehicle.value)}`;
+	const { value } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("port"),
+					name: "station",
+					value: station,
+					list: "dry-ports"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "vehicle",
+					value: vehicle,
+					list: "dry-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-ports",
+				children: layout.value?.stations.filter(({ kind }) => kind === "port").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-hoists",
+				children: layout.value?.vehicles.filter(({ kind }) => kind !== "agv").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("target"),
+						children: /* @__PURE__ */ a(Pulses, { axes: value })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("dest"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: value.dest }),
+							" ",
+							value.dest && /* @__PURE__ */ a("small", { children: ["v", value.dest.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("offset"),
+						children: [
+							value.reference ? t("reference_vehicle") : /* @__PURE__ */ a(Pulses, { axes: value.offset }),
+							" ",
+							value.offset && /* @__PURE__ */ a("small", { children: ["v", value.offset.version] })
+						]
+					}),
+					value.refusal && /* @__PURE__ */ a(Fact, {
+						name: t("refused"),
+						children: /* @__PURE__ */ a("span", {
+							class: "bad",
+							children: tell(value.refusal)
+						})
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Transfer.tsx
+/** The form that orders a transfer. */
+var key = freshKey();
+var written = "";
+/** The same order keeps its key, so that sending it again after a lost answer makes no second job. */
+function keyOf(body) {
+	const now = JSON.stringify(body);
+	if (now !== written) key = freshKey();
+	written = now;
+	return key;
+}
+function Transfer() {
+	const priority = useSignal("50");
+	const wish = useSignal("");
+	const fallbacks = useSignal("");
+	const name = useSignal("");
+	const sending = useSignal(false);
+	const error = useSignal(null);
+	const done = useSignal("");
+	changes.stations.value;
+	const known = stations.get(order.source.value)?.carrier ?? "";
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			source: order.source.value,
+			destination: order.destination.value,
+			priority: Number(priority.value),
+			...order.carrier.value.trim() ? { carrier: order.carrier.value.trim() } : {},
+			...wish.value ? { vehicle: wish.value.trim() } : {},
+			...fallbacks.value.trim() ? { fallbacks: fallbacks.value.trim().split(/[\s,]+/) } : {},
+			...name.value.trim() ? { job_id: name.value.trim() } : {}
+		};
+		sending.value = true;
+		error.value = null;
+		done.value = "";
+		try {
+			const job = await post("/jobs", body, { "Idempotency-Key": keyOf(body) });
+			done.value = t("ordered", job.id);
+			written = "";
+			order.carrier.value = name.value = "";
+		} catch (failure) {
+			error.value = failure;
+		} finally {
+			sending.value = false;
+		}
+	};
+	const wrong = error.value instanceof Refused ? error.value.field : "";
+	return /* @__PURE__ */ a("form", {
+		class: "card transfer",
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", { children: t("new_transfer") }),
+			/* @__PURE__ */ a(Place, {
+				label: t("source"),
+				value: order.source.value,
+				choose: orderFrom,
+				wrong: wrong === "source",
+				vehicles: true
+			}),
+			/* @__PURE__ */ a(Place, {
+				label: t("destination"),
+				value: order.destination.value,
+				choose: orderTo,
+				wrong: wrong === "destination",
+				partner: order.source.value
+			}),
+			/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("carrier") }), /* @__PURE__ */ a("input", {
+				name: "carrier",
+				value: order.carrier.value,
+				maxLength: 64,
+				placeholder: known || t("carrier_optional"),
+				"aria-invalid": wrong === "carrier",
+				autocomplete: "off",
+				onInput: (event) => order.carrier.value = event.currentTarget.value
+			})] }),
+			/* @__PURE__ */ a("label", {
+				class: "narrow",
+				children: [/* @__PURE__ */ a("span", { children: t("priority") }), /* @__PURE__ */ a("input", {
+					name: "priority",
+					type: "number",
+					min: "0",
+					max: "99",
+					required: true,
+					value: priority.value,
+					"aria-invalid": wrong === "priority",
+					onInput: (event) => priority.value = event.currentTarget.value
+				})]
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: "POST /jobs",
+				type: "submit",
+				class: "primary",
+				disabled: sending.value,
+				children: sending.value ? t("ordering") : t("order")
+			}),
+			/* @__PURE__ */ a("details", {
+				class: "more-order",
+				children: [
+					/* @__PURE__ */ a("summary", { children: t("more") }),
+					/* @__PURE__ */ a("div", {
+						class: "fields",
+						children: [
+							/* @__PURE__ */ a(Field, {
+								label: t("vehicle"),
+								name: "vehicle",
+								value: wish,
+								list: "order-vehicles",
+								hint: t("any")
+							}),
+							/* @__PURE__ */ a(Field, {
+								label: t("job_id"),
+								name: "job_id",
+								value: name,
+								hint: t("given_here")
+							}),
+							/* @__PURE__ */ a(Field, {
+								label: t("fallbacks_label"),
+								name: "fallbacks",
+								value: fallbacks,
+								hint: t("none"),
+								wide: true
+							})
+						]
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "order-vehicles",
+						children: layout.value?.vehicles.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+					})
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "outcome",
+				children: error.value ? /* @__PURE__ */ a(Problem, { error: error.value }) : /* @__PURE__ */ a("span", {
+					class: "done",
+					role: "status",
+					children: done.value
+				})
+			})
+		]
+	});
+}
+function Place(props) {
+	const world = worldOf(layout.value, props.partner ?? "");
+	const places = (layout.value?.stations ?? []).filter(({ kind }) => world === null || worldOfKind(kind) === world);
+	const groups = [
+		{
+			name: t("ports"),
+			stations: places.filter(({ kind }) => kind === "port")
+		},
+		{
+			name: t("buffers"),
+			stations: places.filter(({ kind }) => kind === "sbfl" || kind === "sbfr")
+		},
+		{
+			name: t("agv_buffers"),
+			stations: places.filter(({ kind }) => kind === "agv_buffer")
+		}
+	];
+	const loaded = props.vehicles ? vehicleList.value.filter((vehicle) => vehicle.loaded) : [];
+	const shown = (id) => {
+		const now = stations.get(id);
+		return now?.present ? `${id} · ${now.carrier ?? "■"}` : id;
+	};
+	return /* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: props.label }), /* @__PURE__ */ a("select", {
+		required: true,
+		value: props.value,
+		"aria-invalid": props.wrong,
+		onChange: (event) => props.choose(event.currentTarget.value),
+		children: [
+			/* @__PURE__ */ a("option", {
+				value: "",
+				children: t("choose")
+			}),
+			groups.filter((group) => group.stations.length > 0).map((group) => /* @__PURE__ */ a("optgroup", {
+				label: group.name,
+				children: group.stations.map(({ id }) => /* @__PURE__ */ a("option", {
+					value: id,
+					children: shown(id)
+				}, id))
+			}, group.name)),
+			loaded.length > 0 && /* @__PURE__ */ a("optgroup", {
+				label: t("loaded_vehicles"),
+				children: loaded.map(({ id, carrier }) => /* @__PURE__ */ a("option", {
+					value: id,
+					children: carrier ? `${id} · ${carrier}` : id
+				}, id))
+			})
+		]
+	})] });
+}
+// src/parts/VehicleCommands.tsx
+/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
+var PLAIN = [
+	"status",
+	"stop_by_host",
+	"stop",
+	"auto",
+	"alarm_clear",
+	"servo_on",
+	"servo_off",
+	"search_home",
+	"go_home",
+	"system_reset"
+];
+var AGV_PLAIN = [
+	"stop",
+	"alarm_clear",
+	"agv_mark_stop"
+];
+var LIFTS = [
+	"up",
+	"down",
+	"stop"
+];
+function VehicleCommands({ vehicle }) {
+	const asking = useAsking();
+	const agv = Boolean(vehicle.agv);
+	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
+	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
+	const plain = agv ? AGV_PLAIN : PLAIN;
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-commands": vehicle.id,
+					children: [
+						plain.map((command) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(`vc_${command}`),
+							does: () => send({ command })
+						}, command)),
+						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(`vc_lift_${action}`),
+							does: () => send({
+								command: "agv_lift",
+								action
+							})
+						}, action)),
+						agv && /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
+							does: () => send({
+								command: "agv_charge",
+								on: !vehicle.agv?.charging
+							})
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /vehicles/{vehicle}/park",
+						label: t("park"),
+						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
+					})
+				}),
+				/* @__PURE__ */ a(Move, { send }),
+				!agv && /* @__PURE__ */ a(Handle, { send }),
+				!agv && /* @__PURE__ */ a(Display, { send }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Service, {
+					vehicle,
+					path
+				}),
+				/* @__PURE__ */ a(Past$1, { path })
+			]
+		})]
+	});
+}
+/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
+function Recover({ path }) {
+	const asking = useAsking();
+	const looked = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("label", { children: [
+				/* @__PURE__ */ a("input", {
+					type: "checkbox",
+					checked: looked.value,
+					onChange: (event) => looked.value = event.currentTarget.checked
+				}),
+				" ",
+				t("homing_safe")
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/recover",
+					label: t("recover"),
+					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Move({ send }) {
+	const barcode = useSignal("");
+	const action = useSignal("stop");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("move_to"),
+				value: barcode,
+				list: "barcode-names"
+			}),
+			/* @__PURE__ */ a(Choice$1, {
+				label: t("stop_action"),
+				value: action,
+				of: [
+					["stop", t("act_stop")],
+					["port", t("port")],
+					["sbfl", t("sbfl")],
+					["sbfr", t("sbfr")]
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("move"),
+					disabled: !barcode.value.trim(),
+					does: () => send({
+						command: "move",
+						barcode: barcode.value.trim(),
+						action: action.value
+					})
+				})
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "barcode-names",
+				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
+			})
+		]
+	});
+}
+function Handle({ send }) {
+	const station = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("at_station"),
+				value: station,
+				list: "station-names"
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_pickup"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "pickup",
+						station: station.value.trim()
+					})
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_place"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "place",
+						station: station.value.trim()
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			})
+		]
+	});
+}
+function Display({ send }) {
+	const words = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [/* @__PURE__ */ a(Field, {
+			label: t("display_text"),
+			value: words
+		}), /* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: /* @__PURE__ */ a(Sure, {
+				needs: "POST /vehicles/{vehicle}/commands",
+				label: t("vc_display"),
+				disabled: !words.value,
+				does: () => send({
+					command: "display",
+					text: words.value
+				})
+			})
+		})]
+	});
+}
+/** Lockout while people are at it, and whether it is used at all. */
+function Service({ vehicle, path }) {
+	const used = vehicle.service === "in_service";
+	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
+		label: t("lift_lockout"),
+		needs: "DELETE /vehicles/{vehicle}/lockout",
+		bare: true,
+		grave: true,
+		does: () => call("DELETE", `${path}/lockout`)
+	} : {
+		label: t("lock_out"),
+		needs: "POST /vehicles/{vehicle}/lockout",
+		grave: true,
+		does: (reason) => post(`${path}/lockout`, { reason })
+	}, used ? {
+		label: t("take_out"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		grave: true,
+		does: (reason) => call("PUT", `${path}/service`, {
+			in_service: false,
+			reason
+		})
+	} : {
+		label: t("put_back"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		bare: true,
+		does: () => call("PUT", `${path}/service`, { in_service: true })
+	}] });
+}
+function Past$1({ path }) {
+	const round = Math.floor(changes.vehicles.value / 30);
+	const { value } = useRead(`${path}/commands?limit=12`, round);
+	return /* @__PURE__ */ a("table", {
+		class: "bits",
+		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
+			title: command.actor,
+			children: [
+				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+				/* @__PURE__ */ a("td", { children: command.kind }),
+				/* @__PURE__ */ a("td", { children: [
+					command.state,
+					" ",
+					tell(command.outcome)
+				] })
+			]
+		}, command.cmd_id)) })
+	});
+}
+// src/parts/VehiclePanel.tsx
+/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
+function VehiclePanel({ id }) {
+	const now = vehicleNow(id);
+	tick.value;
+	if (!now) return null;
+	const load = now.loaded === null ? t("unknown") : now.loaded ? now.carrier ?? t("loaded") : t("empty");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: doing(now),
+		colour: LOOKS[lookOf(now)],
+		children: [
+			/* @__PURE__ */ a(Notes, { vehicle: now }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("state"),
+					children: [
+						said(now.state),
+						" · ",
+						said(now.service)
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("mode"),
+					children: [
+						upper(now.mode),
+						" · ",
+						upper(now.oper),
+						now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: load
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t(lineOf(id) ? "tag" : "place"),
+					children: [now.barcode ?? t("unknown"), now.dist ? ` + ${now.dist} mm` : ""]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("job"),
+					children: now.job ? /* @__PURE__ */ a(Name, { id: now.job }) : t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("goal"),
+					children: now.goal ? /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "station",
+							id: now.goal
+						},
+						children: now.goal
+					}) : t("none")
+				})
+			] }),
+			/* @__PURE__ */ a(Decide, { vehicle: now }),
+			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
+			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
+			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
+			!now.agv && /* @__PURE__ */ a(Taught, {
+				kind: "vehicle",
+				id
+			}),
+			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
+		]
+	});
+}
+/** The line that an AGV shares with others; null for a hoist. */
+var lineOf = (id) => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
+var upper = (word) => word === null ? "–" : word.toUpperCase();
+var hex = (code) => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
+function Notes({ vehicle }) {
+	return /* @__PURE__ */ a($, { children: [
+		vehicle.lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", vehicle.lockout.owner) }),
+				" ",
+				vehicle.lockout.reason
+			]
+		}),
+		vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("held_note") }),
+				" ",
+				tell(vehicle.hold.reason),
+				" ",
+				/* @__PURE__ */ a("em", { children: tell(vehicle.hold.remedy) })
+			]
+		}),
+		vehicle.waiting && !vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(vehicle.waiting)
+			]
+		})
+	] });
+}
+function Bits({ vehicle }) {
+	return /* @__PURE__ */ a("details", {
+		open: true,
+		children: [
+			/* @__PURE__ */ a("summary", { children: [t(lineOf(vehicle.id) ? "status" : "status_bits"), !lineOf(vehicle.id) && /* @__PURE__ */ a("code", { children: [
+				vehicle.status1 ?? "–",
+				" ",
+				vehicle.status2 ?? ""
+			] })] }),
+			vehicle.bits.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_status")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: vehicle.bits.map((bit) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: bit.name }),
+					/* @__PURE__ */ a("td", { children: bit.value }),
+					/* @__PURE__ */ a("td", { children: bit.meaning })
+				] }, bit.name)) })
+			})
+		]
+	});
+}
+function AgvFacts({ agv }) {
+	const word = (name) => said(`agv_${name}`);
+	const flag = (on) => t(on ? "yes" : "no");
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [/* @__PURE__ */ a("h3", { children: t("status") }), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("cart"),
+				children: word(agv.cart)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("lift"),
+				children: word(agv.lift)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("steering"),
+				children: word(agv.steering)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("in_position"),
+				children: flag(agv.in_position)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("charges_now"),
+				children: flag(agv.charging)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("last_tag"),
+				children: agv.tag
+			}),
+			agv.toward && /* @__PURE__ */ a(Fact, {
+				name: t("beyond"),
+				children: agv.toward
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("path"),
+				children: agv.path
+			})
+		] })]
+	});
+}
+function LinkFacts({ vehicle }) {
+	const { link } = vehicle;
+	const line = lineOf(vehicle.id);
+	return /* @__PURE__ */ a("dl", { children: [
+		/* @__PURE__ */ a(Fact, {
+			name: t("link"),
+			children: [/* @__PURE__ */ a("span", {
+				class: link.up ? "good" : "bad",
+				children: t(link.up ? "link_up" : "link_down", clock(link.since))
+			}), !link.up && link.reason && /* @__PURE__ */ a("small", { children: [" · ", tell(link.reason)] })]
+		}),
+		!line && /* @__PURE__ */ a(Fact, {
+			name: t("round_trip"),
+			children: link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("frames_io"),
+			children: [
+				link.frames_in,
+				" / ",
+				link.frames_out
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("trouble_counts"),
+			children: [
+				link.garbled,
+				" / ",
+				link.resends,
+				" / ",
+				link.duplicates
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("seen"),
+			children: vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"
+		}),
+		line ? /* @__PURE__ */ a(Fact, {
+			name: t("on_line"),
+			children: t("line_number", line, vehicle.dev_id)
+		}) : /* @__PURE__ */ a(Fact, {
+			name: t("address"),
+			children: [
+				vehicle.address,
+				" · DEV_ID ",
+				vehicle.dev_id,
+				" · ",
+				vehicle.dialect
+			]
+		})
+	] });
+}
+var VERDICTS = [
+	"go_on",
+	"off_rail",
+	"stands_at"
+];
+/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
+function Decide({ vehicle }) {
+	const reason = useSignal("");
+	const verdict = useSignal("go_on");
+	const barcode = useSignal(vehicle.barcode ?? "");
+	const error = useSignal(null);
+	const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
+	const send = (event) => {
+		event.preventDefault();
+		error.value = null;
+		const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
+		const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
+		post(path, releasing ? {
+			verdict: verdict.value,
+			reason: reason.value,
+			...stands
+		} : { reason: reason.value }).then(() => reason.value = "", (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "decide",
+		onSubmit: send,
+		children: [
+			releasing && /* @__PURE__ */ a("select", {
+				"aria-label": t("verdict"),
+				value: verdict.value,
+				onChange: (event) => verdict.value = event.currentTarget.value,
+				children: VERDICTS.map((word) => /* @__PURE__ */ a("option", {
+					value: word,
+					children: t(`verdict_${word}`)
+				}, word))
+			}),
+			releasing && verdict.value === "stands_at" && /* @__PURE__ */ a("input", {
+				"aria-label": t("barcode"),
+				required: true,
+				value: barcode.value,
+				onInput: (event) => barcode.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a("input", {
+				"aria-label": t("reason"),
+				placeholder: t("reason"),
+				required: true,
+				maxLength: 200,
+				value: reason.value,
+				onInput: (event) => reason.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
+				type: "submit",
+				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
+				children: t(releasing ? "release" : "hold")
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
+// src/parts/WalkDetail.tsx
+/** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */
+var FINDINGS = [
+	"not_seen",
+	"differs",
+	"moved",
+	"agrees"
+];
+var TONES = {
+	agrees: "good",
+	differs: "bad",
+	moved: "wait",
+	not_seen: "calm"
+};
+var FULL = /* @__PURE__ */ new Set([
+	"full",
+	"1",
+	"yes",
+	"true",
+	"y",
+	"있음"
+]);
+var EMPTY = /* @__PURE__ */ new Set([
+	"empty",
+	"0",
+	"no",
+	"false",
+	"n",
+	"없음"
+]);
+/** So many sights the server takes at once. */
+var AT_ONCE = 1e3;
+/** What a file says was seen; lines without a word for it were not walked along. Raises Error: a line says something else. */
+function sightsOf(text) {
+	const rows = rowsOf(text);
+	if (!rows.some((row) => "station" in row && "seen" in row)) throw new Error(t("walk_file_columns"));
+	return rows.flatMap((row, i) => {
+		const word = (row["seen"] ?? "").toLowerCase();
+		if (!word || !row["station"]) return [];
+		if (!FULL.has(word) && !EMPTY.has(word)) throw new Error(t("walk_file_word", i + 2, row["seen"] ?? ""));
+		const carrier = FULL.has(word) ? row["seen_carrier"] || null : null;
+		return [{
+			station: row["station"],
+			present: FULL.has(word),
+			carrier
+		}];
+	});
+}
+function WalkDetail({ walk }) {
+	const only = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead(`/walks/${walk.id}/places`, changes.walks.value, changes.stations.value);
+	const places = value?.items ?? [];
+	const open = walk.state === "open";
+	const counts = Object.fromEntries(FINDINGS.map((name) => [name, places.filter(({ finding }) => finding === name).length]));
+	return /* @__PURE__ */ a("div", {
+		class: "walk",
+		"data-walk": walk.id,
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "padded stack",
+				children: [
+					/* @__PURE__ */ a("h2", {
+						class: "sub",
+						children: [
+							"#",
+							walk.id,
+							" ",
+							walk.reason,
+							" · ",
+							said(`walk_${walk.state}`)
+						]
+					}),
+					/* @__PURE__ */ a("div", {
+						class: "acts-row",
+						role: "group",
+						"aria-label": t("finding"),
+						children: [FINDINGS.map((name) => /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": only.value === name,
+							onClick: () => only.value = only.value === name ? "" : name,
+							children: [
+								t(`found_${name}`),
+								" ",
+								counts[name]
+							]
+						}, name)), /* @__PURE__ */ a(Files, {
+							walk,
+							places,
+							asking
+						})]
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			/* @__PURE__ */ a(Table, {
+				label: t("places"),
+				rows: places.filter(({ finding }) => !only.value || finding === only.value),
+				keyOf: (row) => row.station,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("at_station"),
+						by: (row) => row.station,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+					},
+					{
+						name: t("expected"),
+						by: (row) => stands(row.now, row.now_carrier),
+						of: (row) => stands(row.now, row.now_carrier)
+					},
+					{
+						name: t("found"),
+						by: (row) => stands(row.seen, row.seen_carrier),
+						of: (row) => row.seen === null ? "" : stands(row.seen, row.seen_carrier)
+					},
+					{
+						name: t("finding"),
+						by: (row) => row.finding,
+						of: (row) => /* @__PURE__ */ a("b", {
+							class: TONES[row.finding] ?? "",
+							children: said(`found_${row.finding}`)
+						})
+					},
+					...open ? [{
+						name: t("enter"),
+						of: (row) => /* @__PURE__ */ a(Enter, {
+							walk: walk.id,
+							place: row,
+							asking
+						})
+					}] : [{
+						name: t("who"),
+						of: (row) => row.by ?? ""
+					}]
+				]
+			}),
+			open && /* @__PURE__ */ a(Ends, {
+				walk,
+				doubtful: (counts["not_seen"] ?? 0) + (counts["moved"] ?? 0)
+			})
+		]
+	});
+}
+/** What stands at a place, in words. */
+function stands(present, carrier) {
+	if (present === null) return t("unknown");
+	return present ? carrier ?? t("unread") : t("empty");
+}
+function Enter({ walk, place, asking }) {
+	const carrier = useSignal(place.seen_carrier ?? place.now_carrier ?? "");
+	const enter = (present) => {
+		const body = {
+			present,
+			carrier: present ? carrier.value.trim() || null : null
+		};
+		asking.ask(() => call("PUT", `/walks/${walk}/places/${encodeURIComponent(place.station)}`, body), t("entered_place", place.station));
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "acts-row enter",
+		children: [
+			/* @__PURE__ */ a(Button, {
+				needs: "PUT /walks/{walk}/places/{station}",
+				"aria-pressed": place.seen === false,
+				onClick: () => enter(false),
+				children: t("empty")
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: "PUT /walks/{walk}/places/{station}",
+				"aria-pressed": place.seen === true,
+				onClick: () => enter(true),
+				children: t("full")
+			}),
+			/* @__PURE__ */ a("input", {
+				"aria-label": `${t("carrier")} ${place.station}`,
+				placeholder: t("unread"),
+				value: carrier.value,
+				onInput: (event) => carrier.value = event.currentTarget.value,
+				onKeyDown: (event) => event.key === "Enter" && enter(true)
+			})
+		]
+	});
+}
+/** The list to take along, and what came back in it. */
+function Files({ walk, places, asking }) {
+	const write = () => {
+		const word = (present) => present === null ? "" : present ? "full" : "empty";
+		save(csvOf([
+			"station",
+			"expected",
+			"expected_carrier",
+			"seen",
+			"seen_carrier",
+			"finding",
+			"by",
+			"at"
+		], places.map((place) => ({
+			...place,
+			expected: word(place.now),
+			expected_carrier: place.now_carrier,
+			seen: word(place.seen)
+		}))), `walk-${walk.id}.csv`);
+	};
+	const read = async (file) => {
+		if (!file) return;
+		let taken = 0;
+		await asking.ask(async () => {
+			const sights = sightsOf(await file.text());
+			if (sights.length === 0) throw new Error(t("walk_file_nothing"));
+			for (let i = 0; i < sights.length; i += AT_ONCE) await post(`/walks/${walk.id}/places`, { sights: sights.slice(i, i + AT_ONCE) });
+			taken = sights.length;
+		}, "");
+		if (taken) asking.done.value = t("walk_file_read", taken);
+	};
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("button", {
+		type: "button",
+		onClick: write,
+		children: t("save_csv")
+	}), walk.state === "open" && refusal("POST /walks/{walk}/places") === "" && /* @__PURE__ */ a("label", {
+		class: "file",
+		children: [/* @__PURE__ */ a("span", { children: t("read_csv") }), /* @__PURE__ */ a("input", {
+			type: "file",
+			accept: ".csv,text/csv",
+			"aria-label": t("read_csv"),
+			onChange: (event) => {
+				read(event.currentTarget.files?.[0]);
+				event.currentTarget.value = "";
+			}
+		})]
+	})] });
+}
+function Ends({ walk, doubtful }) {
+	const path = `/walks/${walk.id}`;
+	return /* @__PURE__ */ a("div", {
+		class: "padded",
+		children: [doubtful > 0 && /* @__PURE__ */ a("p", {
+			class: "calm",
+			children: t("walk_doubtful", doubtful)
+		}), /* @__PURE__ */ a(Reasoned, { decisions: [{
+			label: t(doubtful > 0 ? "accept_partial" : "accept"),
+			needs: "POST /walks/{walk}/accept",
+			bare: true,
+			grave: true,
+			does: () => post(`${path}/accept`, { partial: doubtful > 0 })
+		}, {
+			label: t("abandon"),
+			needs: "POST /walks/{walk}/abandon",
+			grave: true,
+			does: (reason) => post(`${path}/abandon`, { reason })
+		}] })]
+	});
+}
+// src/parts/Walks.tsx
+/** Audit walks along places after an outage: begun, entered at a place or from a file, compared, taken for true by a named person. */
+function Walks() {
+	const chosen = useSignal(null);
+	const { value } = useRead("/walks/history?limit=200", changes.walks.value);
+	const id = chosen.value ?? value?.items.find(({ state }) => state === "open")?.id ?? null;
+	const walk = value?.items.find((one) => one.id === id);
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("walks"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: /* @__PURE__ */ a("h2", { children: t("walks") })
+		}), /* @__PURE__ */ a("div", {
+			class: "split walks",
+			children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Begin, { begun: (number) => chosen.value = number }), /* @__PURE__ */ a(Table, {
+				label: t("walks"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.id),
+				pick: (row) => chosen.value = row.id,
+				chosen: String(id),
+				none: t("no_walks"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.id,
+						of: (row) => row.id,
+						number: true
+					},
+					{
+						name: t("reason"),
+						by: (row) => row.reason,
+						of: (row) => /* @__PURE__ */ a("button", {
+							type: "button",
+							class: "text",
+							onClick: () => chosen.value = row.id,
+							children: row.reason
+						})
+					},
+					{
+						name: t("state"),
+						by: (row) => row.state,
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: row.state === "open" ? "wait" : "",
+							children: said(`walk_${row.state}`)
+						})
+					},
+					{
+						name: t("entered"),
+						by: (row) => row.entered,
+						of: (row) => `${row.entered} / ${row.places}`,
+						number: true
+					},
+					{
+						name: t("begun"),
+						by: (row) => row.started,
+						of: (row) => `${moment$1(row.started)} · ${row.actor}`
+					}
+				]
+			})] }), walk ? /* @__PURE__ */ a(WalkDetail, { walk }, walk.id) : /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("choose_walk")
+			})]
+		})]
+	});
+}
+/** Along every side buffer, or along the stations that are named. */
+function Begin({ begun }) {
+	const [reason, stations] = [useSignal(""), useSignal("")];
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const names = stations.value.split(/[\s,]+/).filter(Boolean);
+		if (await asking.ask(async () => {
+			begun((await post("/walks", {
+				reason: reason.value.trim(),
+				stations: names
+			})).id);
+		})) reason.value = stations.value = "";
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("begin_walk"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("begin_walk")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("reason"),
+					name: "reason",
+					value: reason,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("stations"),
+					name: "stations",
+					value: stations,
+					hint: t("all_buffers")
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /walks",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("begin_walk")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/Webhooks.tsx
+/** Webhooks: who is told of events by HTTP, how far each is, what was tried; paused, tried, told again, given another secret. */
+/** Asked so often, s. */
+var EVERY = 3;
+var tone = (state) => state === "active" ? "good" : state === "failed" ? "bad" : "wait";
+function Webhooks() {
+	const why = refusal("GET /webhooks");
+	const chosen = useSignal(null);
+	const again = useSignal(0);
+	const { value } = useRead(why ? null : "/webhooks", again.value, Math.floor(tick.value / EVERY));
+	const webhook = value?.items.find(({ id }) => id === chosen.value);
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("webhooks"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: /* @__PURE__ */ a("h2", { children: t("webhooks") })
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("webhooks"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.id),
+				pick: (row) => chosen.value = row.id,
+				chosen: String(chosen.value),
+				none: t("no_webhooks"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.id,
+						of: (row) => row.id,
+						number: true
+					},
+					{
+						name: "URL",
+						by: (row) => row.url,
+						of: (row) => /* @__PURE__ */ a("button", {
+							type: "button",
+							class: "text",
+							onClick: () => chosen.value = row.id,
+							children: row.url
+						})
+					},
+					{
+						name: t("state"),
+						by: (row) => row.state,
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: tone(row.state),
+							children: said(`hook_${row.state}`)
+						})
+					},
+					{
+						name: t("behind"),
+						by: (row) => row.behind,
+						of: (row) => row.behind,
+						number: true
+					},
+					{
+						name: t("delivered"),
+						by: (row) => row.delivered,
+						of: (row) => row.delivered,
+						number: true
+					},
+					{
+						name: t("failing_since"),
+						by: (row) => row.failing,
+						of: (row) => row.failing ? moment$1(row.failing) : ""
+					}
+				]
+			}), /* @__PURE__ */ a("div", { children: [webhook && /* @__PURE__ */ a(Detail, {
+				webhook,
+				after: () => again.value++
+			}, webhook.id), /* @__PURE__ */ a(Subscribe, { after: () => again.value++ })] })]
+		})]
+	});
+}
+function Detail({ webhook, after }) {
+	const path = `/webhooks/${webhook.id}`;
+	const from = useSignal("");
+	const secret = useSignal("");
+	const asking = useAsking();
+	const round = useSignal(0);
+	const { value } = useRead(`${path}/deliveries?limit=20`, round.value, webhook.delivered, webhook.attempts);
+	const ask = async (what, words) => {
+		await asking.ask(what, words);
+		round.value++;
+		after();
+	};
+	const ping = () => ask(async () => {
+		const tried = await post(`${path}/ping`);
+		if (!tried.taken) throw new Error(tried.error);
+	}, t("pinged"));
+	const renew = () => ask(async () => {
+		secret.value = (await post(`${path}/secret`, {})).secret;
+	}, t("both_sign"));
+	const active = webhook.state === "active";
+	return /* @__PURE__ */ a("section", {
+		class: "stack padded",
+		"data-webhook": webhook.id,
+		"aria-label": `#${webhook.id}`,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					"#",
+					webhook.id,
+					" ",
+					webhook.note
+				]
+			}),
+			(webhook.reason || webhook.error) && /* @__PURE__ */ a("p", {
+				class: "note held",
+				children: tell(webhook.reason || webhook.error)
+			}),
+			/* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [/* @__PURE__ */ a(Fact, {
+					name: t("events"),
+					children: webhook.events.length ? webhook.events.map(happening).join(", ") : t("all")
+				}), /* @__PURE__ */ a(Fact, {
+					name: t("told_up_to"),
+					children: ["#", webhook.position]
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a(Button, {
+						needs: "PATCH /webhooks/{webhook}",
+						onClick: () => void ask(() => call("PATCH", path, { active: !active })),
+						children: t(active ? "pause" : "resume")
+					}),
+					/* @__PURE__ */ a(Button, {
+						needs: "POST /webhooks/{webhook}/ping",
+						disabled: asking.busy.value,
+						onClick: () => void ping(),
+						children: t("ping")
+					}),
+					/* @__PURE__ */ a(Sure, {
+						needs: "POST /webhooks/{webhook}/secret",
+						label: t("new_secret"),
+						does: () => void renew()
+					}),
+					/* @__PURE__ */ a(Sure, {
+						needs: "DELETE /webhooks/{webhook}",
+						label: t("remove"),
+						does: () => void ask(() => call("DELETE", path))
+					})
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("replay_after"),
+					name: "after",
+					type: "number",
+					min: 0,
+					value: from
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /webhooks/{webhook}/replay",
+						label: t("replay"),
+						disabled: from.value === "",
+						does: () => void ask(() => post(`${path}/replay`, { after: Number(from.value) }))
+					})
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("secret"),
+				value: secret
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				"aria-label": t("deliveries"),
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((one) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: moment$1(one.at) }),
+					/* @__PURE__ */ a("td", {
+						class: one.taken ? "good" : "bad",
+						children: one.status ?? "–"
+					}),
+					/* @__PURE__ */ a("td", { children: [
+						happening(one.event),
+						" ",
+						one.seq !== null && `#${one.seq}`,
+						" · ",
+						one.seconds.toFixed(2),
+						" s ",
+						one.error && `· ${tell(one.error)}`
+					] })
+				] }, one.number)) })
+			})
+		]
+	});
+}
+function Subscribe({ after }) {
+	const [url, events, note, from] = [
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal("")
+	];
+	const secret = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			url: url.value.trim(),
+			events: events.value.split(/[\s,]+/).filter(Boolean),
+			note: note.value.trim(),
+			...from.value ? { after: Number(from.value) } : {}
+		};
+		if (!await asking.ask(async () => {
+			secret.value = (await post("/webhooks", body)).secret;
+		}, "")) return;
+		url.value = events.value = note.value = from.value = "";
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("subscribe"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("subscribe")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: "URL",
+						name: "url",
+						value: url,
+						required: true,
+						wide: true
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("events"),
+						name: "events",
+						value: events,
+						hint: t("all")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("begin_after"),
+						name: "after",
+						type: "number",
+						min: 0,
+						value: from,
+						hint: t("from_now")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("note"),
+						name: "note",
+						value: note,
+						wide: true
+					})
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /webhooks",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("subscribe")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("secret"),
+				value: secret
+			})
+		]
+	});
+}
+// src/parts/App.tsx
+function App() {
+	const pick = selected.value;
+	if (inPast.value || room$1.value === "playback") return /* @__PURE__ */ a(Past, {});
+	return /* @__PURE__ */ a("div", {
+		class: "page",
+		children: [
+			/* @__PURE__ */ a(Header, {}),
+			/* @__PURE__ */ a(Rooms, {}),
+			/* @__PURE__ */ a("main", { children: [/* @__PURE__ */ a("section", {
+				class: "left",
+				children: room$1.value === "map" ? /* @__PURE__ */ a(Plan, {}) : /* @__PURE__ */ a(Room, {})
+			}), /* @__PURE__ */ a("aside", {
+				class: pick ? room$1.value === "map" ? "telling" : "telling alone" : "",
+				children: [
+					/* @__PURE__ */ a(Transfer, {}),
+					pick?.kind === "vehicle" && /* @__PURE__ */ a(VehiclePanel, { id: pick.id }, pick.id),
+					pick?.kind === "station" && /* @__PURE__ */ a(StationPanel, { id: pick.id }, pick.id),
+					pick?.kind === "device" && /* @__PURE__ */ a(DevicePanel, { id: pick.id }, pick.id),
+					pick?.kind === "drive" && /* @__PURE__ */ a(DrivePanel, { id: pick.id }, pick.id),
+					pick?.kind === "job" && /* @__PURE__ */ a(JobPanel, { id: pick.id }, pick.id),
+					/* @__PURE__ */ a(Jobs, {})
+				]
+			})] }),
+			asked$2.value && /* @__PURE__ */ a(LogIn, {}),
+			/* @__PURE__ */ a(Barred, {})
+		]
+	});
+}
+/** What was: nothing on it can be commanded. */
+function Past() {
+	const pick = selected.value;
+	return /* @__PURE__ */ a("div", {
+		class: "page past",
+		children: [
+			/* @__PURE__ */ a(Header, {}),
+			/* @__PURE__ */ a(Rooms, {}),
+			/* @__PURE__ */ a("main", { children: [/* @__PURE__ */ a("section", {
+				class: "left",
+				children: /* @__PURE__ */ a(Playback, {})
+			}), /* @__PURE__ */ a("aside", {
+				class: pick ? "telling" : "",
+				children: [
+					pick && /* @__PURE__ */ a(PastPanel, { pick }, `${pick.kind} ${pick.id}`),
+					/* @__PURE__ */ a(PastEvents, {}),
+					/* @__PURE__ */ a(Jobs, {})
+				]
+			})] }),
+			asked$2.value && /* @__PURE__ */ a(LogIn, {}),
+			/* @__PURE__ */ a(Barred, {})
+		]
+	});
+}
+function Plan() {
+	return /* @__PURE__ */ a("div", {
+		class: "plan",
+		children: [
+			/* @__PURE__ */ a(VehicleStrip, {}),
+			/* @__PURE__ */ a("div", {
+				class: "stage",
+				children: [/* @__PURE__ */ a(Circles, {}), /* @__PURE__ */ a(TrackMap, {})]
+			}),
+			/* @__PURE__ */ a(Below, {})
+		]
+	});
+}
+/** Closing track is best done on the map. */
+function Closing() {
+	return /* @__PURE__ */ a("div", {
+		class: "plan closing",
+		children: [/* @__PURE__ */ a("div", {
+			class: "stage",
+			children: [/* @__PURE__ */ a(Circles, {}), /* @__PURE__ */ a(TrackMap, {})]
+		}), /* @__PURE__ */ a(Closures, {})]
+	});
+}
+/** Hoists that wait for each other: nothing else matters as much. */
+function Circles() {
+	const now = controller.value;
+	if (!now?.circles?.length) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "banner",
+		role: "alert",
+		children: [
+			/* @__PURE__ */ a("b", { children: t("circle") }),
+			/* @__PURE__ */ a("span", { children: now.circles.map(tell).join(" · ") }),
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: t("circles_counted", now.circles_found, now.circles_resolved)
+			})
+		]
+	});
+}
+function Room() {
+	switch (room$1.value) {
+		case "vehicles": return /* @__PURE__ */ a(Vehicles, {});
+		case "jobs": return /* @__PURE__ */ a(JobRoom, {});
+		case "alarms": return /* @__PURE__ */ a(Alarms, {});
+		case "closures": return /* @__PURE__ */ a(Closing, {});
+		case "stations": return /* @__PURE__ */ a(Stations, {});
+		case "walks": return /* @__PURE__ */ a(Walks, {});
+		case "access": return /* @__PURE__ */ a(Staff, {});
+		case "webhooks": return /* @__PURE__ */ a(Webhooks, {});
+		case "audit": return /* @__PURE__ */ a(Audit, {});
+		case "teaching": return /* @__PURE__ */ a(Teaching, {});
+		case "statistics": return /* @__PURE__ */ a(Statistics, {});
+		default: return null;
+	}
+}
+// src/main.tsx
+begin$2();
+speak(language.value);
+begin$3();
+begin$1();
+begin$4();
+Q(/* @__PURE__ */ a(App, {}), document.getElementById("page"));
