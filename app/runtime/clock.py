@@ -6,7 +6,6 @@ from typing import cast
 
 from app.domain.units import Seconds, Timestamp
 
-
 _MONOTONIC = cast(Callable[[], Seconds], time.monotonic)
 """Made once: to write the type down takes longer than to look at the clock ten times."""
 
