@@ -325,7 +325,8 @@ class Controller:
             self._database, self.plant.name, holder, self._clock.utc, keep_events=self._keep_events
         )
         try:
-            kept = replace(self._ledger.load(), restored=self._restored)
+            kept = self._ledger.load()
+            kept = replace(kept, restored=kept.restored or self._restored)
             check_nobody_is_forgotten(self.plant, kept)
             return kept
         except BaseException:

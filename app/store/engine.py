@@ -102,7 +102,7 @@ _REMEDIES = {
     "No space left": "Make room on the disk.",
     "readonly": "Give this user the right to write the file and its directory.",
     "unable to open": "See that the directory exists and that this user may write in it.",
-    "malformed": "The file is damaged: put a backup back, and start on it with --restored.",
+    "malformed": "The file is damaged: put a backup back with hoistway db restore.",
     "not a database": "Name another file, or remove this one if nothing needs it.",
     "database is locked": "Another program is writing to the file; close it.",
     "connection": "See that the database server runs and can be reached.",

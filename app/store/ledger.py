@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 
 import sqlalchemy as sa
 
@@ -61,6 +62,7 @@ class SqlLedger:
         self._epoch: Epoch | None = None
         self._commits = 0
         self._doubt: tuple[Record, ...] | None = None
+        self._put_back = False
         self._connection: sa.Connection | None = None
         made = parsed(url)
         self._engine = writing(made)
@@ -88,7 +90,7 @@ class SqlLedger:
         """Raise the epoch durably and return all that is kept.
 
         The epoch is not below the seconds since 2024 either, so that a restored backup starts with one never used
-        (COMMANDS section 2).
+        (COMMANDS section 2). A backup that was put back stays marked until the first commit, which keeps the holds for it.
         """
         with self._transaction("what is kept cannot be read") as connection:
             row = connection.execute(sa.select(tables.plant)).one()
@@ -96,7 +98,8 @@ class SqlLedger:
             self._epoch = Epoch(max(row.epoch + 1, clock if clock < MAX_EPOCH // 2 else 0))
             self._commits = row.commits
             connection.execute(tables.plant.update().values(epoch=self._epoch))
-            return kept(connection, self._epoch, fresh=row.commits == 0)
+            self._put_back = connection.execute(sa.select(tables.restored.c.one)).scalar() is not None
+            return replace(kept(connection, self._epoch, fresh=row.commits == 0), restored=self._put_back)
 
     def commit(self, batch: Sequence[Record]) -> None:
         """Write all records in one transaction, in order; durable on return.
@@ -157,6 +160,8 @@ class SqlLedger:
             with self._transaction("the records cannot be kept") as connection:
                 if self._count(connection, records):
                     self._doubt = records
+                    if self._put_back:
+                        connection.execute(tables.restored.delete())
                     for sql, many in planned:
                         rows = self._chain.linked(connection, many) if sql == self._statements.audit else many
                         carry_out(connection, sql, rows)
@@ -165,7 +170,7 @@ class SqlLedger:
         except BaseException:
             self._chain.forget()
             raise
-        self._doubt = None
+        self._doubt, self._put_back = None, False
         self._commits += 1
 
     def _count(self, connection: sa.Connection, records: tuple[Record, ...]) -> bool:

@@ -71,6 +71,16 @@ plant = sa.Table(
 )
 """One row: the plant whose database this is. ``commits`` counts transactions, so that a commit in doubt can be looked up."""
 
+restored = sa.Table(
+    "restored",
+    metadata,
+    _key("one", BIG),
+    _at("at"),
+    _text("source"),
+    sa.CheckConstraint("one = 1", name="only"),
+)
+"""There while a backup has been put back and no commit was made since: the first start holds every vehicle (COMMANDS 3.8)."""
+
 lease = sa.Table(
     "lease",
     metadata,

@@ -57,7 +57,7 @@ def test_a_file_that_is_no_sound_database_is_refused_with_a_remedy(tmp_path: Pat
     engine = writing(parsed(f"sqlite:///{file}"))
     with pytest.raises(StoreError, match="malformed") as caught, told("it cannot be read"), engine.connect() as made:
         made.exec_driver_sql("SELECT * FROM t").all()
-    assert "--restored" in caught.value.remedy
+    assert "hoistway db restore" in caught.value.remedy
 
 
 def test_sqlite_is_durable_when_it_says_so(sqlite_url: str) -> None:
