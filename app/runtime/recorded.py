@@ -23,6 +23,7 @@ from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
 from app.runtime.reception import Reception
 from app.runtime.recording import PIECE_SECONDS, Change, packed
+from app.runtime.versions import Versions
 from app.runtime.webhooks import Targets
 from app.store.ledger import SqlLedger
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
@@ -41,6 +42,8 @@ class Recorded:
         self.figures = Figures(self.plant)
         self.backlog = (0, 0)
         self.reception: Reception | None = None
+        self.versions: Versions | None = None
+        self.version: int | None = None
         _fill(incident, url)
         self.reader, self.playback = Reader(url), Playback(url)
         self.model = ReadModel(last_event=max((event["seq"] for event in incident.events), default=0))

@@ -1,4 +1,4 @@
-"""Versions of the plant as they are kept. Written beside the ledger, by a connection of its own, each change in one transaction."""
+"""Versions of the plant as they are kept, written beside the ledger by a connection of its own; each change one transaction."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,7 +19,7 @@ from app.store.tables import plant, plant_file, plant_versions
 
 _FIELDS = tuple(field.name for field in fields(PlantVersion))
 _COLUMNS = [plant_versions.c[name] for name in _FIELDS]
-_NUMBER = plant_versions.c.number
+_number = plant_versions.c.number
 LIVE = (VersionState.STAGED, VersionState.AWAITED, VersionState.ACTIVE, VersionState.FORMER)
 """States of versions that can be used."""
 
@@ -52,17 +52,17 @@ class VersionStore:
 
     def versions(self, after: int | None = None, limit: int = 100) -> list[PlantVersion]:
         """Return versions, newest first; ``after`` is the number of the last one seen."""
-        query = sa.select(*_COLUMNS).order_by(_NUMBER.desc()).limit(limit)
-        return self._list(query if after is None else query.where(_NUMBER < after))
+        query = sa.select(*_COLUMNS).order_by(_number.desc()).limit(limit)
+        return self._list(query if after is None else query.where(_number < after))
 
     def version(self, number: int) -> PlantVersion | None:
         """Return one version."""
-        return next(iter(self._list(sa.select(*_COLUMNS).where(_NUMBER == number))), None)
+        return next(iter(self._list(sa.select(*_COLUMNS).where(_number == number))), None)
 
     def text(self, number: int) -> str | None:
         """Return the text of a version's plant file."""
         with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
-            return connection.execute(sa.select(plant_versions.c.text).where(_NUMBER == number)).scalar()
+            return connection.execute(sa.select(plant_versions.c.text).where(_number == number)).scalar()
 
     def active(self) -> PlantVersion | None:
         """Return the version that is active; None: no controller has started here yet."""
@@ -91,7 +91,7 @@ class VersionStore:
     def begin(self, text: str, actor: Actor, now: Timestamp) -> PlantVersion:
         """Make the plant file version 1, the active one. Raises StoreError: there are versions already."""
         with self._transaction() as connection:
-            if connection.execute(sa.select(_NUMBER).limit(1)).first() is not None:
+            if connection.execute(sa.select(_number).limit(1)).first() is not None:
                 raise StoreError("another controller has begun on the database meanwhile", remedy="Start again.")
             digest, size = digest_of(text), len(text.encode())
             why = "the first start on this database"
@@ -107,7 +107,7 @@ class VersionStore:
         """Keep a text as a new version. ``again``: also if there is one with the same text."""
         with self._transaction() as connection:
             same = None if again else connection.execute(_same_text(text)).one_or_none()
-            number = (connection.execute(sa.select(sa.func.max(_NUMBER))).scalar() or 0) + 1
+            number = (connection.execute(sa.select(sa.func.max(_number))).scalar() or 0) + 1
             if same is not None:
                 refusal = _same(_version(same))
                 _note(connection, now, actor, "StageLayout", number, refusal)
@@ -124,7 +124,9 @@ class VersionStore:
         """Let a version be awaited. ``refusal``: something stands in its way, which is written into the audit."""
 
         def work(connection: sa.Connection, found: PlantVersion) -> PlantVersion | Refusal:
-            other = connection.execute(sa.select(_NUMBER).where(plant_versions.c.state == VersionState.AWAITED)).scalar()
+            other = connection.execute(
+                sa.select(_number).where(plant_versions.c.state == VersionState.AWAITED)
+            ).scalar()
             if found.state is VersionState.ACTIVE:
                 return Refusal("conflict", f"Version {number} is the active one.", "Nothing has to be done.")
             if found.state is VersionState.REJECTED:
@@ -163,8 +165,10 @@ class VersionStore:
             if found is None or found.state is not VersionState.AWAITED:
                 raise StoreError(f"version {number} of the plant is not wanted any more")
             actor = found.asked_by or found.actor
-            before = connection.execute(sa.select(_NUMBER).where(plant_versions.c.state == VersionState.ACTIVE)).scalar()
-            connection.execute(plant_versions.update().where(_NUMBER == before), {"state": VersionState.FORMER})
+            before = connection.execute(
+                sa.select(_number).where(plant_versions.c.state == VersionState.ACTIVE)
+            ).scalar()
+            connection.execute(plant_versions.update().where(_number == before), {"state": VersionState.FORMER})
             made = replace(
                 _over(found, VersionState.ACTIVE, ""),
                 activated=now,
@@ -232,7 +236,7 @@ class VersionStore:
 
 def _same_text(text: str) -> sa.Select[Any]:
     same = sa.and_(plant_versions.c.digest == digest_of(text), plant_versions.c.state.in_(LIVE))
-    return sa.select(*_COLUMNS).where(same).order_by(_NUMBER.desc()).limit(1)
+    return sa.select(*_COLUMNS).where(same).order_by(_number.desc()).limit(1)
 
 
 def _version(row: Found) -> PlantVersion:
@@ -241,12 +245,12 @@ def _version(row: Found) -> PlantVersion:
 
 
 def _found(connection: sa.Connection, number: int) -> PlantVersion | None:
-    row = connection.execute(sa.select(*_COLUMNS).where(_NUMBER == number)).one_or_none()
+    row = connection.execute(sa.select(*_COLUMNS).where(_number == number)).one_or_none()
     return None if row is None else _version(row)
 
 
 def _write(connection: sa.Connection, version: PlantVersion) -> None:
-    connection.execute(plant_versions.update().where(_NUMBER == version.number), asdict(version))
+    connection.execute(plant_versions.update().where(_number == version.number), asdict(version))
 
 
 def _take_file(connection: sa.Connection, digest: str, now: Timestamp) -> None:
