@@ -13,14 +13,14 @@ $(READY): requirements/dev.txt pyproject.toml
 	@test -n "$(PYTHON)" || { echo "Hoistway needs Python 3.11 or newer: install it, or say make setup PYTHON=/path/to/python3"; exit 1; }
 	$(PYTHON) -m venv .venv && $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements/dev.txt && $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable . && touch $(READY)
 
-run: $(READY)  ## simulate the demo plant, control it, print where to look
-	@$(BIN)/hoistway demo
+run: $(READY)  ## simulate the demo plant, control it, print where to look; elsewhere: make run PORT=18080
+	@$(BIN)/hoistway demo $(if $(PORT),--port $(PORT))
 
 test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.py)
 	$(BIN)/pytest -n auto --dist loadgroup
 
 campaign: $(READY)  ## hundreds of runs in which everything goes wrong, and known mistakes that must be noticed
-	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls
 
 soak: $(READY)  ## the same for hours: 20,000 runs, and each known mistake on seeds that nobody chose
 	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000

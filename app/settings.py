@@ -50,6 +50,10 @@ class Settings(BaseSettings):
     """Requests a second from one address, and twice as many at once; this machine's own is not counted."""
     caller_rate: Annotated[float, Field(gt=0)] = 2000.0
     """Requests a second by one person's session or one key, and twice as many at once."""
+    tls_certificate: Path | None = None
+    """A file with the server's certificate and those between it and the root (PEM): then the server speaks TLS."""
+    tls_key: Path | None = None
+    """A file with the certificate's private key (PEM, no password); by default it is in the certificate's file."""
     allowed_hosts: tuple[str, ...] = ()
     """Host names, besides loopback's, under which a server without a key may be called (a proxy's name)."""
     allowed_origins: tuple[str, ...] = ()
@@ -89,6 +93,12 @@ class Settings(BaseSettings):
                 f"host {self.host!r} can be reached from outside: say access: required, set access_key (16 characters or more), "
                 "or listen on 127.0.0.1"
             )
+        return self
+
+    @model_validator(mode="after")
+    def _a_key_belongs_to_a_certificate(self) -> "Settings":
+        if self.tls_key is not None and self.tls_certificate is None:
+            raise ValueError("tls_key needs tls_certificate")
         return self
 
     @classmethod

@@ -8,6 +8,7 @@ from starlette.responses import Response
 from app.api.calls import Ctl, answer_of, items, read
 from app.api.declared import gives
 from app.api.inputs import TEXT_PATTERN, After, Limit
+from app.api.periods import Begin, End
 from app.runtime.showing import iso
 
 router = APIRouter(prefix="/audit", tags=["audit"])
@@ -25,11 +26,21 @@ async def list_audit(
     actor: Named = None,
     action: Named = None,
     target: Named = None,
+    accepted: Annotated[bool | None, Query(description="Only what was carried out, or only what was refused.")] = None,
+    begin: Begin = None,
+    end: End = None,
     order: Annotated[Literal["oldest", "newest"], Query(description="Which come first.")] = "oldest",
 ) -> Response:
     """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
-    wanted = {"actor": actor, "action": action, "target": target}
-    if order == "newest" or any(wanted.values()):
+    wanted = {
+        "actor": actor,
+        "action": action,
+        "target": target,
+        "accepted": accepted,
+        "begin": begin.timestamp() if begin else None,
+        "end": end.timestamp() if end else None,
+    }
+    if order == "newest" or any(value is not None for value in wanted.values()):
         rows = await read(controller.reader.audit_found, **wanted, before=after or None, limit=limit)
     else:
         rows = await read(controller.reader.audit, after, limit)

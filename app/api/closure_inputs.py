@@ -3,9 +3,9 @@
 from datetime import timedelta
 from typing import Annotated, Literal
 
-from pydantic import AwareDatetime, BeforeValidator, Field
+from pydantic import Field
 
-from app.api.inputs import Id, Reason, Strict, Text
+from app.api.inputs import Id, Moment, Reason, Strict, Text
 from app.api.problems import Problem
 from app.domain.closures import ClosedPlace, ClosePlace, ClosurePurpose, PlaceKind
 from app.domain.ids import Actor
@@ -13,16 +13,6 @@ from app.domain.units import Timestamp
 
 LONGEST = timedelta(days=366)
 """Our choice."""
-
-
-def _said(value: object) -> object:
-    """Moments are text: a number could be seconds or milliseconds."""
-    if value is not None and not isinstance(value, str):
-        raise ValueError("is no moment in ISO 8601, such as 2026-07-01T08:30:00Z")
-    return value
-
-
-Moment = Annotated[AwareDatetime, BeforeValidator(_said), Field(strict=False)]
 
 
 class BarcodesIn(Strict):

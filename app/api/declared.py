@@ -262,6 +262,11 @@ OTHERS: Json = {
             {"open": _FLAG, "name": _nullable(_TEXT), "person": _FLAG, "roles": _list(_TEXT), "scopes": _list(_TEXT)}
         ),
     },
+    "Call": {
+        "description": "Method and path under /api/v1, which roles may, and whether the caller may (all, where nobody has to "
+        "say who they are).",
+        **_object({"call": _TEXT, "roles": _list(_TEXT), "allowed": _FLAG}),
+    },
     "User": _object(
         {
             "name": _TEXT,
@@ -421,7 +426,7 @@ def _document(app: FastAPI) -> Json:
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
     schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM | VERSIONS)
-    components["schemas"] = dict(sorted(schemas.items()))
+    components["schemas"] = {name: _plain(schema) for name, schema in sorted(schemas.items())}
     components["securitySchemes"] = SECURITY
     components["responses"] = {
         "Problem": {"description": "Why not.", "content": {MEDIA_TYPE: {"schema": ref("Problem")}}}
@@ -434,6 +439,20 @@ def _document(app: FastAPI) -> Json:
             responses["default"] = {"$ref": "#/components/responses/Problem"}
             _say_who_may(operation, f"{method.upper()} {where}")
     return document
+
+
+def _plain(schema: Any) -> Any:
+    """Return a schema in which a list of so many of the same kind is said as that, not each of them by itself: most tools that
+    make clients or calls of the document know only the first."""
+    if isinstance(schema, list):
+        return [_plain(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    parts = {name: _plain(part) for name, part in schema.items() if name != "prefixItems"}
+    each = _plain(schema.get("prefixItems", []))
+    if each and "items" not in parts and all(one == each[0] for one in each):
+        return parts | {"items": each[0]}
+    return parts | ({"prefixItems": each} if each else {})
 
 
 def _say_who_may(operation: Json, name: str) -> None:

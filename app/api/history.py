@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
-from pydantic import AwareDatetime
 from starlette.responses import Response
 
 from app.api.calls import Ctl, Who, answer_of, read
 from app.api.declared import gives
+from app.api.inputs import Moment
 from app.api.periods import Begin, End, Period, period
 from app.api.port import Controller
 from app.api.problems import Problem
@@ -22,7 +22,7 @@ router = APIRouter(prefix="/history", tags=["history"])
 HOUR = 3600.0
 MOST_EXPORTED = 500_000
 """So many changes, and so many events, go into one file. Our choice."""
-At = Annotated[AwareDatetime, Query(description="A moment; ISO 8601 with a zone.")]
+At = Annotated[Moment, Query(description="A moment; ISO 8601 with a zone.")]
 Place = Annotated[
     int, Query(ge=0, le=(1 << 53) - 1, description="Only what comes after this place; go on with `next`.")
 ]

@@ -1,9 +1,10 @@
 """Bodies and parameters that we accept: strict (``false`` is no 0, ``"5"`` no 5), bounded, without control characters."""
 
+import re
 from typing import Annotated, Literal
 
 from fastapi import Path, Query
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
 
 from app.api.problems import Problem
 from app.domain.commands import Plain
@@ -18,6 +19,7 @@ _NOT_IN_IDS = rf"\x00-\x20\x7f-\xa0/\\?#%\u1680\u2000-\u200a\u202f\u205f\u3000{_
 ID_PATTERN = rf"^[^.{_NOT_IN_IDS}][^{_NOT_IN_IDS}]*$"
 """Ids travel in URLs: no blanks, control characters, or characters that cut a URL; a first dot would mean a step there."""
 TEXT_PATTERN = rf"^[^\x00-\x1f\x7f-\x9f{_HIDDEN}]*$"
+_NUMBER = re.compile(r"[\s+\-\d.eE_]*")
 ASCII_PATTERN = r"^[\x20-\x7e]*$"
 
 Id = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64, pattern=ID_PATTERN)]
@@ -25,6 +27,17 @@ Text = Annotated[str, StringConstraints(strict=True, max_length=200, pattern=TEX
 Reason = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=200, pattern=TEXT_PATTERN)]
 Priority = Annotated[int, Field(ge=0, le=99)]
 Pulse = Annotated[int, Field(ge=-(1 << 31), le=(1 << 31) - 1)]
+
+
+def _said(value: object) -> object:
+    """Return what may be a moment: text that is no number, for that could be seconds, milliseconds or a day's date."""
+    if value is not None and (not isinstance(value, str) or _NUMBER.fullmatch(value)):
+        raise ValueError("is no moment in ISO 8601, such as 2026-07-01T08:30:00Z")
+    return value
+
+
+Moment = Annotated[AwareDatetime, BeforeValidator(_said), Field(strict=False)]
+"""A moment with its zone."""
 
 PathId = Annotated[str, Path(min_length=1, max_length=64, pattern=ID_PATTERN)]
 QueryId = Annotated[str | None, Query(min_length=1, max_length=64, pattern=ID_PATTERN)]

@@ -6,11 +6,12 @@ from typing import Annotated
 from fastapi import Query
 from pydantic import AwareDatetime
 
+from app.api.inputs import Moment
 from app.api.problems import Problem
 from app.domain.units import Timestamp
 
-Begin = Annotated[AwareDatetime | None, Query(alias="from", description="First moment; ISO 8601 with a zone.")]
-End = Annotated[AwareDatetime | None, Query(alias="to", description="Where it ends; by default now.")]
+Begin = Annotated[Moment | None, Query(alias="from", description="First moment; ISO 8601 with a zone.")]
+End = Annotated[Moment | None, Query(alias="to", description="Where it ends; by default now.")]
 DAY = 86_400.0
 LONGEST = 400 * DAY
 """Our choice."""

@@ -179,6 +179,7 @@ ROUTES: Mapping[str, Scope] = {
     "LIVE /live": Scope.READ,
     "POST /session": Scope.PUBLIC,
     "GET /session": Scope.SELF,
+    "GET /session/calls": Scope.SELF,
     "DELETE /session": Scope.SELF,
     "POST /session/renew": Scope.SELF,
     "PUT /session/password": Scope.SELF,

@@ -96,6 +96,9 @@ class Reader(TeachingReader, RoomReader, Protocol):
         actor: str | None = None,
         action: str | None = None,
         target: str | None = None,
+        accepted: bool | None = None,
+        begin: float | None = None,
+        end: float | None = None,
         before: int | None = None,
         limit: int = 100,
     ) -> Sequence[tuple[int, AuditRow]]:

@@ -10,12 +10,13 @@ from starlette.responses import Response
 
 from app.api.access_inputs import Password, fitting
 from app.api.callers import caller_of, credential_of
-from app.api.calls import Ctl, answer_of
+from app.api.calls import Ctl, answer_of, items
 from app.api.declared import gives
 from app.api.inputs import TEXT_PATTERN, Strict
+from app.api.policy import ROUTES
 from app.api.port import Controller
 from app.api.problems import Problem, refused
-from app.domain.access import Caller, Role, Scope
+from app.domain.access import Caller, Role, Scope, who_may
 from app.domain.errors import Refusal
 from app.runtime.reception import Given, Reception, Wait
 from app.runtime.showing import iso
@@ -100,6 +101,21 @@ async def who_am_i(request: Request) -> Response:
             "roles": shown_roles(frozenset(Role) if caller is None else caller.roles),
             "scopes": [scope.value for scope in Scope if caller is None or scope in caller.scopes],
         }
+    )
+
+
+@router.get("/calls", **gives("Call[]", description="Every call of the API; `next` is null."))
+async def list_calls(request: Request) -> Response:
+    """List every call with the roles that may, and whether the caller may: what a page shows as buttons that can be pressed."""
+    caller = caller_of(request.scope)
+    return items(
+        {
+            "call": call,
+            "roles": [role.value for role in who_may(scope)],
+            "allowed": caller is None or scope in caller.scopes,
+        }
+        for call, scope in ROUTES.items()
+        if scope is not Scope.PUBLIC
     )
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from importlib import metadata
+from typing import Annotated
+
 import typer
 
 from app.cli import (
@@ -13,6 +16,7 @@ from app.cli import (
     decode,
     demo,
     detect,
+    doctor,
     fab,
     fuzz,
     layout,
@@ -26,13 +30,31 @@ from app.cli import (
     workload,
 )
 
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        print(f"hoistway {metadata.version('hoistway')}")
+        raise typer.Exit
+
+
 app = typer.Typer(
     name="hoistway",
-    help="An open fleet transport controller for overhead hoists.",
     no_args_is_help=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
 )
+
+
+@app.callback()
+def _whole(
+    *,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="print the version, and end")
+    ] = False,
+) -> None:
+    """An open fleet transport controller for overhead hoists, AGVs and their equipment."""
+
+
 for command in (
     serve.serve,
     sim.sim,
@@ -41,6 +63,7 @@ for command in (
     simulate.simulate,
     fuzz.fuzz,
     check.check,
+    doctor.doctor,
     fab.fab,
     schema.schema,
     decode.decode,

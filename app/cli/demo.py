@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 GRACE = 5.0
 """Seconds for the simulator to end when asked. Our choice."""
+WATCHED = 10.0
+"""Longest way of the transfer that is invited to, seconds: enough to be seen, and soon over. Our choice."""
 
 
 def demo(
@@ -155,15 +157,28 @@ def counted(plant: Plant) -> str:
 
 def _invitation(plant: Plant, url: str) -> str:
     """Return where to look and one line to try: a transfer that this plant can do."""
-    full = {station: carrier for carrier, station in plant.carriers}
-    source = next((station for station in plant.stations if station.id in full), None)
-    empty = [station for station in reversed(plant.stations) if station.id not in full]
-    destination = next((station for station in empty if source and _alike(source, station)), None)
     lines = [f"hoistway shows {plant.name} with {counted(plant)}, all simulated: {url}"]
-    if source and destination:
-        body = json.dumps({"source": source.id, "destination": destination.id})
+    if ends := _transfer(plant):
+        body = json.dumps({"source": ends[0].id, "destination": ends[1].id})
         lines += [
             "Order a transfer from another terminal:",
             f"  curl -X POST {url}/api/v1/jobs -H 'Content-Type: application/json' -d '{body}'",
         ]
     return "\n".join(lines)
+
+
+def _transfer(plant: Plant) -> tuple[Station, Station] | None:
+    """Return where a carrier stands, and the free place that is the farthest of those not too far to wait for it."""
+    from app.planning.routing import Router
+    from app.planning.track import Track
+
+    full = {station for _, station in plant.carriers}
+    source = next((station for station in plant.stations if station.id in full), None)
+    if source is None:
+        return None
+    router = Router(Track(plant))
+    free = (station for station in plant.stations if station.id not in full and _alike(source, station))
+    away = {station: router.time(source.barcode, station.barcode) for station in free}
+    near = [station for station, seconds in away.items() if seconds <= WATCHED]
+    destination = max(near, key=away.__getitem__) if near else min(away, key=away.__getitem__, default=None)
+    return None if destination is None else (source, destination)

@@ -18,6 +18,7 @@ from app.api.port import Controller as Shown
 from app.api.streams import Stream
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
+from app.cli.tls import checked, files_of, renewed
 from app.domain.errors import PlantError
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
@@ -75,9 +76,10 @@ async def serve(
     ``seen`` is told the controller once it runs, ``ready`` the URL once requests are answered; so is the service manager, if
     there is one to ``notify``, and it is fed as long as the controller lives. When ``changes`` give another plant, the
     controller stops and starts anew with it: new connections wait meanwhile.
-    Raises CannotStart, PlantHeld, StoreError, TracesMissing, TargetsError.
+    Raises CannotStart (an address or a certificate cannot be used), PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     notify = notify or Notifier({})
+    checked(settings)
     traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
     try:
         while True:
@@ -143,8 +145,10 @@ async def _serve(
 ) -> Plant | None:
     """Serve requests until something ends that; return the plant to go on with, None if there is none."""
     log = logger(plant=controller.plant.name)
-    server = _Server(_configured(controller, settings))
+    config = _configured(controller, settings)
+    server = _Server(config)
     serving = asyncio.create_task(server.serve([listening]))
+    renewing = asyncio.create_task(renewed(config, settings, log))
     stopping = asyncio.create_task(stop.wait())
     changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
     while not server.started and not serving.done():
@@ -152,7 +156,7 @@ async def _serve(
     gc.collect()
     gc.freeze()
     gc.set_threshold(*COLLECTED)
-    url = url_of(settings.host, listening.getsockname()[1])
+    url = url_of(settings.host, listening.getsockname()[1], tls=settings.tls_certificate is not None)
     ready(url)
     notify.ready(f"controls {controller.plant.name} at {url}")
     notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
@@ -168,8 +172,8 @@ async def _serve(
         notify.stopping()
     server.should_exit = True
     await serving
-    stopping.cancel()
-    changing.cancel()
+    for task in (stopping, changing, renewing):
+        task.cancel()
     return following
 
 
@@ -215,10 +219,10 @@ def _files() -> int:
     return most
 
 
-def url_of(host: str, port: int) -> str:
+def url_of(host: str, port: int, *, tls: bool = False) -> str:
     """Return where a person finds the server."""
-    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)
-    return f"http://{shown}:{port}"
+    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)  # noqa: S104 (shown, not listened at)
+    return f"{'https' if tls else 'http'}://{shown}:{port}"
 
 
 def who_may_call(controller: Controller, settings: Settings) -> str:
@@ -244,5 +248,6 @@ def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
         lifespan="off",
         timeout_graceful_shutdown=GRACE,
         server_header=False,
+        **files_of(settings),
         h11_max_incomplete_event_size=None,
     )

@@ -23,6 +23,7 @@ Url = Annotated[str, typer.Option(help="where the controller is", envvar="HOISTW
 Reason = Annotated[str, typer.Option(help="why; kept with it")]
 Number = Annotated[int, typer.Argument(help="of the version", min=1)]
 Json = Annotated[bool, typer.Option("--json", help="print what the server answers")]
+VERSIONS = "/versions"
 HERE = "http://127.0.0.1:8080"
 WITHIN, PAUSE = 60.0, 0.25
 """Seconds for an answer, and between two looks whether the plant has changed. Our choice."""
@@ -58,7 +59,7 @@ class Server:
         """Return a version; while the controller changes over, wait."""
         for _ in range(int(WITHIN / PAUSE)):
             try:
-                found: dict[str, Any] = self.ask("GET", f"/{number}").json()
+                found: dict[str, Any] = self.ask("GET", f"{VERSIONS}/{number}").json()
             except CannotStart:
                 time.sleep(PAUSE)
             else:
@@ -77,7 +78,7 @@ def _server(url: str) -> Iterator[Server]:
     with plainly():
         if not url.startswith(("http://", "https://")):
             refuse(f"{url} is no URL", f"Write it like {HERE}.")
-        base = url.rstrip("/") + "/api/v1/layout/versions"
+        base = url.rstrip("/") + "/api/v1/layout"
         with httpx.Client(base_url=base, headers=headers, timeout=WITHIN, trust_env=False) as client:
             yield Server(client)
 
@@ -95,10 +96,10 @@ def stage(
     """
     with _server(url) as server:
         sent = {"content": text_of(file).encode(), "headers": {"Content-Type": "application/yaml"}}
-        made = server.ask("POST", "", params={"reason": reason}, **sent).json()
+        made = server.ask("POST", VERSIONS, params={"reason": reason}, **sent).json()
         number = made["number"]
-        impact = server.ask("GET", f"/{number}/impact").json()
-        change = server.ask("GET", f"/{number}/diff").json()
+        impact = server.ask("GET", f"{VERSIONS}/{number}/impact").json()
+        change = server.ask("GET", f"{VERSIONS}/{number}/diff").json()
         if json:
             print(jsons.dumps({"version": made, "diff": change, "impact": impact}, ensure_ascii=False))
         else:
@@ -113,7 +114,7 @@ def stage(
 def versions(url: Url = HERE, *, json: Json = False) -> None:
     """Show the versions of the plant, newest first."""
     with _server(url) as server:
-        found = server.ask("GET", "", params={"limit": 1000}).json()
+        found = server.ask("GET", VERSIONS, params={"limit": 1000}).json()
         if json:
             print(jsons.dumps(found, ensure_ascii=False))
             return
@@ -131,7 +132,7 @@ def get(
 ) -> None:
     """Write the plant file of a version, to the letter."""
     with _server(url) as server:
-        text = server.ask("GET", f"/{number}/file").content
+        text = server.ask("GET", f"{VERSIONS}/{number}/file").content
         try:
             output.write_bytes(text)
         except OSError as wrong:
@@ -163,7 +164,7 @@ def rollback(
 ) -> None:
     """Activate the version that was active before the present one; the same rules hold."""
     with _server(url) as server:
-        found = server.ask("GET", "", params={"limit": 1000}).json()["items"]
+        found = server.ask("GET", VERSIONS, params={"limit": 1000}).json()["items"]
         active = next(one for one in found if one["state"] == "active")
         if active["before"] is None:
             refuse(f"version {active['number']} is the first: there is nothing to roll back to")
@@ -173,13 +174,13 @@ def rollback(
 def reject(number: Number, reason: Reason, url: Url = HERE) -> None:
     """Let a staged or awaited version not become active."""
     with _server(url) as server:
-        made = server.ask("POST", f"/{number}/reject", json={"reason": reason}).json()
+        made = server.ask("POST", f"{VERSIONS}/{number}/reject", json={"reason": reason}).json()
         print(f"version {number} is {made['state']}")
 
 
 def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_of: int | None = None) -> None:
     body = {"reason": reason, "wait": wait} | ({} if instead_of is None else {"instead_of": instead_of})
-    made = server.ask("POST", f"/{number}/activate", json=body).json()
+    made = server.ask("POST", f"{VERSIONS}/{number}/activate", json=body).json()
     for one in made["in_the_way"]:
         print(f"waits for {one['what']} {one['name']}: {one['text']}")
     while (found := server.version(number))["state"] == "awaited":

@@ -236,6 +236,12 @@ class Control:
         self.fleet.tick(now)
         self._decide()
 
+    def stranger(self, reason: str, now: Seconds) -> None:
+        """Somebody who wanted to be a vehicle was refused by the shell, and why."""
+        self.fleet.tick(now)
+        self.fleet.watch.refused(reason)
+        self._decide()
+
     # -- webhooks -----------------------------------------------------------------------------------------------------
 
     def webhooks(self) -> list[tuple[Webhook, WebhookProgress]]:

@@ -213,7 +213,7 @@ class AgvOrders:
         self._motion.drop(vehicle)
         here = vehicle.barcode
         try:
-            path = books.router.route(here, goal) if here is not None else ()
+            path = tuple(books.router.route(here, goal)) if here is not None else ()
         except NoRoute as why:
             return Refusal("no-route", why.message, "see GET /api/v1/layout", "alias")
         if here is None or vehicle.toward or self._ways.sure(path) != len(path) - 1:

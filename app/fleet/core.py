@@ -138,7 +138,7 @@ class Fleet:
         """Vehicles that a job could be given to when they were last looked at."""
         self._shown: dict[VehicleId, VehicleView] = {}
         self._next_thought = self._last_thought = now
-        self._watch = AlarmWatch(self.books)
+        self.watch = AlarmWatch(self.books)
         self._start(restored=kept.restored)
 
     # -- start --------------------------------------------------------------------------------------------------------
@@ -155,7 +155,7 @@ class Fleet:
             if restored:
                 self.recovery.doubt_backup(vehicle)
         self._jobs.end_impossible()
-        self._watch.start()
+        self.watch.start()
         self._show_all()
 
     def _show_all(self) -> None:
@@ -215,7 +215,7 @@ class Fleet:
         self._parking.run(self._free)
         self._flow.before_dispatch()
         self._closures.tick()
-        self._watch.tick()
+        self.watch.tick()
         self._dispatch.run()
         self._flow.after_dispatch()
         self._go_on(all_devices=True)

@@ -163,11 +163,11 @@ class Motion:
 
         An AGV that was stopped between two tags comes to the second one first: it would turn, or not, as it likes.
         """
-        rest = list(self._books.router.route(start, goal)[1:])
+        rest = self._books.router.route(start, goal)[1:]
         via = vehicle.toward if start == vehicle.barcode and not vehicle.ahead else None
         if via is None or rest[:1] == [via]:
             return rest
-        return list(self._books.router.route(via, goal))
+        return self._books.router.route(via, goal)
 
     def lead(self, vehicle: VehicleNow, rest: Sequence[Barcode]) -> None:
         """Let a vehicle go on to its errand's goal by this way from the end of what it holds."""

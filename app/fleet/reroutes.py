@@ -102,7 +102,7 @@ class Reroutes:
             if errand and errand.purpose in OF_THE_FLEET:
                 self._motion.drop(vehicle)
             return False
-        if list(rest) == vehicle.rest or not books.traffic.turns(vehicle.id, rest):
+        if rest == vehicle.rest or not books.traffic.turns(vehicle.id, rest):
             return False
         self._motion.lead(vehicle, rest)
         self._led_at[vehicle.id] = books.now

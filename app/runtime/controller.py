@@ -374,6 +374,10 @@ class Controller:
 
     def _claimed(self, reason: str) -> None:
         self._log.warning("connection refused", reason=reason)
+        if not self._over:
+            with self._whole:
+                self._control.stranger(reason, self._clock.now())
+                self._kick()
 
     def _kick(self) -> None:
         if not self._pumping:

@@ -20,7 +20,7 @@ from app.planning.tables import Tables, Task, compute
 
 LENGTH = struct.Struct("<Q")
 """Before each message: its length in bytes."""
-SHARED_MEMORY = Path("/dev/shm")
+SHARED_MEMORY = Path("/dev/shm")  # noqa: S108 (files are made there by mkstemp)
 NICE = 15
 """Our choice: less urgent than the controller, by so many steps."""
 Array: TypeAlias = "tuple[tuple[int, ...], str, int]"
@@ -90,7 +90,7 @@ def serve(tasks: BinaryIO, answers: BinaryIO) -> None:
     """Compute task after task until there are no more."""
     while len(head := tasks.read(LENGTH.size)) == LENGTH.size:
         body = tasks.read(LENGTH.unpack(head)[0])
-        task: Task = pickle.loads(body)
+        task: Task = pickle.loads(body)  # noqa: S301 (from the process that started this one)
         answers.write(packed(written(compute(task))))
         answers.flush()
 

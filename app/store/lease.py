@@ -102,8 +102,8 @@ class FileLease:
         os.close(self._fd)
 
 
-_NOW = sa.cast(sa.func.extract("epoch", sa.func.clock_timestamp()), sa.Double)
-_WHO = sa.select(lease, _NOW.label("now"))
+NOW = sa.cast(sa.func.extract("epoch", sa.func.clock_timestamp()), sa.Double)
+WHO = sa.select(lease, NOW.label("now"))
 
 
 def pause(connection: sa.Connection, seconds: float) -> None:
@@ -124,8 +124,8 @@ class RowLease:
         self._engine = engine
         self._verify = (
             lease.update()
-            .where(lease.c.token == sa.bindparam("ours"), lease.c.deadline > _NOW)
-            .values(deadline=_NOW + seconds)
+            .where(lease.c.token == sa.bindparam("ours"), lease.c.deadline > NOW)
+            .values(deadline=NOW + seconds)
         )
         with told("the lease of the plant cannot be taken"):
             self._token = self._take(plant, holder)
@@ -135,7 +135,7 @@ class RowLease:
         seen: sa.Row[Any] | None = None
         while True:
             with self._engine.begin() as connection:
-                found = connection.execute(_WHO).one_or_none()
+                found = connection.execute(WHO).one_or_none()
                 if found is not None and seen is not None and found.deadline != seen.deadline:
                     raise _held(found)
                 # A clock that was set back would keep a dead holder's plant: one lease long without renewal is enough.
@@ -155,8 +155,8 @@ class RowLease:
             plant=plant,
             holder=holder,
             token=sa.cast(sa.func.gen_random_uuid(), sa.Text),
-            since=_NOW,
-            deadline=_NOW + self.seconds,
+            since=NOW,
+            deadline=NOW + self.seconds,
         )
         if last is None:
             return insert.on_conflict_do_nothing().returning(lease.c.token)
@@ -168,7 +168,7 @@ class RowLease:
         """Renew the lease, if it is still ours and has not run out."""
         if connection.execute(self._verify, {"ours": self._token}).rowcount == 1:
             return
-        found = connection.execute(_WHO).one_or_none()
+        found = connection.execute(WHO).one_or_none()
         if found is not None and found.token != self._token:
             raise _held(found)
         raise PlantHeld(

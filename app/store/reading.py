@@ -120,11 +120,21 @@ class Reader(TeachingReader, RoomReader, AlarmReader, StatisticsReader):
         actor: str | None = None,
         action: str | None = None,
         target: str | None = None,
+        accepted: bool | None = None,
+        begin: float | None = None,
+        end: float | None = None,
         before: int | None = None,
         limit: int = 100,
     ) -> list[tuple[int, AuditRow]]:
-        """Return what was asked for, newest first; ``before`` is the number of the last one seen."""
-        query = where(sa.select(audit), {audit.c.actor: actor, audit.c.action: action, audit.c.target: target})
+        """Return what was asked for, newest first; ``before`` is the number of the last one seen, ``end`` lies behind."""
+        wanted: dict[sa.Column[Any], str | int | None] = {
+            audit.c.actor: actor, audit.c.action: action, audit.c.target: target, audit.c.accepted: accepted
+        }  # fmt: skip
+        query = where(sa.select(audit), wanted)
+        if begin is not None:
+            query = query.where(audit.c.at >= begin)
+        if end is not None:
+            query = query.where(audit.c.at < end)
         if before is not None:
             query = query.where(audit.c.seq < before)
         return self._list(query.order_by(audit.c.seq.desc()).limit(limit), lambda row: (row.seq, rows.audit(row)))

@@ -252,6 +252,9 @@ class MemoryReader:
         actor: str | None = None,
         action: str | None = None,
         target: str | None = None,
+        accepted: bool | None = None,
+        begin: float | None = None,
+        end: float | None = None,
         before: int | None = None,
         limit: int = 100,
     ) -> Sequence[tuple[int, AuditRow]]:
@@ -259,10 +262,15 @@ class MemoryReader:
             (seq, row)
             for seq, row in enumerate(self.asked, 1)
             if actor in (None, row.actor) and action in (None, row.action) and target in (None, row.target)
+            if accepted in (None, row.accepted) and (begin or 0) <= row.at and (end is None or row.at < end)
         ]
         return [one for one in reversed(found) if before is None or one[0] < before][:limit]
 
+    broken: Checked | None = None
+
     def audit_checked(self, after: int, limit: int) -> Checked:
+        if self.broken is not None:
+            return self.broken
         rows = self.asked[after : after + limit]
         return Checked(len(rows), after + len(rows), "00")
 

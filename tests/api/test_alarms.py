@@ -54,3 +54,13 @@ async def test_reliability_has_a_row_for_every_vehicle(client: httpx.AsyncClient
         "availability": 0.75,
     }
     assert (second["failures"], second["mtbf_hours"], second["availability"]) == (0, None, 1.0)
+
+
+@pytest.mark.parametrize("number", ["0.5", "2026", "20260701", "1.7e9", "-5", "1782000000000"])
+async def test_a_moment_that_is_a_number_is_refused_since_it_could_be_anything(
+    number: str, client: httpx.AsyncClient
+) -> None:
+    answer = await client.get("/alarms", params={"to": number})
+    assert answer.status_code == 422
+    assert answer.json()["field"] == "to"
+    assert "ISO 8601, such as 2026-07-01T08:30:00Z" in answer.json()["detail"]

@@ -5,6 +5,7 @@ import pytest
 
 from app.domain import requests as r
 from app.domain.commands import Plain
+from app.domain.errors import Refusal
 from app.domain.layout import StopAction
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.framing import Decoder
@@ -227,6 +228,25 @@ async def test_the_layout_is_given_for_drawing(client: httpx.AsyncClient) -> Non
     assert [s["kind"] for s in layout["stations"]] == ["port", "port", "sbfl"]
     again = await client.get("/layout", headers={"If-None-Match": answer.headers["etag"]})
     assert again.status_code == 304
+
+
+async def test_the_audit_is_asked_about_a_period_and_about_what_was_refused(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    controller.refusal = Refusal("not-now", "The plant is stopped.", "Resume it.")
+    await client.post("/jobs", json={"source": "P1", "destination": "P2"})
+    await client.post("/jobs", json={"source": "P1", "destination": "P2"})
+
+    async def found(**query: str) -> list[int]:
+        answer = await client.get("/audit", params=query)
+        assert answer.status_code == 200, answer.text
+        return [row["seq"] for row in answer.json()["items"]]
+
+    assert await found(accepted="false") == [1]
+    assert await found(accepted="true") == [2]
+    assert await found(**{"from": "2026-01-01T00:00:00Z", "to": "2026-01-01T00:00:01Z"}) == [2, 1]
+    assert await found(**{"from": "2026-01-01T00:00:01Z"}) == []
+    assert await found(to="2026-01-01T00:00:00Z") == []
 
 
 async def test_the_audit_tells_who_asked_for_what(client: httpx.AsyncClient) -> None:

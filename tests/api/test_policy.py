@@ -208,6 +208,7 @@ MAY: dict[str, str] = {
     "LIVE /live": ALL,
     "POST /session": OPEN,
     "GET /session": ALL,
+    "GET /session/calls": ALL,
     "DELETE /session": ALL,
     "POST /session/renew": ALL,
     "PUT /session/password": ALL,

@@ -79,6 +79,23 @@ async def test_all_is_open_until_there_is_somebody_and_then_everybody_logs_in(ap
         assert (await client.get("/jobs")).status_code == 200
 
 
+async def test_everybody_can_ask_which_calls_are_theirs(app: FastAPI, desk: Reception) -> None:
+    async with calls(app) as client:
+        rows = (await client.get("/session/calls")).json()["items"]
+        assert all(row["allowed"] for row in rows)
+    await with_admin(desk)
+    async with await logged_in(app) as client:
+        assert (await client.post("/users", json=LEE)).status_code == 201
+    async with await logged_in(app, LEE) as client:
+        rows = {row["call"]: row for row in (await client.get("/session/calls")).json()["items"]}
+        assert rows["POST /jobs"] == {
+            "call": "POST /jobs", "roles": ["operator", "mes", "admin"], "allowed": True
+        }  # fmt: skip
+        assert (rows["POST /users"]["roles"], rows["POST /users"]["allowed"]) == (["admin"], False)
+        assert rows["GET /users"]["allowed"] is False
+        assert "POST /session" not in rows
+
+
 async def test_a_wrong_name_and_a_wrong_password_are_told_the_same_and_audited(
     app: FastAPI, desk: Reception, tmp_path: Path
 ) -> None:

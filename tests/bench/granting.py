@@ -38,7 +38,7 @@ class Drivers:
 
     def _plan(self, number: int) -> None:
         goal = self._draw.choice(self._barcodes)
-        self._rest[number] = list(self._router.route(self._held[number][-1], goal)[1:])
+        self._rest[number] = self._router.route(self._held[number][-1], goal)[1:]
 
     def prepare(self, number: int) -> None:
         """Find a new goal for a vehicle that is at its own; not part of what is measured."""

@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from app.cli.demo import _invitation, counted
+from app.cli.demo import WATCHED, _invitation, counted
 from app.domain.layout import Plant, VehicleKind
+from app.planning.routing import Router
+from app.planning.track import Track
 from app.plant import read
 
 PLANTS = Path(__file__).parents[2] / "plants"
@@ -33,6 +35,19 @@ def test_the_readmes_transfer_is_the_one_that_is_invited_to() -> None:
     body = re.search(r"-d '(.*)'", line)
     assert body is not None
     assert body[1] in (PLANTS.parent / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_invited_transfer_is_soon_over_and_yet_to_be_seen() -> None:
+    plant = plant_of("demo")
+    body = re.search(r"-d '(.*)'", _invitation(plant, "http://127.0.0.1:8080"))
+    assert body is not None
+    source, destination = (plant.station(place) for place in json.loads(body[1]).values())
+    assert source is not None
+    assert destination is not None
+    router = Router(Track(plant))
+    free = {station for station in plant.stations if station.id not in {place for _, place in plant.carriers}}
+    others = [router.time(source.barcode, place.barcode) for place in free if place.kind in VehicleKind.HOIST.serves]
+    assert router.time(source.barcode, destination.barcode) == max(time for time in others if time <= WATCHED)
 
 
 def test_everything_in_the_plant_is_counted() -> None:

@@ -72,3 +72,9 @@ def test_ctrl_c_while_the_program_is_read_in_is_no_traceback() -> None:
     )
     ended = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, timeout=60, check=False)
     assert (ended.returncode, ended.stderr) == (130, "")
+
+
+def test_the_version_is_printed_for_who_reports_something() -> None:
+    result = CliRunner().invoke(app, ["--version"])
+    assert (result.exit_code, result.stdout.split()[0]) == (0, "hoistway")
+    assert result.stdout.split()[1][0].isdigit()

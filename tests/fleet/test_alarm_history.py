@@ -154,3 +154,40 @@ def test_failures_that_overlap_are_one(spans: list[tuple[float, float | None]], 
     assert (found.failures, found.down) == (failures, down)
     assert found.to_repair == (down / failures if failures else None)
     assert found.between == ((100.0 - down) / failures if failures else None)
+
+
+def test_who_is_refused_once_is_no_alarm(ready: Script) -> None:
+    ready.fleet.watch.refused("10.0.0.9 claims to be V001, which is connected already")
+    ready.run(3)
+    assert active(ready) == []
+
+
+def test_who_is_refused_again_is_an_alarm_until_it_gives_up(ready: Script) -> None:
+    for _ in range(3):
+        ready.fleet.watch.refused("10.0.0.9 claims to be V001, which is connected already")
+        ready.run(60)
+    (view,) = active(ready)
+    assert (view.kind, view.source, view.code) == ("plant", "small", "stranger")
+    assert "10.0.0.9 claims to be V001" in view.cause
+    assert "intruder" in view.remedy
+    ready.run(120)
+    assert active(ready) == []
+    assert last(ready).outcome == "nobody has been refused for a while"
+
+
+def test_two_who_are_refused_once_each_are_no_alarm_and_one_from_long_ago_does_not_count(ready: Script) -> None:
+    ready.fleet.watch.refused("10.0.0.8 is not the address of any vehicle that may dial in")
+    ready.fleet.watch.refused("10.0.0.9 is not the address of any vehicle that may dial in")
+    ready.run(200)
+    ready.fleet.watch.refused("10.0.0.9 is not the address of any vehicle that may dial in")
+    ready.run(3)
+    assert active(ready) == []
+
+
+def test_a_start_forgets_who_was_refused_before_it(ready: Script) -> None:
+    for _ in range(2):
+        ready.fleet.watch.refused("10.0.0.9 claims to be V001, which is connected already")
+        ready.run(60)
+    ready.restart()
+    ready.run(3)
+    assert active(ready) == []

@@ -3,7 +3,7 @@
 import asyncio
 import socket
 from collections.abc import AsyncIterator
-from contextlib import AsyncExitStack, ExitStack, asynccontextmanager
+from contextlib import AsyncExitStack, ExitStack, asynccontextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from app.domain.job import JobState
 from app.domain.layout import Plant
 from app.domain.requests import Accepted, CommandVehicle, CreateJob, ReleaseVehicle, Verdict
 from app.domain.units import Seconds
-from app.domain.view import Topic, VehicleView
+from app.domain.view import AlarmView, Topic, VehicleView
 from app.plant import read
 from app.protocols.itsc.simulator import Options
 from app.runtime import controller as running
@@ -161,6 +161,29 @@ def test_a_vehicle_that_dials_in_is_controlled_like_any_other(tmp_path: Path) ->
             await linked(controller)
             accepted = await controller.ask(CommandVehicle(Actor("test"), VehicleId("V002"), Plain.STATUS))
             assert isinstance(accepted, Accepted)
+
+    run(scenario)
+
+
+def test_a_stranger_who_keeps_dialling_in_is_an_alarm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.runtime.listener.QUIET", 0.0)
+
+    async def scenario() -> None:
+        directory = in_pieces(tmp_path, "stranger")
+        plant = plant_in(directory)
+        coming = tuple(replace(spec, listen=True, host="192.0.2.1") for spec in plant.vehicles)
+        (port,) = free_ports(1)
+        async with controlled(replace(plant, vehicles=coming, listen=("127.0.0.1", port)), directory) as controller:
+            for _ in range(2):
+                reader, writer = await asyncio.open_connection("127.0.0.1", port)
+                with suppress(ConnectionError):
+                    assert await reader.read() == b""
+                writer.close()
+            await until(lambda: bool(controller.model.all(Topic.ALARMS)))
+            (alarm,) = controller.model.all(Topic.ALARMS)
+            assert isinstance(alarm, AlarmView)
+            assert (alarm.kind, alarm.code) == ("plant", "stranger")
+            assert "127.0.0.1 is not the address of any vehicle" in alarm.cause
 
     run(scenario)
 

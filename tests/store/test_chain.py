@@ -1,5 +1,6 @@
 """The audit is a chain: whoever changes a row, takes one out or puts one in breaks it, and the first broken row is named."""
 
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -130,3 +131,11 @@ def test_what_is_looked_for_in_the_audit_comes_newest_first(ledger: SqlLedger, r
     assert [seq for seq, _ in reader.audit_found(action="a", limit=2)] == [4, 3]
     assert [seq for seq, _ in reader.audit_found(action="a", before=3)] == [1]
     assert reader.audit_found(actor="nobody", target="none") == []
+
+
+def test_the_audit_is_searched_by_when_and_by_whether_it_was_carried_out(ledger: SqlLedger, reader: Reader) -> None:
+    ledger.commit([replace(audit("a"), at=Timestamp(at), accepted=at != 20.0) for at in (10.0, 20.0, 30.0)])
+    assert [seq for seq, _ in reader.audit_found(begin=20.0)] == [3, 2]
+    assert [seq for seq, _ in reader.audit_found(begin=10.0, end=30.0)] == [2, 1]
+    assert [seq for seq, _ in reader.audit_found(accepted=False)] == [2]
+    assert [seq for seq, _ in reader.audit_found(accepted=True, end=30.0)] == [1]

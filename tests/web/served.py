@@ -3,9 +3,10 @@
 import asyncio
 import socket
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Coroutine, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import TypeVar
 
 import uvicorn
 
@@ -13,6 +14,8 @@ from app.api import application
 from app.domain.view import Topic, Update, VehicleView
 from app.settings import Settings
 from tests.api.scripted import Scripted
+
+T = TypeVar("T")
 
 
 class Served:
@@ -55,7 +58,11 @@ class Served:
         async def run() -> None:
             action()
 
-        asyncio.run_coroutine_threadsafe(run(), self._loop).result(10)
+        self.wait(run())
+
+    def wait(self, work: Coroutine[object, object, T]) -> T:
+        """Await something in the server's loop; return what it gives."""
+        return asyncio.run_coroutine_threadsafe(work, self._loop).result(60)
 
     def place(self, vehicle: str, barcode: str, **more: object) -> None:
         """Let a vehicle report a barcode."""

@@ -111,17 +111,20 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
     with served(access_key=KEY) as server, browser() as page:
         page.open(server.url)
         page.until("document.querySelector('dialog[open]')")
+        page.ask("document.querySelector('dialog button.text').click()")
+        page.until("document.querySelector('dialog input[name=key]')")
         use(page, "not the key of this server")
-        page.until("document.querySelector('dialog[open]')")
+        page.until(text_of("dialog .problem", "This is no key"))
         use(page, KEY)
         page.until(LIVE)
+        page.until(text_of("header .account", "access-key"))
         assert page.ask("Object.values(sessionStorage).join()") == KEY
         assert KEY not in page.ask("Object.values(localStorage).join()")
         assert not [address for address in page.requests if KEY in address]
 
 
 def use(page: Page, key: str) -> None:
-    page.ask(fill("dialog input", key))
+    page.ask(fill("dialog input[name=key]", key))
     page.ask("document.querySelector('dialog form').requestSubmit()")
 
 

@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect, sync_playwright
 
 from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.whole import whole
 from tools.chromium import installed
@@ -24,7 +25,6 @@ FLAGS = (
     "--disable-background-networking",
     "--disable-dev-shm-usage",
 )
-AXE = Path(__file__).parent / "axe" / "axe.min.js"
 PATIENCE = GENEROUS * 500
 
 
@@ -136,7 +136,20 @@ def close_a_rail_and_read_why(page: Page) -> None:
     expect(job.locator(".state")).to_have_text("completed")
 
 
-ROOMS = ("map", "vehicles", "jobs", "alarms", "closures", "stations", "teaching", "statistics")
+ROOMS = (
+    "map",
+    "vehicles",
+    "jobs",
+    "alarms",
+    "closures",
+    "stations",
+    "teaching",
+    "statistics",
+    "walks",
+    "access",
+    "audit",
+    "webhooks",
+)
 CHOSEN = ("", "vehicle=V001", "station=ETCH01-P1", "device=DOOR1", "drive=STK01-LIFT")
 
 
@@ -150,13 +163,7 @@ def test_every_room_and_panel_is_accessible(page: Page, theme: str) -> None:
             page.goto(f"{server.url}#/{place}")
             expect(page.locator(".link.live")).to_be_visible()
             page.evaluate("document.querySelectorAll('details').forEach((box) => { box.open = true; })")
-            page.evaluate(AXE.read_text(encoding="utf-8"))
-            result = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
-            wrong = [
-                f"{rule['id']}: {node['html'][:120]}: {node['failureSummary'][:300]}"
-                for rule in result["violations"]
-                for node in rule["nodes"][:3]
-            ]
+            wrong = faults(page)
             if wrong:
                 found[place] = wrong
         assert found == {}

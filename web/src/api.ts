@@ -18,6 +18,7 @@ const TIMEOUT = 35_000;
 
 let key = sessionStorage.getItem(KEY) ?? "";
 let wantsKey: () => void = () => undefined;
+let forbidden: () => void = () => undefined;
 /** Server's clock minus ours, ms, from the Date header (whole seconds). */
 let skew = 0;
 
@@ -25,13 +26,14 @@ export function onKeyWanted(call: () => void): void {
   wantsKey = call;
 }
 
+/** Whoever is here may not do what was asked for. */
+export function onForbidden(call: () => void): void {
+  forbidden = call;
+}
+
 export function useKey(given: string): void {
   key = given;
   sessionStorage.setItem(KEY, given);
-}
-
-export function hasKey(): boolean {
-  return key !== "";
 }
 
 export function actor(): string {
@@ -74,6 +76,7 @@ export async function call<T>(method: string, path: string, body?: unknown, extr
 
 async function refusal(response: Response): Promise<Refused> {
   if (response.status === 401) wantsKey();
+  if (response.status === 403) forbidden();
   const problem = (await response.json().catch(() => ({}))) as Record<string, unknown>;
   const text = (name: string): string => (typeof problem[name] === "string" ? (problem[name] as string) : "");
   return new Refused(
@@ -87,6 +90,16 @@ async function refusal(response: Response): Promise<Refused> {
 export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
 export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
   call<T>("POST", path, body, extra);
+
+/** Send a file as it is. */
+export async function upload<T>(path: string, text: string, kind: string): Promise<T> {
+  const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": document.documentElement.lang || "en", "Content-Type": kind };
+  if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
+  if (actor()) headers["X-Actor"] = headerText(actor());
+  const response = await fetch(`/api/v1${path}`, { method: "POST", headers, body: text, signal: AbortSignal.timeout(TIMEOUT) });
+  if (!response.ok) throw await refusal(response);
+  return (await response.json()) as T;
+}
 
 /** Let the browser save what a path gives. A link could not carry the access key. */
 export async function download(path: string, name: string): Promise<void> {

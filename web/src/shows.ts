@@ -120,6 +120,12 @@ export function elapsed(job: Job, now: number): string {
 }
 
 /** Time of day at this place. */
+/** Day and time of day, for what may lie long ago. */
+export function moment(iso: string): string {
+  const at = new Date(iso);
+  return Number.isNaN(at.getTime()) ? "" : `${at.toLocaleDateString("sv-SE")} ${clock(iso)}`;
+}
+
 export function clock(iso: string): string {
   const at = new Date(iso);
   return Number.isNaN(at.getTime()) ? "" : at.toLocaleTimeString("en-GB", { hour12: false });

@@ -1,16 +1,17 @@
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 import { batch, computed, signal } from "@preact/signals";
+import * as access from "./access";
 import { wrongs } from "./alarms";
 import * as api from "./api";
 import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
-import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle } from "./types";
+import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle, Walk } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
-const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
+const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
 /** Compares names as people do: V2 before V10. */
 export const NATURAL = new Intl.Collator(undefined, { numeric: true });
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
@@ -22,7 +23,6 @@ export const layout = signal<Layout | null>(null);
 export const track = computed(() => (layout.value ? new Track(layout.value) : null));
 export const link = signal<LinkState>("connecting");
 export const heardAt = signal(0);
-export const keyWanted = signal(false);
 export const selected = signal<Selection>(null);
 export const notice = signal("");
 /** Rises once a second, for whatever shows an age. */
@@ -41,6 +41,7 @@ export const closures = new Map<string, Closure>();
 const alarms = new Map<string, Alarm>();
 /** Proposals and sessions of teaching; their details are asked for. */
 const teaching = new Map<string, { id: number; state: string }>();
+const walks = new Map<string, Walk>();
 const controllers = new Map<string, Controller>();
 const ended = new Map<string, Job>();
 const maps: { [T in Topic]: Map<string, Objects[T]> } = {
@@ -54,6 +55,7 @@ const maps: { [T in Topic]: Map<string, Objects[T]> } = {
   closures,
   teaching,
   alarms,
+  walks,
 };
 
 export const changes = {
@@ -67,6 +69,7 @@ export const changes = {
   closures: signal(0),
   teaching: signal(0),
   alarms: signal(0),
+  walks: signal(0),
 };
 const touched = new Set<Topic>();
 
@@ -290,20 +293,19 @@ let watcher: Watcher | null = null;
 async function address(after: number | null): Promise<string | null> {
   const query = new URLSearchParams({ topics: TOPICS });
   if (after !== null) query.set("after", String(after));
-  if (api.hasKey()) {
-    try {
-      query.set("ticket", (await api.post<{ ticket: string }>("/live/ticket")).ticket);
-    } catch (error) {
-      if (error instanceof api.Refused && error.status === 401) return null;
-      throw error;
-    }
+  // Asked for where nobody has to log in, too: that may have changed, and a socket cannot say why it was refused.
+  try {
+    query.set("ticket", (await api.post<{ ticket: string }>("/live/ticket")).ticket);
+  } catch (error) {
+    if (error instanceof api.Refused && error.status === 401) return null;
+    throw error;
   }
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   return `${scheme}://${location.host}/api/v1/live?${query}`;
 }
 
-/** Read the layout, then watch; waits for a key if the server wants one, and for the server if it is not there. */
-export async function start(): Promise<void> {
+/** Read the layout, then watch; waits for a log-in if the server wants one, and for the server if it is not there. */
+async function start(): Promise<void> {
   try {
     layout.value = await api.get<Layout>("/layout");
   } catch (error) {
@@ -316,7 +318,7 @@ export async function start(): Promise<void> {
 }
 
 export function begin(): void {
-  api.onKeyWanted(() => (keyWanted.value = true));
+  access.begin(() => void (watcher ? watcher.open() : start()));
   window.setInterval(() => tick.value++, 1000);
   void start();
 }

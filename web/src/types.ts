@@ -31,7 +31,7 @@ export interface Lockout {
   releases: string[];
 }
 
-/** What only AGVs report. `beyond`: the tag on the way to which it was stopped. */
+/** What only AGVs report. `toward`: the tag on the way to which it was stopped. */
 export interface Agv {
   cart: string;
   lift: string;
@@ -40,7 +40,7 @@ export interface Agv {
   steering: string;
   path: number;
   tag: string;
-  beyond: string | null;
+  toward: string | null;
 }
 
 export interface Vehicle {
@@ -280,6 +280,31 @@ export interface Controller {
   weighed: number;
 }
 
+/** An audit walk: open, accepted or abandoned; of so many `places` so many are `entered`. */
+export interface Walk {
+  id: number;
+  actor: string;
+  reason: string;
+  state: string;
+  started: string;
+  ended: string | null;
+  ended_by: string | null;
+  places: number;
+  entered: number;
+}
+
+/** A place of a walk: what the books say `now`, what was `seen` there (null: not yet), and what that comes to. */
+export interface WalkPlace {
+  station: string;
+  now: boolean | null;
+  now_carrier: string | null;
+  seen: boolean | null;
+  seen_carrier: string | null;
+  by: string | null;
+  at: string | null;
+  finding: string;
+}
+
 /** Something that is, or was, wrong; `ended` null: it is there now. */
 export interface Alarm {
   id: number;
@@ -515,6 +540,7 @@ export interface Objects {
   closures: Closure;
   teaching: { id: number; state: string };
   alarms: Alarm;
+  walks: Walk;
 }
 
 export type Topic = keyof Objects;

@@ -19,7 +19,7 @@ def tell(figures: Figures) -> None:
 
 def plant_in(file: str) -> Plant:
     """Return the plant that the parent has put there."""
-    plant = pickle.loads(Path(file).read_bytes())
+    plant = pickle.loads(Path(file).read_bytes())  # noqa: S301 (the parent wrote it, into a directory of its own)
     assert isinstance(plant, Plant)
     return plant
 

@@ -610,9 +610,9 @@ class Calls(Synchronous):
         """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
         return cast("m.PlantVersion", self._call("POST", f"/api/v1/layout/versions/{path(version)}/reject", body=body))
 
-    def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
+    def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, accepted: bool | None = None, from_: str | None = None, to: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
         """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
-        return cast("m.Page[m.Audit]", self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "order": order}))
+        return cast("m.Page[m.Audit]", self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "accepted": accepted, "from": from_, "to": to, "order": order}))
 
     def check_audit(self, *, after: int | None = None, limit: int | None = None) -> m.AuditCheck:
         """Look whether each row of the audit follows from the one before it; go on with ``after`` = ``next``."""
@@ -629,6 +629,12 @@ class Calls(Synchronous):
     def log_out(self) -> None:
         """Log out: the token, and those that it was renewed from, are good no longer."""
         self._call("DELETE", "/api/v1/session")
+
+    def list_calls(self) -> m.Page[m.Call]:
+        """List every call with the roles that may, and whether the caller may: what a page shows as buttons that can be
+        pressed.
+        """
+        return cast("m.Page[m.Call]", self._call("GET", "/api/v1/session/calls"))
 
     def renew_session(self) -> m.Session:
         """Give a new token for this one, which ends half a minute later."""
@@ -1331,9 +1337,9 @@ class AsyncCalls(Asynchronous):
         """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
         return cast("m.PlantVersion", await self._call("POST", f"/api/v1/layout/versions/{path(version)}/reject", body=body))
 
-    async def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
+    async def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, accepted: bool | None = None, from_: str | None = None, to: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
         """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
-        return cast("m.Page[m.Audit]", await self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "order": order}))
+        return cast("m.Page[m.Audit]", await self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "accepted": accepted, "from": from_, "to": to, "order": order}))
 
     async def check_audit(self, *, after: int | None = None, limit: int | None = None) -> m.AuditCheck:
         """Look whether each row of the audit follows from the one before it; go on with ``after`` = ``next``."""
@@ -1350,6 +1356,12 @@ class AsyncCalls(Asynchronous):
     async def log_out(self) -> None:
         """Log out: the token, and those that it was renewed from, are good no longer."""
         await self._call("DELETE", "/api/v1/session")
+
+    async def list_calls(self) -> m.Page[m.Call]:
+        """List every call with the roles that may, and whether the caller may: what a page shows as buttons that can be
+        pressed.
+        """
+        return cast("m.Page[m.Call]", await self._call("GET", "/api/v1/session/calls"))
 
     async def renew_session(self) -> m.Session:
         """Give a new token for this one, which ends half a minute later."""

@@ -230,6 +230,16 @@ class Bit(TypedDict):
     meaning: str
 
 
+class Call(TypedDict):
+    """Method and path under /api/v1, which roles may, and whether the caller may (all, where nobody has to say who
+    they are).
+    """
+
+    call: str
+    roles: list[str]
+    allowed: bool
+
+
 class Caller(TypedDict):
     """Who calls. `open`: nobody has to say who they are; then the name is null, and all is allowed."""
 

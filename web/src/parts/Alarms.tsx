@@ -78,7 +78,7 @@ function Line({ alarm }: { alarm: Alarm }) {
         ) : (
           <Reasoned
             hint={t("note")}
-            decisions={[{ label: t("acknowledge"), bare: true, noted: true, does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note }) }]}
+            decisions={[{ label: t("acknowledge"), needs: "POST /alarms/{alarm}/acknowledge", bare: true, noted: true, does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note }) }]}
           />
         )}
       </div>

@@ -1,7 +1,10 @@
 import { room } from "../route";
-import { controller, keyWanted, selected } from "../store";
+import { asked } from "../access";
+import { controller, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
+import { Audit } from "./Audit";
+import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
 import { DevicePanel } from "./DevicePanel";
@@ -10,8 +13,9 @@ import { Header, Rooms } from "./Header";
 import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
-import { KeyPrompt } from "./KeyPrompt";
+import { LogIn } from "./LogIn";
 import { StationPanel } from "./StationPanel";
+import { Staff } from "./Staff";
 import { Stations } from "./Stations";
 import { Statistics } from "./Statistics";
 import { Teaching } from "./Teaching";
@@ -20,6 +24,8 @@ import { Transfer } from "./Transfer";
 import { VehiclePanel } from "./VehiclePanel";
 import { Vehicles } from "./Vehicles";
 import { VehicleStrip } from "./VehicleStrip";
+import { Walks } from "./Walks";
+import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
@@ -39,7 +45,8 @@ export function App() {
           <Jobs />
         </aside>
       </main>
-      {keyWanted.value && <KeyPrompt />}
+      {asked.value && <LogIn />}
+      <Barred />
     </div>
   );
 }
@@ -95,6 +102,14 @@ function Room() {
       return <Closing />;
     case "stations":
       return <Stations />;
+    case "walks":
+      return <Walks />;
+    case "access":
+      return <Staff />;
+    case "webhooks":
+      return <Webhooks />;
+    case "audit":
+      return <Audit />;
     case "teaching":
       return <Teaching />;
     case "statistics":

@@ -8,6 +8,9 @@ import { closureList, controller, layout, tick } from "../store";
 import { said, t, tell } from "../texts";
 import type { Closure, ClosurePreview, ZoneNow } from "../types";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
+import { Button } from "./Button";
+import { ClosedBefore } from "./ClosedBefore";
+import { KeptList } from "./Kept";
 import { Name } from "./Name";
 import { Reasoned } from "./Reasoned";
 
@@ -28,7 +31,9 @@ export function Closures() {
               <Line key={closure.id} closure={closure} />
             ))}
           </ul>
+          <KeptList />
           <Zones />
+          <ClosedBefore />
         </div>
         <Close />
       </div>
@@ -55,7 +60,7 @@ function Line({ closure }: { closure: Closure }) {
         </p>
       ))}
       <div class="wide">
-        <Reasoned decisions={[{ label: t("open_it"), bare: true, grave: true, does: () => post(`/closures/${closure.id}/open`, {}) }]} />
+        <Reasoned decisions={[{ label: t("open_it"), needs: "POST /closures/{closure}/open", bare: true, grave: true, does: () => post(`/closures/${closure.id}/open`, {}) }]} />
       </div>
     </li>
   );
@@ -89,9 +94,9 @@ function Zones() {
               <summary>{t("change")}</summary>
               <Reasoned
                 decisions={[
-                  { label: t("pause"), does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/pause`, { reason }) },
-                  { label: t("stop_zone"), grave: true, does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/stop`, { reason }) },
-                  { label: t("resume"), bare: true, does: () => post(`/zones/${encodeURIComponent(zone.id)}/resume`) },
+                  { label: t("pause"), needs: "POST /zones/{zone}/pause", does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/pause`, { reason }) },
+                  { label: t("stop_zone"), needs: "POST /zones/{zone}/stop", grave: true, does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/stop`, { reason }) },
+                  { label: t("resume"), needs: "POST /zones/{zone}/resume", bare: true, does: () => post(`/zones/${encodeURIComponent(zone.id)}/resume`) },
                 ]}
               />
             </details>
@@ -192,9 +197,9 @@ function Close() {
         <button type="button" disabled={!whole} onClick={() => void look()}>
           {t("preview")}
         </button>
-        <button type="submit" class="halt" disabled={!whole || !reason.value.trim() || !preview.value}>
+        <Button needs="POST /closures" type="submit" class="halt" disabled={!whole || !reason.value.trim() || !preview.value}>
           {t("close_place")}
-        </button>
+        </Button>
       </div>
       <Told asking={asking} />
       {preview.value && <Effects preview={preview.value} />}

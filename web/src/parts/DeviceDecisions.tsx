@@ -10,19 +10,20 @@ export function DeviceDecisions({ device }: { device: Device }) {
     device.kind !== "door"
       ? []
       : device.pin
-        ? [{ label: t("unpin"), bare: true, does: () => call("DELETE", `${path}/pin`) }]
+        ? [{ label: t("unpin"), needs: "DELETE /devices/{device}/pin", bare: true, does: () => call("DELETE", `${path}/pin`) }]
         : (["open", "closed"] as const).map((position) => ({
             label: t(`pin_${position}`),
+            needs: "PUT /devices/{device}/pin" as const,
             does: (reason: string) => call("PUT", `${path}/pin`, { position, reason }),
           }));
   const decisions: Decision[] = [
     ...pins,
     device.lockout
-      ? { label: t("lift_lockout"), bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
-      : { label: t("lock_out"), grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
+      ? { label: t("lift_lockout"), needs: "DELETE /devices/{device}/lockout", bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
+      : { label: t("lock_out"), needs: "POST /devices/{device}/lockout", grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
     device.out_of_service
-      ? { label: t("put_back"), bare: true, does: () => call("PUT", `${path}/service`, { in_service: true }) }
-      : { label: t("take_out"), grave: true, does: (reason) => call("PUT", `${path}/service`, { in_service: false, reason }) },
+      ? { label: t("put_back"), needs: "PUT /devices/{device}/service", bare: true, does: () => call("PUT", `${path}/service`, { in_service: true }) }
+      : { label: t("take_out"), needs: "PUT /devices/{device}/service", grave: true, does: (reason) => call("PUT", `${path}/service`, { in_service: false, reason }) },
   ];
   return (
     <details class="part acts">

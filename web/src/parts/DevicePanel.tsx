@@ -7,6 +7,7 @@ import { deviceNow, layout, lookAt, machines, passers, presence, selected, tick 
 import { t, tell } from "../texts";
 import type { Device } from "../types";
 import { DeviceDecisions } from "./DeviceDecisions";
+import { DeviceMore } from "./DeviceMore";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
@@ -60,6 +61,7 @@ export function DeviceBody({ id }: { id: string }) {
       </dl>
       <Commands id={id} commands={COMMANDS[kind]} />
       {now && <DeviceDecisions device={now} />}
+      {now && kind !== "charger" && <DeviceMore device={now} />}
     </>
   );
 }
@@ -156,7 +158,7 @@ function Commands({ id, commands }: { id: string; commands: readonly ("open" | "
     <>
       <div class="buttons" data-commands={id}>
         {commands.map((command) => (
-          <Sure key={command} label={t(`cmd_${command}`)} does={() => send(command)} />
+          <Sure key={command} needs="POST /devices/{device}/commands" label={t(`cmd_${command}`)} does={() => send(command)} />
         ))}
       </div>
       <Problem error={error.value} />

@@ -5,6 +5,7 @@ import { hundredths, lookOfDrive, span } from "../shows";
 import { driveNow, tick } from "../store";
 import { said, t, tell } from "../texts";
 import type { Drive, Operation } from "../types";
+import { Button } from "./Button";
 import { DriveTools } from "./DriveTools";
 import { Fact, Panel } from "./Panel";
 import { Outcome, Parameters } from "./Parameters";
@@ -65,9 +66,9 @@ function StopKey({ id }: { id: string }) {
   return (
     <>
       <div class="buttons">
-        <button type="button" class="halt" onClick={press}>
+        <Button needs="POST /drives/{drive}/keys" class="halt" onClick={press}>
           {t("stop_reset")}
-        </button>
+        </Button>
       </div>
       <Problem error={error.value} />
       <Outcome operation={done.value} label={t("stop_reset")} />

@@ -7,6 +7,9 @@ import { driveList } from "../store";
 import { t } from "../texts";
 import type { Backup, Drive, Operation } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
+import { Button } from "./Button";
+import { DriveMore } from "./DriveMore";
+import { DriveWatch } from "./DriveWatch";
 import { Outcome } from "./Parameters";
 import { Reasoned } from "./Reasoned";
 import { Sure } from "./Sure";
@@ -16,14 +19,16 @@ export function DriveTools({ drive }: { drive: Drive }) {
   return (
     <>
       <Jog drive={drive} path={path} />
+      <DriveWatch path={path} />
       <Backups drive={drive} path={path} />
+      <DriveMore drive={drive} path={path} />
       <details class="part acts">
         <summary>{t("lockout")}</summary>
         <Reasoned
           decisions={[
             drive.lockout
-              ? { label: t("lift_lockout"), bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
-              : { label: t("lock_out"), grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
+              ? { label: t("lift_lockout"), needs: "DELETE /drives/{drive}/lockout", bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
+              : { label: t("lock_out"), needs: "POST /drives/{drive}/lockout", grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
           ]}
         />
       </details>
@@ -77,8 +82,8 @@ function Jog({ drive, path }: { drive: Drive; path: string }) {
       <h3>{t("jog")}</h3>
       <div class="acts-row">
         {(["ccw", "cw"] as const).map((direction) => (
-          <button
-            type="button"
+          <Button
+            needs="POST /drives/{drive}/jog"
             key={direction}
             class="jog"
             aria-pressed={way.value === direction}
@@ -95,7 +100,7 @@ function Jog({ drive, path }: { drive: Drive; path: string }) {
             {direction === "ccw" ? "◀ " : ""}
             {t(direction)}
             {direction === "cw" ? " ▶" : ""}
-          </button>
+          </Button>
         ))}
         <small class="calm">{t("jog_hint")}</small>
       </div>
@@ -142,9 +147,9 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
         <div class="fields">
           <Field label={t("note")} value={note} />
           <div class="acts-row">
-            <button type="button" onClick={() => begin("backups", { note: note.value.trim() }, t("back_up"))}>
+            <Button needs="POST /drives/{drive}/backups" onClick={() => begin("backups", { note: note.value.trim() }, t("back_up"))}>
               {t("back_up")}
-            </button>
+            </Button>
           </div>
         </div>
         {others.length > 0 && (
@@ -159,9 +164,9 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
               </select>
             </label>
             <div class="acts-row">
-              <button type="button" disabled={!other.value} onClick={() => begin("compare", { drive: other.value }, t("compare"))}>
+              <Button needs="POST /drives/{drive}/compare" disabled={!other.value} onClick={() => begin("compare", { drive: other.value }, t("compare"))}>
                 {t("compare")}
-              </button>
+              </Button>
             </div>
           </div>
         )}
@@ -170,13 +175,13 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
             <span>
               #{backup.id} · {clock(backup.at)} · {backup.actor} {backup.note}
             </span>
-            <button type="button" onClick={() => begin("compare", { backup: backup.id }, t("compare"))}>
+            <Button needs="POST /drives/{drive}/compare" onClick={() => begin("compare", { backup: backup.id }, t("compare"))}>
               {t("compare")}
-            </button>
-            <button type="button" onClick={() => begin("restore", { backup: backup.id, dry_run: true }, t("restore_dry"))}>
+            </Button>
+            <Button needs="POST /drives/{drive}/restore" onClick={() => begin("restore", { backup: backup.id, dry_run: true }, t("restore_dry"))}>
               {t("restore_dry")}
-            </button>
-            <Sure label={t("restore")} does={() => begin("restore", { backup: backup.id }, t("restore"))} />
+            </Button>
+            <Sure needs="POST /drives/{drive}/restore" label={t("restore")} does={() => begin("restore", { backup: backup.id }, t("restore"))} />
           </div>
         ))}
         <Told asking={asking} />

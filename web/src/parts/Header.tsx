@@ -1,9 +1,9 @@
 /** What the plant is, how it does, whether what is shown is live, who looks at it. */
-import { useSignal } from "@preact/signals";
-import { actor, nameActor } from "../api";
 import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubles, vehicleList } from "../store";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
+import { Account } from "./Account";
+import { KeptOff } from "./Kept";
 import { Master } from "./Master";
 import { language, said, speak, t, tell, type Word } from "../texts";
 import { choose, theme } from "../theme";
@@ -20,10 +20,11 @@ export function Header() {
       </h1>
       <span class="plant">{layout.value?.name ?? ""}</span>
       <ControllerState />
+      <KeptOff />
       <Master />
       <span class="grow" />
       <Counts />
-      <Actor />
+      <Account />
       <Theme />
       <button type="button" class="plain" onClick={() => speak(language.value === "en" ? "ko" : "en")}>
         {language.value === "en" ? "KO" : "EN"}
@@ -96,26 +97,6 @@ function Counts() {
       <span>
         <b>{open}</b> {t("open_jobs")}
       </span>
-    </span>
-  );
-}
-
-function Actor() {
-  const name = useSignal(actor());
-  return (
-    <span class="actor">
-            <input
-        value={name.value}
-        maxLength={64}
-        aria-label={t("your_name")}
-        autocomplete="name"
-        title={t("name_hint")}
-        placeholder={t("your_name")}
-        onInput={(event) => {
-          name.value = event.currentTarget.value;
-          nameActor(name.value);
-        }}
-      />
     </span>
   );
 }

@@ -6,6 +6,8 @@ import { clock, TONES } from "../shows";
 import { changes, ENDED, jobList, layout, tick } from "../store";
 import { happening, said, t, tell } from "../texts";
 import type { Assignment, Happening, Job, JobWhy } from "../types";
+import { Button } from "./Button";
+import { CutOff } from "./Kept";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
@@ -42,6 +44,8 @@ export function JobPanel({ id }: { id: string }) {
           <b>{t("waits")}</b> {tell(job.reason)}
         </p>
       )}
+      {!over && <CutOff id={job.source} />}
+      {!over && <CutOff id={job.destination} />}
       <dl>
         <Fact name={t("source")}>
           <Name id={job.source} />
@@ -233,11 +237,11 @@ function Change({ job }: { job: Job }) {
         {layout.value?.stations.map(({ id }) => <option key={id} value={id} />)}
       </datalist>
       <div class="acts-row">
-        <button type="submit" class="primary" disabled={Object.keys(body).length === 0}>
+        <Button needs="PATCH /jobs/{job}" type="submit" class="primary" disabled={Object.keys(body).length === 0}>
           {t("change")}
-        </button>
-        {CANCELLABLE.has(job.state) && <Sure label={t("cancel")} does={() => report(post(`${path}/cancel`))} />}
-        {ABORTABLE.has(job.state) && <Sure label={t("abort")} does={() => report(post(`${path}/abort`))} />}
+        </Button>
+        {CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => report(post(`${path}/cancel`))} />}
+        {ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => report(post(`${path}/abort`))} />}
         {done.value && <span class="done" role="status">{t("taken")}</span>}
       </div>
       <Problem error={error.value} />

@@ -72,8 +72,8 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
         <Place id={job.destination} />
       </span>
       <span class="act">
-        {CANCELLABLE.has(job.state) && <Sure label={t("cancel")} does={() => ask(job, "cancel")} />}
-        {ABORTABLE.has(job.state) && <Sure label={t("abort")} does={() => ask(job, "abort")} />}
+        {CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => ask(job, "cancel")} />}
+        {ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => ask(job, "abort")} />}
       </span>
       <span class="reason" title={tell(why)}>
         {tell(why)}

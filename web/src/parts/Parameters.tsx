@@ -5,6 +5,7 @@ import { call, get, post } from "../api";
 import { clock } from "../shows";
 import { t } from "../texts";
 import type { Operation, Parameter } from "../types";
+import { Button } from "./Button";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
 
@@ -68,9 +69,9 @@ export function Parameters({ id }: { id: string }) {
       <h3>
         {t("parameters")}
         {operation.value && running && <small>{t("reading", operation.value.done, operation.value.total)}</small>}
-        <button type="button" disabled={running} onClick={() => void read()}>
+        <Button needs="POST /drives/{drive}/read" disabled={running} onClick={() => void read()}>
           {t("read_parameters")}
-        </button>
+        </Button>
       </h3>
       <Problem error={error.value} />
       {!running && <Outcome operation={operation.value} label={t("read_parameters")} />}
@@ -115,7 +116,7 @@ function Write({ path, parameter, after }: { path: string; parameter: Parameter;
       <summary>{t("write")}</summary>
       <div class="acts-row">
         <input aria-label={`${parameter.number} ${parameter.name}`} title={range} placeholder={range} value={value.value} onInput={(event) => (value.value = event.currentTarget.value)} />
-        <Sure label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} />
+        <Sure needs="PUT /drives/{drive}/parameters/{number}" label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} />
         <small class="calm">{range}</small>
       </div>
       <Problem error={error.value} />

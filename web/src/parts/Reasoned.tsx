@@ -1,11 +1,14 @@
 /** Decisions that want a reason: one line to write it, and the buttons. */
 import { useSignal } from "@preact/signals";
+import type { Call } from "../access";
 import { t } from "../texts";
 import { type Asking, Told, useAsking } from "./asking";
+import { Button } from "./Button";
 import { Sure } from "./Sure";
 
 export interface Decision {
   label: string;
+  needs: Call;
   does: (reason: string) => Promise<unknown>;
   /** Whether it can be decided without a reason. */
   bare?: boolean;
@@ -39,11 +42,11 @@ export function Reasoned({ decisions, title, asking, hint }: { decisions: Decisi
         {decisions.map((one) => {
           const idle = busy.value || (!one.bare && !reason.value.trim());
           return one.grave ? (
-            <Sure key={one.label} label={one.label} disabled={idle} does={() => void send(one)} />
+            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} does={() => void send(one)} />
           ) : (
-            <button type="button" key={one.label} disabled={idle} onClick={() => void send(one)}>
+            <Button key={one.label} needs={one.needs} disabled={idle} onClick={() => void send(one)}>
               {one.label}
-            </button>
+            </Button>
           );
         })}
       </div>

@@ -3,7 +3,9 @@ import { span } from "../shows";
 import { layout, orderFrom, orderTo, stationNow, tick } from "../store";
 import { said, t } from "../texts";
 import { DeviceBody } from "./DevicePanel";
+import { CutOff } from "./Kept";
 import { Fact, Panel } from "./Panel";
+import { Stage } from "./Stage";
 import { StationWrite } from "./StationWrite";
 import { Taught } from "./Taught";
 
@@ -15,6 +17,7 @@ export function StationPanel({ id }: { id: string }) {
   const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
   return (
     <Panel title={now.id} tag={said(now.kind)} colour={now.present ? "var(--ink-carrier)" : "var(--ink-mark)"}>
+      <CutOff id={id} />
       <dl>
         <Fact name={t("present")}>
           {occupied} <small>({now.verified ? t("verified") : t("believed")})</small>
@@ -41,6 +44,7 @@ export function StationPanel({ id }: { id: string }) {
           {t("use_destination")}
         </button>
       </div>
+      <Stage id={id} />
       <StationWrite key={`${now.id} ${now.at}`} station={now} />
       {now.kind === "port" && <Taught kind="station" id={id} />}
       {buffer && (

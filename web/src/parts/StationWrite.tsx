@@ -4,6 +4,7 @@ import { call } from "../api";
 import { t } from "../texts";
 import type { Station } from "../types";
 import { Choice, Field, Told, useAsking } from "./asking";
+import { Button } from "./Button";
 
 export function StationWrite({ station }: { station: Station }) {
   const present = useSignal<"yes" | "no">(station.present ? "yes" : "no");
@@ -41,7 +42,9 @@ export function StationWrite({ station }: { station: Station }) {
           <Field label={t("out_of_service")} name="out_of_service" value={closed} hint={t("no")} />
         </div>
         <div class="acts-row">
-          <button type="submit">{t("write_down")}</button>
+          <Button needs="PATCH /stations/{station}" type="submit">
+            {t("write_down")}
+          </Button>
         </div>
         <Told asking={asking} />
       </form>

@@ -5,6 +5,7 @@ import { span } from "../shows";
 import { carrierList, selected, stationList, tick } from "../store";
 import { said, t } from "../texts";
 import { Field, Told, useAsking } from "./asking";
+import { Button } from "./Button";
 import { Name } from "./Name";
 import { Sure } from "./Sure";
 import { Table } from "./Table";
@@ -102,7 +103,7 @@ function Remove({ id }: { id: string }) {
   const asking = useAsking();
   return (
     <>
-      <Sure label={t("remove")} does={() => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")} />
+      <Sure needs="DELETE /carriers/{carrier}" label={t("remove")} does={() => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")} />
       <Told asking={asking} />
     </>
   );
@@ -126,7 +127,9 @@ function Install() {
         <Field label={t("place")} name="place" value={place} required />
       </div>
       <div class="acts-row">
-        <button type="submit">{t("write_down")}</button>
+        <Button needs="PUT /carriers/{carrier}" type="submit">
+          {t("write_down")}
+        </Button>
       </div>
       <Told asking={asking} />
     </form>

@@ -1,11 +1,13 @@
 /** A button that wants to be pressed twice. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import type { Call } from "../access";
 import { t } from "../texts";
+import { Button } from "./Button";
 
 const PATIENCE = 3500;
 
-export function Sure(props: { label: string; does: () => void; class?: string; disabled?: boolean }) {
+export function Sure(props: { label: string; needs: Call; does: () => void; class?: string; disabled?: boolean }) {
   const armed = useSignal(false);
   useEffect(() => {
     if (!armed.value) return undefined;
@@ -17,13 +19,13 @@ export function Sure(props: { label: string; does: () => void; class?: string; d
     armed.value = !armed.value;
   };
   return (
-    <button
-      type="button"
+    <Button
+      needs={props.needs}
       class={`sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`}
       disabled={props.disabled ?? false}
       onClick={press}
     >
       {armed.value ? t("sure") : props.label}
-    </button>
+    </Button>
   );
 }

@@ -6,6 +6,7 @@ import { changes } from "../store";
 import { said, t } from "../texts";
 import type { Comparison, PulsesVersion } from "../types";
 import { Told, useAsking, useRead } from "./asking";
+import { ByHand } from "./ByHand";
 import { Changes, Pulses } from "./Pulses";
 import { Reasoned } from "./Reasoned";
 
@@ -29,7 +30,15 @@ function Versions({ kind, id }: { kind: "station" | "vehicle"; id: string }) {
   const list = [...(value?.items ?? [])].reverse();
   const newest = list[0];
   if (!value) return null;
-  if (!newest) return <p class="nothing">{t("never_taught")}</p>;
+  const byHand = <ByHand key={newest?.version} kind={kind} path={path} newest={newest} after={() => again.value++} />;
+  if (!newest) {
+    return (
+      <div class="stack">
+        <p class="nothing">{t("never_taught")}</p>
+        {byHand}
+      </div>
+    );
+  }
   const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
   return (
     <div class="stack">
@@ -67,6 +76,7 @@ function Versions({ kind, id }: { kind: "station" | "vehicle"; id: string }) {
           decisions={[
             {
               label: t("roll_back", old.value ?? 0),
+              needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
               grave: true,
               does: async (reason) => {
                 await post(`${path}/rollback`, { version: old.value, reason }, { "If-Match": `"${newest.version}"` });
@@ -78,6 +88,7 @@ function Versions({ kind, id }: { kind: "station" | "vehicle"; id: string }) {
         />
       )}
       {!compare && <Told asking={asking} />}
+      {byHand}
     </div>
   );
 }

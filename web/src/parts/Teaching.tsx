@@ -6,14 +6,17 @@ import { changes, layout } from "../store";
 import { said, t, tell } from "../texts";
 import type { Axes, Drifted, Proposal, ProposalDetail, SessionDetail, TeachingSession, TaughtTarget } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
+import { Button } from "./Button";
 import { Name } from "./Name";
 import { Fact } from "./Panel";
 import { Changes, Pulses } from "./Pulses";
 import { Reasoned } from "./Reasoned";
 import { Table } from "./Table";
+import { TeachingFiles } from "./TeachingFiles";
+import { TeachingRaw } from "./TeachingRaw";
 
-type Tab = "proposals" | "sessions" | "drift" | "dry_run";
-const TABS: Tab[] = ["proposals", "sessions", "drift", "dry_run"];
+type Tab = "proposals" | "sessions" | "drift" | "dry_run" | "files" | "raw";
+const TABS: Tab[] = ["proposals", "sessions", "drift", "dry_run", "files", "raw"];
 
 export function Teaching() {
   const tab = useSignal<Tab>("proposals");
@@ -24,7 +27,7 @@ export function Teaching() {
         <span class="tabs">
           {TABS.map((name) => (
             <button type="button" key={name} aria-pressed={tab.value === name} onClick={() => (tab.value = name)}>
-              {t(name)}
+              {t(name === "files" || name === "raw" ? `teaching_${name}` : name)}
             </button>
           ))}
         </span>
@@ -33,6 +36,8 @@ export function Teaching() {
       {tab.value === "sessions" && <Sessions />}
       {tab.value === "drift" && <Drift />}
       {tab.value === "dry_run" && <DryRun />}
+      {tab.value === "files" && <TeachingFiles />}
+      {tab.value === "raw" && <TeachingRaw />}
     </section>
   );
 }
@@ -120,9 +125,13 @@ function Detail({ id }: { id: number }) {
         <div class="fields">
           <Field label={t("at_station")} value={station} list="station-names" />
           <div class="acts-row">
-            <button type="button" disabled={!station.value} onClick={() => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match))}>
+            <Button
+              needs="POST /teaching/proposals/{proposal}/assign"
+              disabled={!station.value}
+              onClick={() => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match))}
+            >
               {t("assign")}
-            </button>
+            </Button>
           </div>
           <datalist id="station-names">{layout.value?.stations.map((one) => <option key={one.id} value={one.id} />)}</datalist>
         </div>
@@ -131,8 +140,8 @@ function Detail({ id }: { id: number }) {
         <Reasoned
           asking={asking}
           decisions={[
-            { label: t(against.length ? "approve_anyway" : "approve"), bare: against.length === 0, grave: true, does: decide("approve", { accept: against }) },
-            { label: t("reject"), does: decide("reject", {}) },
+            { label: t(against.length ? "approve_anyway" : "approve"), needs: "POST /teaching/proposals/{proposal}/approve", bare: against.length === 0, grave: true, does: decide("approve", { accept: against }) },
+            { label: t("reject"), needs: "POST /teaching/proposals/{proposal}/reject", does: decide("reject", {}) },
           ]}
         />
       )}
@@ -183,7 +192,9 @@ function Sessions() {
           <datalist id="port-names">{ports.map(({ id }) => <option key={id} value={id} />)}</datalist>
           <datalist id="hoist-names">{hoists.map(({ id }) => <option key={id} value={id} />)}</datalist>
           <div class="acts-row">
-            <button type="submit">{t("open_session")}</button>
+            <Button needs="POST /teaching/sessions" type="submit">
+              {t("open_session")}
+            </Button>
           </div>
           <Told asking={asking} />
         </form>
@@ -208,16 +219,20 @@ function Session({ id }: { id: number }) {
         <>
           <div class="acts-row">
             {(["dest", "offset"] as const).map((what) => (
-              <button type="button" key={what} onClick={() => void asking.ask(() => post(`${path}/start`, { what }), t("sent"))}>
+              <Button
+                needs="POST /teaching/sessions/{session}/start"
+                key={what}
+                onClick={() => void asking.ask(() => post(`${path}/start`, { what }), t("sent"))}
+              >
                 {t(what === "dest" ? "teach_dest" : "teach_offset")}
-              </button>
+              </Button>
             ))}
           </div>
           <Reasoned
             asking={asking}
             decisions={[
-              { label: t("close_session"), bare: true, does: (reason) => post(`${path}/close`, { reason }) },
-              { label: t("abandon"), bare: true, grave: true, does: (reason) => post(`${path}/close`, { reason, abandon: true }) },
+              { label: t("close_session"), needs: "POST /teaching/sessions/{session}/close", bare: true, does: (reason) => post(`${path}/close`, { reason }) },
+              { label: t("abandon"), needs: "POST /teaching/sessions/{session}/close", bare: true, grave: true, does: (reason) => post(`${path}/close`, { reason, abandon: true }) },
             ]}
           />
         </>

@@ -6,6 +6,7 @@ import { changes, layout, order, orderFrom, orderTo, stations, vehicleList } fro
 import { t } from "../texts";
 import type { Job } from "../types";
 import { Field } from "./asking";
+import { Button } from "./Button";
 import { Problem } from "./Problem";
 
 let key = freshKey();
@@ -92,9 +93,9 @@ export function Transfer() {
           onInput={(event) => (priority.value = event.currentTarget.value)}
         />
       </label>
-      <button type="submit" class="primary" disabled={sending.value}>
+      <Button needs="POST /jobs" type="submit" class="primary" disabled={sending.value}>
         {sending.value ? t("ordering") : t("order")}
-      </button>
+      </Button>
       <details class="more-order">
         <summary>{t("more")}</summary>
         <div class="fields">

@@ -37,13 +37,16 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
         {vehicle.oper === "alarm" && <Recover path={path} />}
         <div class="acts-row" data-commands={vehicle.id}>
           {plain.map((command) => (
-            <Sure key={command} label={t(`vc_${command}` as Word)} does={() => send({ command })} />
+            <Sure needs="POST /vehicles/{vehicle}/commands" key={command} label={t(`vc_${command}` as Word)} does={() => send({ command })} />
           ))}
           {agv &&
             LIFTS.map((action) => (
-              <Sure key={action} label={t(`vc_lift_${action}`)} does={() => send({ command: "agv_lift", action })} />
+              <Sure needs="POST /vehicles/{vehicle}/commands" key={action} label={t(`vc_lift_${action}`)} does={() => send({ command: "agv_lift", action })} />
             ))}
-          {agv && <Sure label={t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on")} does={() => send({ command: "agv_charge", on: !vehicle.agv?.charging })} />}
+          {agv && <Sure needs="POST /vehicles/{vehicle}/commands" label={t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on")} does={() => send({ command: "agv_charge", on: !vehicle.agv?.charging })} />}
+        </div>
+        <div class="acts-row">
+          <Sure needs="POST /vehicles/{vehicle}/park" label={t("park")} does={() => void asking.ask(() => post(`${path}/park`), t("sent"))} />
         </div>
         <Move send={send} />
         {!agv && <Handle send={send} />}
@@ -66,7 +69,7 @@ function Recover({ path }: { path: string }) {
         <input type="checkbox" checked={looked.value} onChange={(event) => (looked.value = event.currentTarget.checked)} /> {t("homing_safe")}
       </label>
       <div class="acts-row">
-        <Sure label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} />
+        <Sure needs="POST /vehicles/{vehicle}/recover" label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} />
       </div>
       <Told asking={asking} />
     </div>
@@ -92,7 +95,7 @@ function Move({ send }: { send: Send }) {
         ]}
       />
       <div class="wide acts-row">
-        <Sure label={t("move")} disabled={!barcode.value.trim()} does={() => send({ command: "move", barcode: barcode.value.trim(), action: action.value })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("move")} disabled={!barcode.value.trim()} does={() => send({ command: "move", barcode: barcode.value.trim(), action: action.value })} />
       </div>
       <datalist id="barcode-names">
         {(layout.value?.points ?? []).slice(0, 2000).map(({ barcode: name }) => <option key={name} value={name} />)}
@@ -107,8 +110,8 @@ function Handle({ send }: { send: Send }) {
     <div class="fields">
       <Field label={t("at_station")} value={station} list="station-names" />
       <div class="acts-row">
-        <Sure label={t("vc_pickup")} disabled={!station.value.trim()} does={() => send({ command: "pickup", station: station.value.trim() })} />
-        <Sure label={t("vc_place")} disabled={!station.value.trim()} does={() => send({ command: "place", station: station.value.trim() })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_pickup")} disabled={!station.value.trim()} does={() => send({ command: "pickup", station: station.value.trim() })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_place")} disabled={!station.value.trim()} does={() => send({ command: "place", station: station.value.trim() })} />
       </div>
       <datalist id="station-names">
         {layout.value?.stations.map(({ id }) => <option key={id} value={id} />)}
@@ -123,7 +126,7 @@ function Display({ send }: { send: Send }) {
     <div class="fields">
       <Field label={t("display_text")} value={words} />
       <div class="acts-row">
-        <Sure label={t("vc_display")} disabled={!words.value} does={() => send({ command: "display", text: words.value })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_display")} disabled={!words.value} does={() => send({ command: "display", text: words.value })} />
       </div>
     </div>
   );
@@ -136,11 +139,11 @@ function Service({ vehicle, path }: { vehicle: Vehicle; path: string }) {
     <Reasoned
       decisions={[
         vehicle.lockout
-          ? { label: t("lift_lockout"), bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
-          : { label: t("lock_out"), grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
+          ? { label: t("lift_lockout"), needs: "DELETE /vehicles/{vehicle}/lockout", bare: true, grave: true, does: () => call("DELETE", `${path}/lockout`) }
+          : { label: t("lock_out"), needs: "POST /vehicles/{vehicle}/lockout", grave: true, does: (reason) => post(`${path}/lockout`, { reason }) },
         used
-          ? { label: t("take_out"), grave: true, does: (reason) => call("PUT", `${path}/service`, { in_service: false, reason }) }
-          : { label: t("put_back"), bare: true, does: () => call("PUT", `${path}/service`, { in_service: true }) },
+          ? { label: t("take_out"), needs: "PUT /vehicles/{vehicle}/service", grave: true, does: (reason) => call("PUT", `${path}/service`, { in_service: false, reason }) }
+          : { label: t("put_back"), needs: "PUT /vehicles/{vehicle}/service", bare: true, does: () => call("PUT", `${path}/service`, { in_service: true }) },
       ]}
     />
   );

@@ -1,20 +1,19 @@
 /** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
-import { actor, get, post, serverNow } from "../api";
+import { namesItself } from "../access";
+import { actor, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { layout, selected, tick, vehicleNow } from "../store";
-import { language, said, t, tell, type Word } from "../texts";
-import type { Agv, Traffic, Vehicle } from "../types";
+import { said, t, tell, type Word } from "../texts";
+import type { Agv, Vehicle } from "../types";
+import { Button } from "./Button";
+import { Frames } from "./Frames";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 import { Taught } from "./Taught";
 import { VehicleCommands } from "./VehicleCommands";
 import { doing } from "./Vehicles";
-
-const FRAMES_SHOWN = 30;
-const FRAMES_EVERY = 2000;
 
 export function VehiclePanel({ id }: { id: string }) {
   const now = vehicleNow(id);
@@ -53,7 +52,7 @@ export function VehiclePanel({ id }: { id: string }) {
       {now.agv ? <AgvFacts agv={now.agv} /> : <Bits vehicle={now} />}
       <LinkFacts vehicle={now} />
       {!now.agv && <Taught kind="vehicle" id={id} />}
-      <Frames id={id} />
+      <Frames path={`/vehicles/${encodeURIComponent(id)}/frames`} />
     </Panel>
   );
 }
@@ -125,7 +124,7 @@ function AgvFacts({ agv }: { agv: Agv }) {
         <Fact name={t("in_position")}>{flag(agv.in_position)}</Fact>
         <Fact name={t("charges_now")}>{flag(agv.charging)}</Fact>
         <Fact name={t("last_tag")}>{agv.tag}</Fact>
-        {agv.beyond && <Fact name={t("beyond")}>{agv.beyond}</Fact>}
+        {agv.toward && <Fact name={t("beyond")}>{agv.toward}</Fact>}
         <Fact name={t("path")}>{agv.path}</Fact>
       </dl>
     </section>
@@ -159,69 +158,6 @@ function LinkFacts({ vehicle }: { vehicle: Vehicle }) {
         </Fact>
       )}
     </dl>
-  );
-}
-
-function Frames({ id }: { id: string }) {
-  const list = useSignal<Traffic[] | null>(null);
-  const box = useRef<HTMLElement>(null);
-  useEffect(() => {
-    let here = true;
-    const read = async (): Promise<void> => {
-      // Nothing moves away under somebody who reads a frame.
-      if (box.current?.querySelector("details[open]")) return;
-      try {
-        const { items } = await get<{ items: Traffic[] }>(
-          `/vehicles/${encodeURIComponent(id)}/frames?lang=${language.value}`,
-        );
-        if (here) list.value = items.slice(-FRAMES_SHOWN).reverse();
-      } catch {
-        /* The next round asks again. */
-      }
-    };
-    void read();
-    const timer = window.setInterval(() => void read(), FRAMES_EVERY);
-    return () => {
-      here = false;
-      window.clearInterval(timer);
-    };
-  }, [id, language.value]);
-  return (
-    <section class="frames" ref={box}>
-      <h3>{t("last_frames")}</h3>
-      {list.value?.length === 0 && <p class="nothing">{t("no_frames")}</p>}
-      {list.value?.map((traffic) => (
-        <Frame key={`${traffic.at}${traffic.direction}${traffic.hex}`} traffic={traffic} />
-      ))}
-    </section>
-  );
-}
-
-function Frame({ traffic }: { traffic: Traffic }) {
-  const rows = traffic.frames.flatMap((frame) => frame.fields);
-  const main = rows.find((row) => ["CMD", "MSG", "MESSAGE", "RESULT"].includes(row.name.toUpperCase()));
-  const kind = traffic.frames.map((frame) => frame.kind.toUpperCase()).join(" + ");
-  return (
-    <details>
-      <summary>
-        <span class={traffic.direction}>{traffic.direction === "in" ? "←" : "→"}</span>
-        <time>{clock(traffic.at)}</time>
-        <b>{kind}</b>
-        <span class="more">{main ? main.meaning || main.value : ""}</span>
-      </summary>
-      <code class="hex">{traffic.hex.match(/../g)?.join(" ")}</code>
-      <table class="bits">
-        <tbody>
-          {rows.map((row, i) => (
-            <tr key={i}>
-              <th style={{ paddingLeft: `${row.depth * 0.7}em` }}>{row.name}</th>
-              <td>{row.value}</td>
-              <td>{row.meaning}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </details>
   );
 }
 
@@ -276,9 +212,13 @@ function Decide({ vehicle }: { vehicle: Vehicle }) {
         value={reason.value}
         onInput={(event) => (reason.value = event.currentTarget.value)}
       />
-      <button type="submit" title={releasing && !actor() ? t("your_name") : ""}>
+      <Button
+        needs={releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold"}
+        type="submit"
+        title={releasing && namesItself.value && !actor() ? t("your_name") : ""}
+      >
         {t(releasing ? "release" : "hold")}
-      </button>
+      </Button>
       <Problem error={error.value} />
     </form>
   );

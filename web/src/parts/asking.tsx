@@ -1,6 +1,7 @@
 /** Asking the server for something, and telling what came of it. */
 import { type Signal, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { round } from "../access";
 import { get } from "../api";
 import { language, t } from "../texts";
 import { Problem } from "./Problem";
@@ -64,7 +65,7 @@ export function useRead<T>(path: string | null, ...again: unknown[]): { value: T
     return () => {
       here = false;
     };
-  }, [path, language.value, ...again]);
+  }, [path, language.value, round.value, ...again]);
   return { value: value.value, error: error.value };
 }
 
@@ -73,7 +74,7 @@ export function Field(props: {
   label: string;
   value: Signal<string>;
   name?: string;
-  type?: "text" | "number" | "password" | "search";
+  type?: "text" | "number" | "password" | "search" | "datetime-local";
   list?: string;
   required?: boolean;
   min?: number;

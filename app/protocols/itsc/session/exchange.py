@@ -32,15 +32,22 @@ from app.protocols.itsc.session.requests import code_of, frame_of
 from app.protocols.itsc.session.timing import Timing
 
 
-class Exchange:
+class _Quick:
+    """What the quick way touches, side by side in memory: slots stand in the order of the alphabet, a base's first."""
+
+    __slots__ = (
+        "_after_ack", "_at", "_ceiling", "_crc_init", "_heard", "_laps", "_name", "_newest", "_ordered", "_pass_on", "_read",
+        "_ring", "_told", "status", "status_at",
+    )  # fmt: skip
+
+
+class Exchange(_Quick):
     """What goes out to one vehicle, and what is still expected back. See Session, which adds what comes in."""
 
     __slots__ = (
-        "_after_ack", "_at", "_ceiling", "_codec", "_connections", "_crc_init", "_decoder",
-        "_duplicates", "_events", "_flush_at", "_frames", "_frames_in", "_frames_out", "_garbled", "_has_quick",
-        "_heard", "_ids", "_laps", "_last_move", "_link", "_newest", "_orders", "_out", "_polls", "_prefix",
-        "_quicks_before", "_resends", "_ring", "_seen", "deadline", "dialect", "status", "status_at", "timing",
-        "vehicle", "wants_close",
+        "_codec", "_connections", "_decoder", "_duplicates", "_events", "_flush_at", "_frames", "_frames_in", "_frames_out",
+        "_garbled", "_has_quick", "_ids", "_last_move", "_link", "_orders", "_out", "_polls", "_prefix", "_quicks_before",
+        "_resends", "_seen", "deadline", "dialect", "timing", "vehicle", "wants_close",
     )  # fmt: skip
 
     def __init__(self, vehicle: VehicleSpec, dialect: Dialect, cmd_ids: CmdIds, timing: Timing) -> None:
@@ -68,6 +75,7 @@ class Exchange:
         self._ceiling = NOTHING_BELOW
         self._ring, self._at, self._laps, self._quicks_before = new_ring(), 0, 0, 0
         self._orders, self._polls, self._seen = Orders(), Polls(), Seen()
+        self._ordered = False
         self._last_move = 0
         self._connections = self._frames_in = self._frames_out = self._garbled = self._resends = self._duplicates = 0
 
@@ -264,6 +272,7 @@ class Exchange:
         self._last_move = 0
 
     def _plan(self) -> None:
+        self._ordered = bool(self._orders.open)
         if not self._link.alive:
             self.deadline, self._ceiling = None, NOTHING_BELOW
             return

@@ -54,7 +54,7 @@ class Session(Exchange):
     ``last_frames`` are (when, "in" or "out", bytes), newest last.
     """
 
-    __slots__ = ("_barcodes", "_epoch", "_name", "_pass_on", "_read", "_receipt", "_told", "_unstored", "hint")
+    __slots__ = ("_barcodes", "_epoch", "_receipt", "_unstored", "hint")
 
     def __init__(
         self,
@@ -104,7 +104,7 @@ class Session(Exchange):
         if not self._newest < data < self._ceiling or len(data) != ENQ_SIZE or crc_hqx(data, self._crc_init):
             return b""
         body, status = data[CODE_AT:BODY_END], None
-        if body != self._told:
+        if body != self._told[CODE_AT:BODY_END]:
             status = self._read(body)
             if status is None:
                 return b""
@@ -117,8 +117,8 @@ class Session(Exchange):
             at = -1
         self._at = at + 1
         if status is not None:
-            self._told = body
-            if self._orders.open:
+            self._told = data
+            if self._ordered:
                 self._moved_on(status, now)
             self.status = status
             event = _made(Reported, (self._name, status, False, now))
@@ -314,10 +314,10 @@ class Session(Exchange):
         """Take a whole STATUS; ``asked`` is when we asked for it, None for an event."""
         if asked is not None:
             self._events.append(Reported(self.vehicle.id, status, polled=True, asked_at=asked))
-        elif packet[CODE_AT:BODY_END] != self._told:
+        elif packet[CODE_AT:BODY_END] != self._told[CODE_AT:BODY_END]:
             self._events.append(Reported(self.vehicle.id, status, polled=False, asked_at=now))
         self._moved_on(status, now)
-        self._told = packet[CODE_AT:BODY_END]
+        self._told = packet
         self.status, self.status_at = status, now
 
     def _moved_on(self, status: VehicleStatus, now: Seconds) -> None:

@@ -1049,6 +1049,451 @@ function F() {
 function M$1() {
 	if (1 === g.push(this)) (n$1.requestAnimationFrame || A)(F);
 }
+// src/api.ts
+/** REST: who asks, with which key, and what the server says when it does not want to. */
+/** A refusal of the server (RFC 9457), or of the network. */
+var Refused = class extends Error {
+	status;
+	remedy;
+	field;
+	constructor(status, message, remedy = "", field = "") {
+		super(message);
+		this.status = status;
+		this.remedy = remedy;
+		this.field = field;
+	}
+};
+var KEY = "hoistway.key";
+var ACTOR = "hoistway.actor";
+var TIMEOUT = 35e3;
+var key$1 = sessionStorage.getItem(KEY) ?? "";
+var wantsKey = () => void 0;
+var forbidden = () => void 0;
+/** Server's clock minus ours, ms, from the Date header (whole seconds). */
+var skew = 0;
+function onKeyWanted(call) {
+	wantsKey = call;
+}
+/** Whoever is here may not do what was asked for. */
+function onForbidden(call) {
+	forbidden = call;
+}
+function useKey$1(given) {
+	key$1 = given;
+	sessionStorage.setItem(KEY, given);
+}
+function actor() {
+	return localStorage.getItem(ACTOR) ?? "";
+}
+function nameActor(name) {
+	localStorage.setItem(ACTOR, name.trim());
+}
+/** The server's time, ms. */
+function serverNow() {
+	return Date.now() + skew;
+}
+/** A header carries bytes; the server reads them as UTF-8. */
+function headerText(text) {
+	return String.fromCharCode(...new TextEncoder().encode(text));
+}
+async function call(method, path, body, extra = {}) {
+	const headers = {
+		Accept: "application/json",
+		"Accept-Language": document.documentElement.lang || "en",
+		...extra
+	};
+	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
+	if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
+	if (body !== void 0) headers["Content-Type"] = "application/json";
+	const init = {
+		method,
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	};
+	if (body !== void 0) init.body = JSON.stringify(body);
+	let response;
+	try {
+		response = await fetch(`/api/v1${path}`, init);
+	} catch {
+		throw new Refused(0, "The server does not answer.");
+	}
+	const date = Date.parse(response.headers.get("date") ?? "");
+	if (Math.abs(date + 500 - serverNow()) > 1500) skew = date + 500 - Date.now();
+	if (response.ok) return response.status === 204 ? void 0 : await response.json();
+	throw await refusal$1(response);
+}
+async function refusal$1(response) {
+	if (response.status === 401) wantsKey();
+	if (response.status === 403) forbidden();
+	const problem = await response.json().catch(() => ({}));
+	const text = (name) => typeof problem[name] === "string" ? problem[name] : "";
+	return new Refused(response.status, text("detail") || text("title") || `${response.status} ${response.statusText}`, text("remedy"), text("field"));
+}
+var get = (path) => call("GET", path);
+var post = (path, body, extra) => call("POST", path, body, extra);
+/** Send a file as it is. */
+async function upload(path, text, kind) {
+	const headers = {
+		Accept: "application/json",
+		"Accept-Language": document.documentElement.lang || "en",
+		"Content-Type": kind
+	};
+	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
+	if (actor()) headers["X-Actor"] = headerText(actor());
+	const response = await fetch(`/api/v1${path}`, {
+		method: "POST",
+		headers,
+		body: text,
+		signal: AbortSignal.timeout(TIMEOUT)
+	});
+	if (!response.ok) throw await refusal$1(response);
+	return await response.json();
+}
+/** Let the browser save what a path gives. A link could not carry the access key. */
+async function download(path, name) {
+	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
+	const response = await fetch(`/api/v1${path}`, {
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	});
+	if (!response.ok) throw await refusal$1(response);
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(await response.blob());
+	link.download = name;
+	link.click();
+	URL.revokeObjectURL(link.href);
+}
+async function alive() {
+	try {
+		return (await fetch("/healthz", {
+			signal: AbortSignal.timeout(3e3),
+			cache: "no-store"
+		})).ok;
+	} catch {
+		return false;
+	}
+}
+/** A name for an order that may be sent again. randomUUID exists on secure pages only. */
+function freshKey() {
+	const bytes = crypto.getRandomValues(/* @__PURE__ */ new Uint8Array(12));
+	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
+}
+// ../app/texts/en.json
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"Full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\"}");
+var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
+var events$1 = {
+	"TransferInitiated": "Transfer initiated",
+	"VehicleAssigned": "Vehicle assigned",
+	"VehicleUnassigned": "Vehicle unassigned",
+	"VehicleDeparted": "Vehicle departed",
+	"VehicleArrived": "Vehicle arrived",
+	"Transferring": "Transferring",
+	"VehicleAcquireStarted": "Vehicle acquire started",
+	"VehicleAcquireCompleted": "Vehicle acquire completed",
+	"CarrierInstalled": "Carrier installed",
+	"CarrierRemoved": "Carrier removed",
+	"VehicleDepositStarted": "Vehicle deposit started",
+	"VehicleDepositCompleted": "Vehicle deposit completed",
+	"TransferCompleted": "Transfer completed",
+	"TransferAbortInitiated": "Transfer abort initiated",
+	"TransferAbortCompleted": "Transfer abort completed",
+	"TransferAbortFailed": "Transfer abort failed",
+	"TransferCancelInitiated": "Transfer cancel initiated",
+	"TransferCancelCompleted": "Transfer cancel completed",
+	"TransferCancelFailed": "Transfer cancel failed",
+	"TransferPaused": "Transfer paused",
+	"TransferResumed": "Transfer resumed",
+	"AlarmSet": "Alarm set",
+	"AlarmCleared": "Alarm cleared",
+	"VehicleHeld": "Vehicle held",
+	"VehicleReleased": "Vehicle released",
+	"VehicleRemoved": "Vehicle removed",
+	"VehicleInstalled": "Vehicle installed",
+	"VehicleBrokenDown": "Vehicle broken down",
+	"VehicleMended": "Vehicle mended",
+	"TransferUpdated": "Transfer updated",
+	"ControllerAuto": "Controller auto",
+	"ControllerPausing": "Controller pausing",
+	"ControllerPaused": "Controller paused",
+	"PortStateChanged": "Port state changed",
+	"CarrierLocationChanged": "Carrier location changed",
+	"TeachingApproved": "Teaching approved",
+	"PlaceClosing": "Place closing",
+	"TeachingSessionOpened": "Teaching session opened",
+	"ZoneResumed": "Zone resumed",
+	"TeachingSessionEnded": "Teaching session ended",
+	"TeachingTaken": "Teaching taken",
+	"DriveParameterWritten": "Drive parameter written",
+	"DriveOnline": "Drive online",
+	"TeachingImported": "Teaching imported",
+	"DriveOffline": "Drive offline",
+	"EmergencySet": "Emergency set",
+	"PlaceClosed": "Place closed",
+	"TeachingRejected": "Teaching rejected",
+	"TeachingCodeUnknown": "Teaching code unknown",
+	"EmergencyReleased": "Emergency released",
+	"PlaceOpened": "Place opened",
+	"TeachingRolledBack": "Teaching rolled back",
+	"DeviceChanged": "Device changed",
+	"DriveErrorCleared": "Drive error cleared",
+	"ZonePaused": "Zone paused",
+	"DriveErrorSet": "Drive error set",
+	"WalkStarted": "Walk started",
+	"WalkEnded": "Walk ended"
+};
+// ../app/texts/ko.json
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\"}");
+var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
+var events = {
+	"TransferInitiated": "반송 시작 등록",
+	"VehicleAssigned": "차량 배정",
+	"VehicleUnassigned": "차량 배정 해제",
+	"VehicleDeparted": "차량 출발",
+	"VehicleArrived": "차량 도착",
+	"Transferring": "반송 중",
+	"VehicleAcquireStarted": "적재 시작",
+	"VehicleAcquireCompleted": "적재 완료",
+	"CarrierInstalled": "캐리어 탑재",
+	"CarrierRemoved": "캐리어 하역",
+	"VehicleDepositStarted": "이재 시작",
+	"VehicleDepositCompleted": "이재 완료",
+	"TransferCompleted": "반송 완료",
+	"TransferAbortInitiated": "중단 시작",
+	"TransferAbortCompleted": "중단 완료",
+	"TransferAbortFailed": "중단 실패",
+	"TransferCancelInitiated": "취소 시작",
+	"TransferCancelCompleted": "취소 완료",
+	"TransferCancelFailed": "취소 실패",
+	"TransferPaused": "반송 일시정지",
+	"TransferResumed": "반송 재개",
+	"AlarmSet": "알람 발생",
+	"AlarmCleared": "알람 해제",
+	"VehicleHeld": "차량 보류",
+	"VehicleReleased": "차량 해제",
+	"VehicleRemoved": "차량 제거",
+	"VehicleInstalled": "차량 투입",
+	"VehicleBrokenDown": "차량 고장",
+	"VehicleMended": "차량 복구",
+	"TransferUpdated": "반송 변경",
+	"ControllerAuto": "제어기 자동",
+	"ControllerPausing": "제어기 일시정지 중",
+	"ControllerPaused": "제어기 일시정지",
+	"PortStateChanged": "포트 상태 변경",
+	"CarrierLocationChanged": "캐리어 위치 변경",
+	"TeachingApproved": "티칭 승인",
+	"PlaceClosing": "폐쇄 진행",
+	"TeachingSessionOpened": "티칭 세션 시작",
+	"ZoneResumed": "구역 재개",
+	"TeachingSessionEnded": "티칭 세션 종료",
+	"TeachingTaken": "티칭 수신",
+	"DriveParameterWritten": "드라이브 파라미터 변경",
+	"DriveOnline": "드라이브 온라인",
+	"TeachingImported": "티칭 가져오기",
+	"DriveOffline": "드라이브 오프라인",
+	"EmergencySet": "비상 상황 발생",
+	"PlaceClosed": "폐쇄 완료",
+	"TeachingRejected": "티칭 반려",
+	"TeachingCodeUnknown": "알 수 없는 티칭 코드",
+	"EmergencyReleased": "비상 상황 해제",
+	"PlaceOpened": "폐쇄 해제",
+	"TeachingRolledBack": "티칭 되돌림",
+	"DeviceChanged": "장치 상태 변경",
+	"DriveErrorCleared": "드라이브 오류 해제",
+	"ZonePaused": "구역 일시정지",
+	"DriveErrorSet": "드라이브 오류 발생",
+	"WalkStarted": "재고 점검 시작",
+	"WalkEnded": "재고 점검 종료"
+};
+// src/sayings.ts
+/** Sentences within sentences are translated too, so deep. */
+var DEPTH = 4;
+var KEPT$4 = 2e3;
+var Sayings = class {
+	list;
+	known = /* @__PURE__ */ new Map();
+	/** Two catalogues of the same keys; {0}, {1} … are slots. */
+	constructor(from, to) {
+		this.list = Object.entries(from).map(([key, text]) => ({
+			pattern: patternOf(text),
+			other: to[key] ?? text,
+			weight: text.replace(/\{\d\}/g, "").length
+		}));
+		this.list.sort((a, b) => b.weight - a.weight);
+	}
+	translate(sentence) {
+		if (!sentence) return sentence;
+		const known = this.known.get(sentence);
+		if (known !== void 0) return known;
+		const found = this.retold(sentence, DEPTH);
+		if (this.known.size >= KEPT$4) this.known.clear();
+		this.known.set(sentence, found);
+		return found;
+	}
+	retold(sentence, depth) {
+		for (const { pattern, other } of this.list) {
+			const match = pattern.exec(sentence);
+			if (!match) continue;
+			return other.replace(/\{(\d)\}/g, (_, slot) => {
+				const part = match.groups?.[`s${slot}`] ?? "";
+				return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
+			});
+		}
+		return sentence;
+	}
+};
+/** What stands first is a name, or several: a clause within a sentence is none by itself. */
+function patternOf(text) {
+	const parts = text.split(/(\{\d\})/).filter(Boolean).map((part, i) => {
+		const slot = /^\{(\d)\}$/.exec(part);
+		return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+	});
+	return new RegExp(`^${parts.join("")}$`, "s");
+}
+// src/texts.ts
+/**
+* Every word of the page, in both languages, from the catalogue that the API and the command line speak from as well
+* (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
+*/
+var KEPT$3 = "hoistway.language";
+var kept$3 = localStorage.getItem(KEPT$3);
+var language = y$1(kept$3 === "en" || kept$3 === "ko" ? kept$3 : navigator.language.startsWith("ko") ? "ko" : "en");
+var sayings = new Sayings(sayings$2, sayings$1);
+function speak(next) {
+	localStorage.setItem(KEPT$3, next);
+	language.value = next;
+	document.documentElement.lang = next;
+}
+/** A word or sentence; {0}, {1} … are replaced. */
+function t(word, ...values) {
+	const text = (language.value === "ko" ? page : page$1)[word];
+	return values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+}
+/** The server's word for a state, translated if we know it. */
+function said(word) {
+	return Object.hasOwn(page$1, word) ? t(word) : word.replaceAll("_", " ");
+}
+/** A sentence of the server, translated as far as the catalogue knows it. */
+function tell(sentence) {
+	if (language.value === "en") return sentence;
+	return Object.hasOwn(page, sentence) ? said(sentence) : sayings.translate(sentence);
+}
+/** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */
+function happening(event) {
+	return (language.value === "ko" ? events : events$1)[event] ?? event.replace(/([a-z])([A-Z])/g, "$1 $2");
+}
+// src/access.ts
+/** Who is at the page and which calls they may make: the server says both, and when they have to say so again. */
+var KEPT$2 = "hoistway.session";
+/** Looked so often whether the token is to be renewed, ms. */
+var LOOK = 15e3;
+/** A server that does not answer is asked again after so long, ms. */
+var LATER = 2e3;
+var me = y$1(null);
+/** Whether somebody has to say who they are before the page can go on. */
+var asked$1 = y$1(false);
+/** Rises whenever it becomes known who is there: what was refused before is read again. */
+var round$1 = y$1(0);
+/** Why a button that was pressed does nothing for who is here. */
+var barred$1 = y$1("");
+var rulings = y$1(/* @__PURE__ */ new Map());
+var session = y$1(kept$2());
+function kept$2() {
+	try {
+		return JSON.parse(sessionStorage.getItem(KEPT$2) ?? "null");
+	} catch {
+		return null;
+	}
+}
+function keep(next) {
+	session.value = next;
+	if (next) sessionStorage.setItem(KEPT$2, JSON.stringify(next));
+	else sessionStorage.removeItem(KEPT$2);
+}
+/** All roles there are: each may at least look. */
+var allRoles = O(() => {
+	return [...rulings.value.values()].map(({ roles }) => roles).reduce((longest, roles) => roles.length > longest.length ? roles : longest, []);
+});
+/** Roles in words, for people. */
+var inWords = (roles) => roles.map((role) => said(`role_${role}`)).join(", ");
+/** Why who is here may not make a call; "" where they may, or where the server is to say so itself. */
+function refusal(call) {
+	const who = me.value;
+	const ruling = rulings.value.get(call);
+	if (!who || who.open || !ruling || ruling.allowed) return "";
+	return t("needs_role", inWords(ruling.roles), who.name ?? "", inWords(who.roles) || t("none"));
+}
+/** Whether the people who work here are named by themselves: nobody logs in, or a machine's key speaks for somebody. */
+var namesItself = O(() => me.value === null || me.value.open || !me.value.person);
+/** Ask the server who this is and what they may. `anew`: somebody has just said who they are. */
+async function learn(anew = false) {
+	const [who, calls] = await Promise.all([get("/session"), get("/session/calls")]);
+	if (JSON.stringify(who) === JSON.stringify(me.value) && !anew) return;
+	rulings.value = new Map(calls.items.map((ruling) => [ruling.call, ruling]));
+	me.value = who;
+	barred$1.value = "";
+	round$1.value++;
+}
+function take({ token, expires, until }) {
+	const [now, end] = [serverNow(), Date.parse(expires)];
+	useKey$1(token);
+	keep({
+		renew: now + (end - now) / 2,
+		expires: end,
+		until: Date.parse(until)
+	});
+}
+/** Log in with a password. Raises Refused. */
+async function logIn(name, password) {
+	take(await post("/session", {
+		name,
+		password
+	}));
+	await learn(true);
+	asked$1.value = false;
+}
+/** Use a machine's key. Raises Refused. */
+async function useKey(key) {
+	keep(null);
+	useKey$1(key);
+	await learn(true);
+	asked$1.value = false;
+}
+/** Log out, and begin with an empty page: nothing of what was shown stays. */
+async function logOut() {
+	if (me.value?.person) await call("DELETE", "/session").catch(() => void 0);
+	useKey$1("");
+	keep(null);
+	location.reload();
+}
+async function renew() {
+	const now = session.value;
+	if (!now || asked$1.value || serverNow() < now.renew) return;
+	keep({
+		...now,
+		renew: serverNow() + LOOK
+	});
+	try {
+		take(await post("/session/renew"));
+	} catch {}
+}
+/** Ask whenever the server wants to know; `go` begins, and goes on after each log-in. */
+function begin$4(go) {
+	onKeyWanted(() => asked$1.value = true);
+	onForbidden(() => void learn().catch(() => void 0));
+	window.setInterval(() => void renew(), LOOK);
+	const first = () => {
+		learn().catch((error) => {
+			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(first, LATER);
+		});
+	};
+	first();
+	renew();
+	let before = round$1.value;
+	round$1.subscribe((now) => {
+		if (now !== before) go();
+		before = now;
+	});
+}
 // src/alarms.ts
 function wrongs({ controller, vehicles, devices, drives }) {
 	return [
@@ -1115,114 +1560,6 @@ function ofDrive(drive) {
 	}];
 	if (drive.online && drive.mode === "error") return of(true, drive.error || drive.meaning);
 	return drive.online === false ? of(false, drive.reason) : [];
-}
-// src/api.ts
-/** REST: who asks, with which key, and what the server says when it does not want to. */
-/** A refusal of the server (RFC 9457), or of the network. */
-var Refused = class extends Error {
-	status;
-	remedy;
-	field;
-	constructor(status, message, remedy = "", field = "") {
-		super(message);
-		this.status = status;
-		this.remedy = remedy;
-		this.field = field;
-	}
-};
-var KEY = "hoistway.key";
-var ACTOR = "hoistway.actor";
-var TIMEOUT = 35e3;
-var key$1 = sessionStorage.getItem(KEY) ?? "";
-var wantsKey = () => void 0;
-/** Server's clock minus ours, ms, from the Date header (whole seconds). */
-var skew = 0;
-function onKeyWanted(call) {
-	wantsKey = call;
-}
-function useKey(given) {
-	key$1 = given;
-	sessionStorage.setItem(KEY, given);
-}
-function hasKey() {
-	return key$1 !== "";
-}
-function actor() {
-	return localStorage.getItem(ACTOR) ?? "";
-}
-function nameActor(name) {
-	localStorage.setItem(ACTOR, name.trim());
-}
-/** The server's time, ms. */
-function serverNow() {
-	return Date.now() + skew;
-}
-/** A header carries bytes; the server reads them as UTF-8. */
-function headerText(text) {
-	return String.fromCharCode(...new TextEncoder().encode(text));
-}
-async function call(method, path, body, extra = {}) {
-	const headers = {
-		Accept: "application/json",
-		"Accept-Language": document.documentElement.lang || "en",
-		...extra
-	};
-	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
-	if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());
-	if (body !== void 0) headers["Content-Type"] = "application/json";
-	const init = {
-		method,
-		headers,
-		signal: AbortSignal.timeout(TIMEOUT)
-	};
-	if (body !== void 0) init.body = JSON.stringify(body);
-	let response;
-	try {
-		response = await fetch(`/api/v1${path}`, init);
-	} catch {
-		throw new Refused(0, "The server does not answer.");
-	}
-	const date = Date.parse(response.headers.get("date") ?? "");
-	if (Math.abs(date + 500 - serverNow()) > 1500) skew = date + 500 - Date.now();
-	if (response.ok) return response.status === 204 ? void 0 : await response.json();
-	throw await refusal(response);
-}
-async function refusal(response) {
-	if (response.status === 401) wantsKey();
-	const problem = await response.json().catch(() => ({}));
-	const text = (name) => typeof problem[name] === "string" ? problem[name] : "";
-	return new Refused(response.status, text("detail") || text("title") || `${response.status} ${response.statusText}`, text("remedy"), text("field"));
-}
-var get = (path) => call("GET", path);
-var post = (path, body, extra) => call("POST", path, body, extra);
-/** Let the browser save what a path gives. A link could not carry the access key. */
-async function download(path, name) {
-	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
-	const response = await fetch(`/api/v1${path}`, {
-		headers,
-		signal: AbortSignal.timeout(TIMEOUT)
-	});
-	if (!response.ok) throw await refusal(response);
-	const link = document.createElement("a");
-	link.href = URL.createObjectURL(await response.blob());
-	link.download = name;
-	link.click();
-	URL.revokeObjectURL(link.href);
-}
-async function alive() {
-	try {
-		return (await fetch("/healthz", {
-			signal: AbortSignal.timeout(3e3),
-			cache: "no-store"
-		})).ok;
-	} catch {
-		return false;
-	}
-}
-/** A name for an order that may be sent again. randomUUID exists on secure pages only. */
-function freshKey() {
-	const bytes = crypto.getRandomValues(/* @__PURE__ */ new Uint8Array(12));
-	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
 }
 // src/ends.ts
 var worldOfKind = (kind) => kind === "agv_buffer" ? "agv" : "hoist";
@@ -1467,7 +1804,7 @@ function lookOfDrive(drive) {
 function hundredths(distance) {
 	return (distance / 100).toFixed(2);
 }
-var TONES = {
+var TONES$2 = {
 	queued: "calm",
 	waiting: "wait",
 	transferring: "go",
@@ -1492,6 +1829,11 @@ function elapsed(job, now) {
 	return span((job.ended ? Date.parse(job.ended) : now) - Date.parse(job.created));
 }
 /** Time of day at this place. */
+/** Day and time of day, for what may lie long ago. */
+function moment(iso) {
+	const at = new Date(iso);
+	return Number.isNaN(at.getTime()) ? "" : `${at.toLocaleDateString("sv-SE")} ${clock(iso)}`;
+}
 function clock(iso) {
 	const at = new Date(iso);
 	return Number.isNaN(at.getTime()) ? "" : at.toLocaleTimeString("en-GB", { hour12: false });
@@ -1730,7 +2072,7 @@ function least(values, pick) {
 /** What the page knows, and how it comes to know it. Objects live in plain maps; a signal per topic says that they changed. */
 var EVENTS_SHOWN = 200;
 var ENDED_SHOWN = 100;
-var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,events";
+var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
 /** Compares names as people do: V2 before V10. */
 var NATURAL = new Intl.Collator(void 0, { numeric: true });
 var ENDED = /* @__PURE__ */ new Set([
@@ -1743,7 +2085,6 @@ var layout = y$1(null);
 var track = O(() => layout.value ? new Track(layout.value) : null);
 var link = y$1("connecting");
 var heardAt = y$1(0);
-var keyWanted = y$1(false);
 var selected = y$1(null);
 var notice = y$1("");
 /** Rises once a second, for whatever shows an age. */
@@ -1765,6 +2106,7 @@ var closures = /* @__PURE__ */ new Map();
 var alarms = /* @__PURE__ */ new Map();
 /** Proposals and sessions of teaching; their details are asked for. */
 var teaching = /* @__PURE__ */ new Map();
+var walks = /* @__PURE__ */ new Map();
 var controllers = /* @__PURE__ */ new Map();
 var ended = /* @__PURE__ */ new Map();
 var maps = {
@@ -1777,7 +2119,8 @@ var maps = {
 	drives,
 	closures,
 	teaching,
-	alarms
+	alarms,
+	walks
 };
 var changes = {
 	controller: y$1(0),
@@ -1789,7 +2132,8 @@ var changes = {
 	drives: y$1(0),
 	closures: y$1(0),
 	teaching: y$1(0),
-	alarms: y$1(0)
+	alarms: y$1(0),
+	walks: y$1(0)
 };
 var touched = /* @__PURE__ */ new Set();
 var controller = O(() => {
@@ -1991,7 +2335,7 @@ var watcher = null;
 async function address(after) {
 	const query = new URLSearchParams({ topics: TOPICS });
 	if (after !== null) query.set("after", String(after));
-	if (hasKey()) try {
+	try {
 		query.set("ticket", (await post("/live/ticket")).ticket);
 	} catch (error) {
 		if (error instanceof Refused && error.status === 401) return null;
@@ -1999,7 +2343,7 @@ async function address(after) {
 	}
 	return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/v1/live?${query}`;
 }
-/** Read the layout, then watch; waits for a key if the server wants one, and for the server if it is not there. */
+/** Read the layout, then watch; waits for a log-in if the server wants one, and for the server if it is not there. */
 async function start() {
 	try {
 		layout.value = await get("/layout");
@@ -2016,7 +2360,7 @@ async function start() {
 	watcher.open();
 }
 function begin$3() {
-	onKeyWanted(() => keyWanted.value = true);
+	begin$4(() => void (watcher ? watcher.open() : start()));
 	window.setInterval(() => tick.value++, 1e3);
 	start();
 }
@@ -2029,8 +2373,12 @@ var ROOMS = [
 	"alarms",
 	"closures",
 	"stations",
+	"walks",
 	"teaching",
-	"statistics"
+	"statistics",
+	"access",
+	"audit",
+	"webhooks"
 ];
 var KINDS = /* @__PURE__ */ new Set([
 	"vehicle",
@@ -2062,209 +2410,6 @@ function begin$2() {
 		const next = `#/${room$1.value}${query}`;
 		if (location.hash !== next) history.replaceState(null, "", next);
 	});
-}
-// ../app/texts/en.json
-var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\"}");
-var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
-var events$1 = {
-	"TransferInitiated": "Transfer initiated",
-	"VehicleAssigned": "Vehicle assigned",
-	"VehicleUnassigned": "Vehicle unassigned",
-	"VehicleDeparted": "Vehicle departed",
-	"VehicleArrived": "Vehicle arrived",
-	"Transferring": "Transferring",
-	"VehicleAcquireStarted": "Vehicle acquire started",
-	"VehicleAcquireCompleted": "Vehicle acquire completed",
-	"CarrierInstalled": "Carrier installed",
-	"CarrierRemoved": "Carrier removed",
-	"VehicleDepositStarted": "Vehicle deposit started",
-	"VehicleDepositCompleted": "Vehicle deposit completed",
-	"TransferCompleted": "Transfer completed",
-	"TransferAbortInitiated": "Transfer abort initiated",
-	"TransferAbortCompleted": "Transfer abort completed",
-	"TransferAbortFailed": "Transfer abort failed",
-	"TransferCancelInitiated": "Transfer cancel initiated",
-	"TransferCancelCompleted": "Transfer cancel completed",
-	"TransferCancelFailed": "Transfer cancel failed",
-	"TransferPaused": "Transfer paused",
-	"TransferResumed": "Transfer resumed",
-	"AlarmSet": "Alarm set",
-	"AlarmCleared": "Alarm cleared",
-	"VehicleHeld": "Vehicle held",
-	"VehicleReleased": "Vehicle released",
-	"VehicleRemoved": "Vehicle removed",
-	"VehicleInstalled": "Vehicle installed",
-	"VehicleBrokenDown": "Vehicle broken down",
-	"VehicleMended": "Vehicle mended",
-	"TransferUpdated": "Transfer updated",
-	"ControllerAuto": "Controller auto",
-	"ControllerPausing": "Controller pausing",
-	"ControllerPaused": "Controller paused",
-	"PortStateChanged": "Port state changed",
-	"CarrierLocationChanged": "Carrier location changed",
-	"TeachingApproved": "Teaching approved",
-	"PlaceClosing": "Place closing",
-	"TeachingSessionOpened": "Teaching session opened",
-	"ZoneResumed": "Zone resumed",
-	"TeachingSessionEnded": "Teaching session ended",
-	"TeachingTaken": "Teaching taken",
-	"DriveParameterWritten": "Drive parameter written",
-	"DriveOnline": "Drive online",
-	"TeachingImported": "Teaching imported",
-	"DriveOffline": "Drive offline",
-	"EmergencySet": "Emergency set",
-	"PlaceClosed": "Place closed",
-	"TeachingRejected": "Teaching rejected",
-	"TeachingCodeUnknown": "Teaching code unknown",
-	"EmergencyReleased": "Emergency released",
-	"PlaceOpened": "Place opened",
-	"TeachingRolledBack": "Teaching rolled back",
-	"DeviceChanged": "Device changed",
-	"DriveErrorCleared": "Drive error cleared",
-	"ZonePaused": "Zone paused",
-	"DriveErrorSet": "Drive error set",
-	"WalkStarted": "Walk started",
-	"WalkEnded": "Walk ended"
-};
-// ../app/texts/ko.json
-var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\"}");
-var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
-var events = {
-	"TransferInitiated": "반송 시작 등록",
-	"VehicleAssigned": "차량 배정",
-	"VehicleUnassigned": "차량 배정 해제",
-	"VehicleDeparted": "차량 출발",
-	"VehicleArrived": "차량 도착",
-	"Transferring": "반송 중",
-	"VehicleAcquireStarted": "적재 시작",
-	"VehicleAcquireCompleted": "적재 완료",
-	"CarrierInstalled": "캐리어 탑재",
-	"CarrierRemoved": "캐리어 하역",
-	"VehicleDepositStarted": "이재 시작",
-	"VehicleDepositCompleted": "이재 완료",
-	"TransferCompleted": "반송 완료",
-	"TransferAbortInitiated": "중단 시작",
-	"TransferAbortCompleted": "중단 완료",
-	"TransferAbortFailed": "중단 실패",
-	"TransferCancelInitiated": "취소 시작",
-	"TransferCancelCompleted": "취소 완료",
-	"TransferCancelFailed": "취소 실패",
-	"TransferPaused": "반송 일시정지",
-	"TransferResumed": "반송 재개",
-	"AlarmSet": "알람 발생",
-	"AlarmCleared": "알람 해제",
-	"VehicleHeld": "차량 보류",
-	"VehicleReleased": "차량 해제",
-	"VehicleRemoved": "차량 제거",
-	"VehicleInstalled": "차량 투입",
-	"VehicleBrokenDown": "차량 고장",
-	"VehicleMended": "차량 복구",
-	"TransferUpdated": "반송 변경",
-	"ControllerAuto": "제어기 자동",
-	"ControllerPausing": "제어기 일시정지 중",
-	"ControllerPaused": "제어기 일시정지",
-	"PortStateChanged": "포트 상태 변경",
-	"CarrierLocationChanged": "캐리어 위치 변경",
-	"TeachingApproved": "티칭 승인",
-	"PlaceClosing": "폐쇄 진행",
-	"TeachingSessionOpened": "티칭 세션 시작",
-	"ZoneResumed": "구역 재개",
-	"TeachingSessionEnded": "티칭 세션 종료",
-	"TeachingTaken": "티칭 수신",
-	"DriveParameterWritten": "드라이브 파라미터 변경",
-	"DriveOnline": "드라이브 온라인",
-	"TeachingImported": "티칭 가져오기",
-	"DriveOffline": "드라이브 오프라인",
-	"EmergencySet": "비상 상황 발생",
-	"PlaceClosed": "폐쇄 완료",
-	"TeachingRejected": "티칭 반려",
-	"TeachingCodeUnknown": "알 수 없는 티칭 코드",
-	"EmergencyReleased": "비상 상황 해제",
-	"PlaceOpened": "폐쇄 해제",
-	"TeachingRolledBack": "티칭 되돌림",
-	"DeviceChanged": "장치 상태 변경",
-	"DriveErrorCleared": "드라이브 오류 해제",
-	"ZonePaused": "구역 일시정지",
-	"DriveErrorSet": "드라이브 오류 발생",
-	"WalkStarted": "재고 점검 시작",
-	"WalkEnded": "재고 점검 종료"
-};
-// src/sayings.ts
-/** Sentences within sentences are translated too, so deep. */
-var DEPTH = 4;
-var KEPT$3 = 2e3;
-var Sayings = class {
-	list;
-	known = /* @__PURE__ */ new Map();
-	/** Two catalogues of the same keys; {0}, {1} … are slots. */
-	constructor(from, to) {
-		this.list = Object.entries(from).map(([key, text]) => ({
-			pattern: patternOf(text),
-			other: to[key] ?? text,
-			weight: text.replace(/\{\d\}/g, "").length
-		}));
-		this.list.sort((a, b) => b.weight - a.weight);
-	}
-	translate(sentence) {
-		if (!sentence) return sentence;
-		const known = this.known.get(sentence);
-		if (known !== void 0) return known;
-		const found = this.retold(sentence, DEPTH);
-		if (this.known.size >= KEPT$3) this.known.clear();
-		this.known.set(sentence, found);
-		return found;
-	}
-	retold(sentence, depth) {
-		for (const { pattern, other } of this.list) {
-			const match = pattern.exec(sentence);
-			if (!match) continue;
-			return other.replace(/\{(\d)\}/g, (_, slot) => {
-				const part = match.groups?.[`s${slot}`] ?? "";
-				return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
-			});
-		}
-		return sentence;
-	}
-};
-/** What stands first is a name, or several: a clause within a sentence is none by itself. */
-function patternOf(text) {
-	const parts = text.split(/(\{\d\})/).filter(Boolean).map((part, i) => {
-		const slot = /^\{(\d)\}$/.exec(part);
-		return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-	});
-	return new RegExp(`^${parts.join("")}$`, "s");
-}
-// src/texts.ts
-/**
-* Every word of the page, in both languages, from the catalogue that the API and the command line speak from as well
-* (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
-*/
-var KEPT$2 = "hoistway.language";
-var kept$2 = localStorage.getItem(KEPT$2);
-var language = y$1(kept$2 === "en" || kept$2 === "ko" ? kept$2 : navigator.language.startsWith("ko") ? "ko" : "en");
-var sayings = new Sayings(sayings$2, sayings$1);
-function speak(next) {
-	localStorage.setItem(KEPT$2, next);
-	language.value = next;
-	document.documentElement.lang = next;
-}
-/** A word or sentence; {0}, {1} … are replaced. */
-function t(word, ...values) {
-	const text = (language.value === "ko" ? page : page$1)[word];
-	return values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
-}
-/** The server's word for a state, translated if we know it. */
-function said(word) {
-	return Object.hasOwn(page$1, word) ? t(word) : word.replaceAll("_", " ");
-}
-/** A sentence of the server, translated as far as the catalogue knows it. */
-function tell(sentence) {
-	if (language.value === "en") return sentence;
-	return Object.hasOwn(page, sentence) ? said(sentence) : sayings.translate(sentence);
-}
-/** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */
-function happening(event) {
-	return (language.value === "ko" ? events : events$1)[event] ?? event.replace(/([a-z])([A-Z])/g, "$1 $2");
 }
 // node_modules/preact/jsx-runtime/dist/jsxRuntime.mjs
 var f = Symbol.for("pv");
@@ -2352,6 +2497,7 @@ function useRead(path, ...again) {
 	}, [
 		path,
 		language.value,
+		round$1.value,
 		...again
 	]);
 	return {
@@ -2404,6 +2550,32 @@ function Name({ id }) {
 		children: id
 	});
 }
+// src/parts/Button.tsx
+function Button({ needs, class: looks = "", onClick, title, type = "button", ...rest }) {
+	const why = refusal(needs);
+	if (!why) return /* @__PURE__ */ a("button", {
+		...rest,
+		title,
+		onClick,
+		type,
+		class: looks,
+		"data-needs": needs
+	});
+	const tell = (event) => {
+		event.preventDefault();
+		barred$1.value = why;
+	};
+	const { disabled: _, ...others } = rest;
+	return /* @__PURE__ */ a("button", {
+		...others,
+		type,
+		class: `${looks} barred`,
+		"data-needs": needs,
+		title: why,
+		"aria-disabled": true,
+		onClick: tell
+	});
+}
 // src/parts/Sure.tsx
 /** A button that wants to be pressed twice. */
 var PATIENCE = 3500;
@@ -2418,8 +2590,8 @@ function Sure(props) {
 		if (armed.value) props.does();
 		armed.value = !armed.value;
 	};
-	return /* @__PURE__ */ a("button", {
-		type: "button",
+	return /* @__PURE__ */ a(Button, {
+		needs: props.needs,
 		class: `sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`,
 		disabled: props.disabled ?? false,
 		onClick: press,
@@ -2452,11 +2624,12 @@ function Reasoned({ decisions, title, asking, hint }) {
 				children: decisions.map((one) => {
 					const idle = busy.value || !one.bare && !reason.value.trim();
 					return one.grave ? /* @__PURE__ */ a(Sure, {
+						needs: one.needs,
 						label: one.label,
 						disabled: idle,
 						does: () => void send(one)
-					}, one.label) : /* @__PURE__ */ a("button", {
-						type: "button",
+					}, one.label) : /* @__PURE__ */ a(Button, {
+						needs: one.needs,
 						disabled: idle,
 						onClick: () => void send(one),
 						children: one.label
@@ -2652,6 +2825,7 @@ function Line$2({ alarm }) {
 					hint: t("note"),
 					decisions: [{
 						label: t("acknowledge"),
+						needs: "POST /alarms/{alarm}/acknowledge",
 						bare: true,
 						noted: true,
 						does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note })
@@ -2809,12 +2983,334 @@ function Pareto() {
 		]
 	});
 }
+// src/csv.ts
+/** What a spreadsheet would take for a formula stands behind an apostrophe: names and reasons come from anybody. */
+function cell(value) {
+	if (value === null || value === void 0) return "";
+	const text = typeof value === "string" && /^[=+\-@\t\r]/.test(value) ? `'${value}` : String(value);
+	return /[",\r\n]/.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
+}
+/** Rows under the names of their columns. The mark at the beginning tells spreadsheets that it is UTF-8. */
+function csvOf(columns, rows) {
+	const lines = rows.map((row) => columns.map((name) => cell(row[name])).join(","));
+	return `\ufeff${[columns.join(","), ...lines].join("\r\n")}\r\n`;
+}
+/** Rows by the names in the first line, in lower case; blank lines are left out. Raises Error: a quotation mark too few. */
+function rowsOf(text) {
+	const lines = table(text.replace(/^\ufeff/, "")).filter((line) => line.some((one) => one.trim() !== ""));
+	const names = (lines.shift() ?? []).map((name) => name.trim().toLowerCase());
+	return lines.map((line) => Object.fromEntries(names.map((name, i) => [name, (line[i] ?? "").trim().replace(/^'(?=[=+\-@])/, "")])));
+}
+function table(text) {
+	const first = text.slice(0, text.search(/\r|\n|$/));
+	const part = first.includes(";") && !first.includes(",") ? ";" : ",";
+	const lines = [[]];
+	let [value, quoted] = ["", false];
+	const end = () => {
+		lines.at(-1)?.push(value);
+		value = "";
+	};
+	for (let i = 0; i < text.length; i++) {
+		const sign = text[i];
+		if (quoted && sign === "\"" && text[i + 1] === "\"") value += text[++i];
+		else if (sign === "\"") quoted = !quoted;
+		else if (!quoted && sign === part) end();
+		else if (!quoted && (sign === "\n" || sign === "\r")) {
+			if (sign === "\r" && text[i + 1] === "\n") i++;
+			end();
+			lines.push([]);
+		} else value += sign;
+	}
+	if (quoted) throw new Error("a quotation mark is never closed");
+	end();
+	return lines;
+}
+/** Let the browser save a text. */
+function save(text, name, kind = "text/csv") {
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(new Blob([text], { type: `${kind};charset=utf-8` }));
+	link.download = name;
+	link.click();
+	URL.revokeObjectURL(link.href);
+}
+// src/parts/Audit.tsx
+/** The audit: who asked for what, looked for by name, deed, object, outcome and time; whether its chain is whole; as a file. */
+var PAGE$1 = 100;
+/** Most rows of one file. Our choice: a browser holds them all. */
+var MOST$2 = 1e5;
+var COLUMNS = [
+	"seq",
+	"at",
+	"actor",
+	"action",
+	"target",
+	"detail",
+	"accepted"
+];
+function queryOf(given) {
+	const query = new URLSearchParams({ order: "newest" });
+	for (const [name, value] of Object.entries(given)) if (value.trim()) query.set(name, value.trim());
+	return query.toString();
+}
+/** What a field for date and time has, as the server wants it. */
+function whenOf(local) {
+	const at = new Date(local);
+	return local && !Number.isNaN(at.getTime()) ? at.toISOString() : "";
+}
+function Audit() {
+	const why = refusal("GET /audit");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("audit"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [/* @__PURE__ */ a("h2", { children: t("audit") }), !why && /* @__PURE__ */ a(Chain, {})]
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : /* @__PURE__ */ a(Rows, {})]
+	});
+}
+/** Whether each row follows from the one before it. */
+function Chain() {
+	const found = useSignal(null);
+	const rows = useSignal(0);
+	const asking = useAsking();
+	const check = () => void asking.ask(async () => {
+		found.value = null;
+		rows.value = 0;
+		let after = 0;
+		while (after !== null) {
+			const part = await get(`/audit/check?after=${after}`);
+			rows.value += part.rows;
+			after = part.next;
+			if (after === null) found.value = part;
+		}
+	}, "");
+	const now = found.value;
+	return /* @__PURE__ */ a($, { children: [
+		now && /* @__PURE__ */ a("span", {
+			class: now.broken === null ? "good" : "bad",
+			role: "status",
+			"data-chain": now.broken === null ? "whole" : "broken",
+			title: now.hash,
+			children: now.broken === null ? t("chain_whole", rows.value, now.last, now.hash.slice(0, 12)) : t("chain_broken", now.broken, tell(now.reason))
+		}),
+		asking.busy.value && /* @__PURE__ */ a("span", {
+			role: "status",
+			children: t("chain_looking", rows.value)
+		}),
+		/* @__PURE__ */ a(Told, { asking }),
+		/* @__PURE__ */ a(Button, {
+			needs: "GET /audit/check",
+			disabled: asking.busy.value,
+			onClick: check,
+			children: t("check_chain")
+		})
+	] });
+}
+function Rows() {
+	const [actor, action, target, begin, end] = [
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal("")
+	];
+	const accepted = useSignal("");
+	const query = useSignal(queryOf({}));
+	/** Where each page begins; the last is the one that is shown. */
+	const pages = useSignal([0]);
+	const asking = useAsking();
+	const again = useSignal(0);
+	const after = pages.value.at(-1) ?? 0;
+	const { value } = useRead(`/audit?${query.value}&limit=${PAGE$1}${after ? `&after=${after}` : ""}`, again.value, round$1.value);
+	const look = (event) => {
+		event.preventDefault();
+		query.value = queryOf({
+			actor: actor.value,
+			action: action.value,
+			target: target.value,
+			accepted: accepted.value,
+			from: whenOf(begin.value),
+			to: whenOf(end.value)
+		});
+		pages.value = [0];
+		again.value++;
+	};
+	const write = () => void asking.ask(async () => {
+		const rows = [];
+		let from = 0;
+		while (from !== null && rows.length < MOST$2) {
+			const page = await get(`/audit?${query.value}&limit=1000${from ? `&after=${from}` : ""}`);
+			rows.push(...page.items);
+			from = page.next;
+		}
+		save(csvOf(COLUMNS, rows), "audit.csv");
+	}, "");
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [
+			/* @__PURE__ */ a("form", {
+				class: "filters",
+				role: "search",
+				"aria-label": t("audit"),
+				onSubmit: look,
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: t("who"),
+						name: "actor",
+						value: actor
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("what"),
+						name: "action",
+						value: action,
+						list: "audit-actions"
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("on_what"),
+						name: "target",
+						value: target
+					}),
+					/* @__PURE__ */ a(Choice$1, {
+						label: t("result"),
+						value: accepted,
+						of: [
+							["", t("all")],
+							["true", t("carried_out")],
+							["false", t("refused")]
+						]
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("since_when"),
+						name: "from",
+						type: "datetime-local",
+						value: begin
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("until_when"),
+						name: "to",
+						type: "datetime-local",
+						value: end
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "submit",
+						class: "primary",
+						children: t("find")
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: asking.busy.value,
+						onClick: write,
+						children: t("save_csv")
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "audit-actions",
+						children: [...new Set(value?.items.map((row) => row.action))].map((name) => /* @__PURE__ */ a("option", { value: name }, name))
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			/* @__PURE__ */ a(Table, {
+				label: t("audit"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.seq),
+				none: t("no_rows"),
+				columns: [
+					{
+						name: "#",
+						of: (row) => row.seq,
+						number: true
+					},
+					{
+						name: t("when"),
+						of: (row) => moment(row.at)
+					},
+					{
+						name: t("who"),
+						of: (row) => row.actor
+					},
+					{
+						name: t("what"),
+						of: (row) => row.action
+					},
+					{
+						name: t("on_what"),
+						of: (row) => row.target
+					},
+					{
+						name: t("result"),
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: row.accepted ? "good" : "bad",
+							children: t(row.accepted ? "carried_out" : "refused")
+						})
+					},
+					{
+						name: t("in_words"),
+						of: (row) => row.detail
+					}
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: pages.value.length < 2,
+						onClick: () => pages.value = pages.value.slice(0, -1),
+						children: ["◀ ", t("newer")]
+					}),
+					/* @__PURE__ */ a("span", {
+						class: "calm",
+						children: t("page_number", pages.value.length)
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						disabled: !value?.next,
+						onClick: () => value?.next && (pages.value = [...pages.value, value.next]),
+						children: [t("older"), " ▶"]
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Barred.tsx
+/** Says over the page why a button does nothing for who is here, until it is put away. */
+function Barred() {
+	return /* @__PURE__ */ a("div", {
+		class: "toast-place",
+		role: "status",
+		children: barred$1.value && /* @__PURE__ */ a("div", {
+			class: "toast",
+			children: [
+				/* @__PURE__ */ a("span", { children: barred$1.value }),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => {
+						barred$1.value = "";
+						asked$1.value = true;
+					},
+					children: t("log_in_as_other")
+				}),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					class: "plain",
+					"aria-label": t("close"),
+					onClick: () => barred$1.value = "",
+					children: "✕"
+				})
+			]
+		})
+	});
+}
 // src/parts/DeviceList.tsx
 /** Doors, buffers and chargers, each in one line. */
 function DeviceList() {
 	return /* @__PURE__ */ a("ul", {
 		class: "scroll machines",
-		children: machines.value.map(({ id, kind }) => /* @__PURE__ */ a(Row$2, {
+		children: machines.value.map(({ id, kind }) => /* @__PURE__ */ a(Row$3, {
 			id,
 			kind
 		}, id))
@@ -2826,7 +3322,7 @@ function barred({ lockout, out_of_service, pin }) {
 	if (out_of_service) return `${t("out_of_service")}: ${out_of_service}`;
 	return pin ? `${t("pinned", t(pin.position === "open" ? "device_open" : "device_closed"), pin.owner)}: ${pin.reason}` : "";
 }
-function Row$2({ id, kind }) {
+function Row$3({ id, kind }) {
 	const device = deviceNow(id);
 	presence.value;
 	const look = lookAt(id);
@@ -2866,10 +3362,10 @@ function Row$2({ id, kind }) {
 function DriveList() {
 	return /* @__PURE__ */ a("ul", {
 		class: "scroll machines",
-		children: driveList.value.map((drive) => /* @__PURE__ */ a(Row$1, { drive }, drive.id))
+		children: driveList.value.map((drive) => /* @__PURE__ */ a(Row$2, { drive }, drive.id))
 	});
 }
-function Row$1({ drive }) {
+function Row$2({ drive }) {
 	const { word, tone } = lookOfDrive(drive);
 	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
 	const heard = drive.online === true;
@@ -2962,6 +3458,164 @@ function Line$1({ event }) {
 		]
 	});
 }
+// src/parts/Frames.tsx
+/** The last packets on a line, newest first, each explained field by field. */
+var FRAMES_EVERY = 2e3;
+function Frames({ path }) {
+	const list = useSignal(null);
+	const box = T(null);
+	A$1(() => {
+		let here = true;
+		const read = async () => {
+			if (box.current?.querySelector("details[open]")) return;
+			try {
+				const { items } = await get(`${path}?lang=${language.value}`);
+				if (here) list.value = items.slice(-30).reverse();
+			} catch {}
+		};
+		read();
+		const timer = window.setInterval(() => void read(), FRAMES_EVERY);
+		return () => {
+			here = false;
+			window.clearInterval(timer);
+		};
+	}, [path, language.value]);
+	return /* @__PURE__ */ a("section", {
+		class: "frames",
+		ref: box,
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("last_frames") }),
+			list.value?.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_frames")
+			}),
+			list.value?.map((traffic) => /* @__PURE__ */ a(Frame, { traffic }, `${traffic.at}${traffic.direction}${traffic.hex}`))
+		]
+	});
+}
+function Frame({ traffic }) {
+	const rows = traffic.frames.flatMap((frame) => frame.fields);
+	const main = rows.find((row) => [
+		"CMD",
+		"MSG",
+		"MESSAGE",
+		"RESULT"
+	].includes(row.name.toUpperCase()));
+	const kind = traffic.frames.map((frame) => frame.kind.toUpperCase()).join(" + ");
+	return /* @__PURE__ */ a("details", { children: [
+		/* @__PURE__ */ a("summary", { children: [
+			/* @__PURE__ */ a("span", {
+				class: traffic.direction,
+				children: traffic.direction === "in" ? "←" : "→"
+			}),
+			/* @__PURE__ */ a("time", { children: clock(traffic.at) }),
+			/* @__PURE__ */ a("b", { children: kind }),
+			/* @__PURE__ */ a("span", {
+				class: "more",
+				children: main ? main.meaning || main.value : ""
+			})
+		] }),
+		/* @__PURE__ */ a("code", {
+			class: "hex",
+			children: traffic.hex.match(/../g)?.join(" ")
+		}),
+		/* @__PURE__ */ a("table", {
+			class: "bits",
+			children: /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("th", {
+					style: { paddingLeft: `${row.depth * .7}em` },
+					children: row.name
+				}),
+				/* @__PURE__ */ a("td", { children: row.value }),
+				/* @__PURE__ */ a("td", { children: row.meaning })
+			] }, i)) })
+		})
+	] });
+}
+/** The same, asked for only once somebody opens it. */
+function LineFrames({ path }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t("last_frames") }), open.value && /* @__PURE__ */ a(Frames, { path })]
+	});
+}
+// src/parts/LineList.tsx
+/** Lines that carry several devices: connected or not, since when and why not, how they do; and the one stop for all drives on one. */
+/** Asked so often, s. */
+var EVERY$4 = 3;
+function LineList() {
+	const { value } = useRead("/links", Math.floor(tick.value / EVERY$4));
+	return /* @__PURE__ */ a("ul", {
+		class: "scroll alarms lines",
+		tabIndex: 0,
+		"aria-label": t("lines"),
+		children: [value?.items.length === 0 && /* @__PURE__ */ a("li", {
+			class: "nothing",
+			children: t("no_lines")
+		}), value?.items.map((line) => /* @__PURE__ */ a(Row$1, { line }, line.id))]
+	});
+}
+function Row$1({ line }) {
+	const open = useSignal(false);
+	const asking = useAsking();
+	const path = `/links/${encodeURIComponent(line.id)}`;
+	const figures = Object.entries(line.figures).map(([name, count]) => `${name.replaceAll("_", " ")} ${count}`);
+	return /* @__PURE__ */ a("li", {
+		"data-line": line.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `sign ${line.up ? "good" : ""}`,
+				children: line.up ? "●" : "✕"
+			}),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: line.id }),
+				" · ",
+				line.wire.toUpperCase(),
+				" · ",
+				line.address,
+				" ·",
+				" ",
+				/* @__PURE__ */ a("span", {
+					class: line.up ? "good" : "bad",
+					children: t(line.up ? "link_up" : "link_down", line.since ? clock(line.since) : "–")
+				}),
+				!line.up && line.reason && ` · ${tell(line.reason)}`,
+				" ·",
+				" ",
+				line.devices.map((id) => /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a(Name, { id }), " "] }, id))
+			] }),
+			/* @__PURE__ */ a("p", {
+				class: "remedy",
+				children: figures.join(" · ")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: [
+					line.wire === "hi" && /* @__PURE__ */ a(Button, {
+						needs: "POST /links/{link}/stop",
+						class: "halt",
+						onClick: () => void asking.ask(() => post(`${path}/stop?wait=5`), t("line_stopped")),
+						children: t("stop_line")
+					}),
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-expanded": open.value,
+						onClick: () => open.value = !open.value,
+						children: t("last_frames")
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			open.value && /* @__PURE__ */ a("div", {
+				class: "wide",
+				children: /* @__PURE__ */ a(Frames, { path: `${path}/frames` })
+			})
+		]
+	});
+}
 // src/parts/Below.tsx
 /** Below the map: what has happened, and the plant's other machines, each a list to look through and to choose from. */
 function Below() {
@@ -2970,12 +3624,14 @@ function Below() {
 	const counts = {
 		events: 0,
 		devices: machines.value.length,
-		drives: driveList.value.length
+		drives: driveList.value.length,
+		lines: layout.value?.links?.length ?? 0
 	};
 	const troubles = {
 		events: 0,
 		devices: machines.value.filter(({ id }) => /[!?]/.test(signOfDevice(devices.get(id), lookAt(id)))).length,
-		drives: driveList.value.filter((drive) => lookOfDrive(drive).tone === "bad").length
+		drives: driveList.value.filter((drive) => lookOfDrive(drive).tone === "bad").length,
+		lines: 0
 	};
 	const tabs = Object.keys(counts).filter((one) => one === "events" || counts[one] > 0);
 	const shown = tabs.includes(tab.value) ? tab.value : "events";
@@ -3002,7 +3658,8 @@ function Below() {
 			})] }),
 			shown === "events" && /* @__PURE__ */ a(Events, {}),
 			shown === "devices" && /* @__PURE__ */ a(DeviceList, {}),
-			shown === "drives" && /* @__PURE__ */ a(DriveList, {})
+			shown === "drives" && /* @__PURE__ */ a(DriveList, {}),
+			shown === "lines" && /* @__PURE__ */ a(LineList, {})
 		]
 	});
 }
@@ -3022,6 +3679,127 @@ var previewedWays = O(() => waysInto(new Set(previewed.value)));
 function waysInto(barcodes) {
 	if (barcodes.size === 0) return [];
 	return (layout.value?.edges ?? []).filter(({ end }) => barcodes.has(end)).map(({ start, end }) => [start, end]);
+}
+// src/parts/ClosedBefore.tsx
+/** What was closed before: by whom, why, how long, and who opened it. */
+function ClosedBefore() {
+	const open = useSignal(false);
+	const { value } = useRead(open.value ? "/closures/history?limit=50" : null, changes.closures.value);
+	const past = value?.items.filter(({ ended }) => ended !== null) ?? [];
+	return /* @__PURE__ */ a("details", {
+		class: "padded",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("closed_before") }),
+			open.value && value && past.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("nothing_found")
+			}),
+			/* @__PURE__ */ a("ul", { children: past.map((closure) => /* @__PURE__ */ a("li", { children: [
+				/* @__PURE__ */ a("b", { children: closure.place }),
+				" · ",
+				closure.reason,
+				" · ",
+				closure.owner,
+				" · ",
+				moment(closure.since),
+				" – ",
+				moment(closure.ended ?? ""),
+				" ",
+				/* @__PURE__ */ a("span", {
+					class: "calm",
+					children: [
+						said(closure.state),
+						" ",
+						closure.ended_by
+					]
+				})
+			] }, closure.id)) })
+		]
+	});
+}
+// src/parts/Kept.tsx
+/** What routes keep off, whom that cuts off, and how vehicles are led round it: in the header in few words, in full among the closures. */
+/** In the header, only if anything is the matter. */
+function KeptOff() {
+	const now = controller.value;
+	if (!now || now.closed_places + now.cut_off.length === 0) return null;
+	const words = [...now.closed_places ? [t("places_closed", now.closed_places)] : [], ...now.cut_off.length ? [t("stations_cut_off", now.cut_off.length)] : []];
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: `kept ${now.cut_off.length ? "bad" : "wait"}`,
+		title: now.cut_off.map(tell).join("\n"),
+		onClick: () => room$1.value = "closures",
+		children: words.join(" · ")
+	});
+}
+/** Every reason, every station cut off, and what was done about it. */
+function KeptList() {
+	const now = controller.value;
+	if (!now) return null;
+	const led = [
+		...now.led_round ? [t("led_round", now.led_round)] : [],
+		...now.led_quicker ? [t("led_quicker", now.led_quicker)] : [],
+		...now.slow_track ? [t("slow_track", now.slow_track)] : [],
+		...now.weighed ? [t("weighed", now.weighed)] : []
+	];
+	return /* @__PURE__ */ a($, { children: [
+		now.cut_off.length > 0 && /* @__PURE__ */ a(Lines, {
+			title: t("cut_off_now"),
+			lines: now.cut_off,
+			sign: "✕",
+			tone: ""
+		}),
+		now.kept_off.length > 0 && /* @__PURE__ */ a(Lines, {
+			title: t("kept_off"),
+			lines: now.kept_off,
+			sign: "⤳",
+			tone: "wait"
+		}),
+		led.length > 0 && /* @__PURE__ */ a("p", {
+			class: "padded calm",
+			"data-led": true,
+			children: [
+				t("since_start"),
+				": ",
+				led.join(" · ")
+			]
+		})
+	] });
+}
+function Lines({ title, lines, sign, tone }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h2", {
+		class: "sub",
+		children: [
+			title,
+			" ",
+			lines.length
+		]
+	}), /* @__PURE__ */ a("ul", {
+		class: "alarms",
+		"aria-label": title,
+		children: lines.map((words) => /* @__PURE__ */ a("li", { children: [/* @__PURE__ */ a("span", {
+			class: `sign ${tone}`,
+			children: sign
+		}), /* @__PURE__ */ a("span", { children: tell(words) })] }, words))
+	})] });
+}
+/** Why a station cannot be reached now; null: nothing says so. */
+function cutOff(id) {
+	return controller.value?.cut_off.find((words) => words.startsWith(`${id}: `)) ?? null;
+}
+function CutOff({ id }) {
+	const words = cutOff(id);
+	return words && /* @__PURE__ */ a("p", {
+		class: "note alarm",
+		"data-cut-off": id,
+		children: [
+			/* @__PURE__ */ a("b", { children: t("not_reachable") }),
+			" ",
+			tell(words)
+		]
+	});
 }
 // src/parts/Closures.tsx
 /** What is closed, and closing more: a look at what it would do comes first. Track can be chosen on the map above. */
@@ -3053,7 +3831,9 @@ function Closures() {
 						class: "alarms",
 						children: closureList.value.map((closure) => /* @__PURE__ */ a(Line, { closure }, closure.id))
 					}),
-					/* @__PURE__ */ a(Zones, {})
+					/* @__PURE__ */ a(KeptList, {}),
+					/* @__PURE__ */ a(Zones, {}),
+					/* @__PURE__ */ a(ClosedBefore, {})
 				]
 			}), /* @__PURE__ */ a(Close, {})]
 		})
@@ -3095,6 +3875,7 @@ function Line({ closure }) {
 				class: "wide",
 				children: /* @__PURE__ */ a(Reasoned, { decisions: [{
 					label: t("open_it"),
+					needs: "POST /closures/{closure}/open",
 					bare: true,
 					grave: true,
 					does: () => post(`/closures/${closure.id}/open`, {})
@@ -3141,15 +3922,18 @@ function Zones() {
 				/* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("change") }), /* @__PURE__ */ a(Reasoned, { decisions: [
 					{
 						label: t("pause"),
+						needs: "POST /zones/{zone}/pause",
 						does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/pause`, { reason })
 					},
 					{
 						label: t("stop_zone"),
+						needs: "POST /zones/{zone}/stop",
 						grave: true,
 						does: (reason) => post(`/zones/${encodeURIComponent(zone.id)}/stop`, { reason })
 					},
 					{
 						label: t("resume"),
+						needs: "POST /zones/{zone}/resume",
 						bare: true,
 						does: () => post(`/zones/${encodeURIComponent(zone.id)}/resume`)
 					}
@@ -3305,7 +4089,8 @@ function Close() {
 					disabled: !whole,
 					onClick: () => void look(),
 					children: t("preview")
-				}), /* @__PURE__ */ a("button", {
+				}), /* @__PURE__ */ a(Button, {
+					needs: "POST /closures",
 					type: "submit",
 					class: "halt",
 					disabled: !whole || !reason.value.trim() || !preview.value,
@@ -3365,10 +4150,12 @@ function DeviceDecisions({ device }) {
 	const decisions = [
 		...device.kind !== "door" ? [] : device.pin ? [{
 			label: t("unpin"),
+			needs: "DELETE /devices/{device}/pin",
 			bare: true,
 			does: () => call("DELETE", `${path}/pin`)
 		}] : ["open", "closed"].map((position) => ({
 			label: t(`pin_${position}`),
+			needs: "PUT /devices/{device}/pin",
 			does: (reason) => call("PUT", `${path}/pin`, {
 				position,
 				reason
@@ -3376,20 +4163,24 @@ function DeviceDecisions({ device }) {
 		})),
 		device.lockout ? {
 			label: t("lift_lockout"),
+			needs: "DELETE /devices/{device}/lockout",
 			bare: true,
 			grave: true,
 			does: () => call("DELETE", `${path}/lockout`)
 		} : {
 			label: t("lock_out"),
+			needs: "POST /devices/{device}/lockout",
 			grave: true,
 			does: (reason) => post(`${path}/lockout`, { reason })
 		},
 		device.out_of_service ? {
 			label: t("put_back"),
+			needs: "PUT /devices/{device}/service",
 			bare: true,
 			does: () => call("PUT", `${path}/service`, { in_service: true })
 		} : {
 			label: t("take_out"),
+			needs: "PUT /devices/{device}/service",
 			grave: true,
 			does: (reason) => call("PUT", `${path}/service`, {
 				in_service: false,
@@ -3400,6 +4191,42 @@ function DeviceDecisions({ device }) {
 	return /* @__PURE__ */ a("details", {
 		class: "part acts",
 		children: [/* @__PURE__ */ a("summary", { children: t("decide") }), /* @__PURE__ */ a(Reasoned, { decisions })]
+	});
+}
+// src/parts/DeviceMore.tsx
+/** What was asked of a door or buffer lately and what became of it, and the packets on its line. */
+function DeviceMore({ device }) {
+	const path = `/devices/${encodeURIComponent(device.id)}`;
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$1, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
+}
+function Past$1({ path }) {
+	const open = useSignal(false);
+	const { value } = useRead(open.value ? `${path}/commands?limit=12` : null, changes.devices.value);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("last_commands") }),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_commands")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+					/* @__PURE__ */ a("td", { children: said(command.state) }),
+					/* @__PURE__ */ a("td", { children: [
+						command.kind,
+						" · ",
+						command.actor,
+						" ",
+						tell(command.outcome)
+					] })
+				] }, command.cmd_id)) })
+			})
+		]
 	});
 }
 // src/parts/Panel.tsx
@@ -3503,7 +4330,8 @@ function DeviceBody({ id }) {
 			id,
 			commands: COMMANDS[kind]
 		}),
-		now && /* @__PURE__ */ a(DeviceDecisions, { device: now })
+		now && /* @__PURE__ */ a(DeviceDecisions, { device: now }),
+		now && kind !== "charger" && /* @__PURE__ */ a(DeviceMore, { device: now })
 	] });
 }
 function State({ look, device }) {
@@ -3617,6 +4445,7 @@ function Commands({ id, commands }) {
 			class: "buttons",
 			"data-commands": id,
 			children: commands.map((command) => /* @__PURE__ */ a(Sure, {
+				needs: "POST /devices/{device}/commands",
 				label: t(`cmd_${command}`),
 				does: () => send(command)
 			}, command))
@@ -3686,8 +4515,8 @@ function Parameters({ id }) {
 			/* @__PURE__ */ a("h3", { children: [
 				t("parameters"),
 				operation.value && running && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
-				/* @__PURE__ */ a("button", {
-					type: "button",
+				/* @__PURE__ */ a(Button, {
+					needs: "POST /drives/{drive}/read",
 					disabled: running,
 					onClick: () => void read(),
 					children: t("read_parameters")
@@ -3755,6 +4584,7 @@ function Write({ path, parameter, after }) {
 						onInput: (event) => value.value = event.currentTarget.value
 					}),
 					/* @__PURE__ */ a(Sure, {
+						needs: "PUT /drives/{drive}/parameters/{number}",
 						label: t("write"),
 						disabled: value.value.trim() === "" || Number.isNaN(Number(value.value)),
 						does: () => void write()
@@ -3773,1737 +4603,113 @@ function Write({ path, parameter, after }) {
 		]
 	});
 }
-// src/parts/DriveTools.tsx
-/** What can be done to a drive: jog, write a parameter, back up, compare, restore; each an operation that ends in one known way. */
-function DriveTools({ drive }) {
-	const path = `/drives/${encodeURIComponent(drive.id)}`;
+// src/parts/DriveMore.tsx
+/** A drive's status asked for now, its inputs, what was asked of it lately, and the packets on its line. */
+function DriveMore({ drive, path }) {
 	return /* @__PURE__ */ a($, { children: [
-		/* @__PURE__ */ a(Jog, {
-			drive,
-			path
+		/* @__PURE__ */ a(Inputs, { path }),
+		/* @__PURE__ */ a(Operations, {
+			path,
+			drive
 		}),
-		/* @__PURE__ */ a(Backups, {
-			drive,
-			path
-		}),
-		/* @__PURE__ */ a("details", {
-			class: "part acts",
-			children: [/* @__PURE__ */ a("summary", { children: t("lockout") }), /* @__PURE__ */ a(Reasoned, { decisions: [drive.lockout ? {
-				label: t("lift_lockout"),
-				bare: true,
-				grave: true,
-				does: () => call("DELETE", `${path}/lockout`)
-			} : {
-				label: t("lock_out"),
-				grave: true,
-				does: (reason) => post(`${path}/lockout`, { reason })
-			}] })]
-		})
+		/* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })
 	] });
 }
-/** The key is said to be held so often, ms; the axis stops by itself when it is not. */
-var HELD = 200;
-/** Runs as long as the button is held: let go, hidden or left, it is released. */
-function Jog({ drive, path }) {
+var INPUTS = ["run", "home"];
+/** What is not named is off: one press sets one of them, or none. */
+function Inputs({ path }) {
 	const asking = useAsking();
-	const way = useSignal(null);
-	const held = T(null);
-	const release = () => {
-		const now = held.current;
-		held.current = null;
-		way.value = null;
-		if (!now) return;
-		window.clearInterval(now.timer);
-		if (now.jog !== null) asking.ask(() => call("DELETE", `${path}/jog/${now.jog}`), "");
-	};
-	A$1(() => {
-		window.addEventListener("blur", release);
-		document.addEventListener("visibilitychange", release);
-		return () => {
-			window.removeEventListener("blur", release);
-			document.removeEventListener("visibilitychange", release);
-			release();
-		};
-	}, [path]);
-	const press = async (direction) => {
-		if (held.current) return;
-		const mine = {
-			jog: null,
-			timer: 0
-		};
-		held.current = mine;
-		way.value = direction;
-		await asking.ask(async () => {
-			const { jog } = await post(`${path}/jog`, { direction });
-			mine.jog = jog;
-			if (held.current !== mine) {
-				await call("DELETE", `${path}/jog/${jog}`);
-				return;
-			}
-			mine.timer = window.setInterval(() => void post(`${path}/jog/${jog}`).catch(release), HELD);
-		}, "");
-		if (asking.error.value) release();
-	};
-	return /* @__PURE__ */ a("section", {
-		class: "part",
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("jog") }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [["ccw", "cw"].map((direction) => /* @__PURE__ */ a("button", {
-					type: "button",
-					class: "jog",
-					"aria-pressed": way.value === direction,
-					disabled: !drive.online || drive.lockout !== null,
-					onPointerDown: (event) => {
-						event.currentTarget.setPointerCapture(event.pointerId);
-						press(direction);
-					},
-					onPointerUp: release,
-					onPointerCancel: release,
-					onKeyDown: (event) => event.key === " " && !event.repeat && void press(direction),
-					onKeyUp: (event) => event.key === " " && release(),
-					children: [
-						direction === "ccw" ? "◀ " : "",
-						t(direction),
-						direction === "cw" ? " ▶" : ""
-					]
-				}, direction)), /* @__PURE__ */ a("small", {
-					class: "calm",
-					children: t("jog_hint")
-				})]
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Backups({ drive, path }) {
-	const again = useSignal(0);
 	const operation = useSignal(null);
 	const label = useSignal("");
-	const note = useSignal("");
-	const other = useSignal("");
-	const asking = useAsking();
-	const { value } = useRead(`${path}/backups?limit=20`, again.value);
-	const begin = (what, body, words) => {
+	const ask = (words, what) => {
 		label.value = words;
 		operation.value = null;
 		asking.ask(async () => {
-			let now = await post(`${path}/${what}`, body);
-			operation.value = now;
-			while (now.state === "running") {
-				now = await get(`/operations/${encodeURIComponent(now.id)}?wait=2`);
-				operation.value = now;
-			}
-			again.value++;
+			operation.value = await what();
 		}, "");
 	};
-	const differences = operation.value?.result["differences"] ?? operation.value?.result["rows"];
-	const others = driveList.value.filter(({ id }) => id !== drive.id);
 	return /* @__PURE__ */ a("details", {
 		class: "part acts",
-		children: [/* @__PURE__ */ a("summary", { children: t("backups") }), /* @__PURE__ */ a("div", {
+		children: [/* @__PURE__ */ a("summary", { children: t("inputs") }), /* @__PURE__ */ a("div", {
 			class: "stack",
 			children: [
 				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [/* @__PURE__ */ a(Field, {
-						label: t("note"),
-						value: note
-					}), /* @__PURE__ */ a("div", {
-						class: "acts-row",
-						children: /* @__PURE__ */ a("button", {
-							type: "button",
-							onClick: () => begin("backups", { note: note.value.trim() }, t("back_up")),
-							children: t("back_up")
-						})
-					})]
-				}),
-				others.length > 0 && /* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("compare_with") }), /* @__PURE__ */ a("select", {
-						value: other.value,
-						onChange: (event) => other.value = event.currentTarget.value,
-						children: [/* @__PURE__ */ a("option", {
-							value: "",
-							children: t("choose")
-						}), others.map(({ id }) => /* @__PURE__ */ a("option", { children: id }, id))]
-					})] }), /* @__PURE__ */ a("div", {
-						class: "acts-row",
-						children: /* @__PURE__ */ a("button", {
-							type: "button",
-							disabled: !other.value,
-							onClick: () => begin("compare", { drive: other.value }, t("compare")),
-							children: t("compare")
-						})
-					})]
-				}),
-				value?.items.map((backup) => /* @__PURE__ */ a("div", {
 					class: "acts-row",
-					"data-backup": backup.id,
 					children: [
-						/* @__PURE__ */ a("span", { children: [
-							"#",
-							backup.id,
-							" · ",
-							clock(backup.at),
-							" · ",
-							backup.actor,
-							" ",
-							backup.note
-						] }),
-						/* @__PURE__ */ a("button", {
-							type: "button",
-							onClick: () => begin("compare", { backup: backup.id }, t("compare")),
-							children: t("compare")
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/status",
+							onClick: () => ask(t("ask_status"), () => post(`${path}/status?wait=5`)),
+							children: t("ask_status")
 						}),
-						/* @__PURE__ */ a("button", {
-							type: "button",
-							onClick: () => begin("restore", {
-								backup: backup.id,
-								dry_run: true
-							}, t("restore_dry")),
-							children: t("restore_dry")
-						}),
-						/* @__PURE__ */ a(Sure, {
-							label: t("restore"),
-							does: () => begin("restore", { backup: backup.id }, t("restore"))
+						INPUTS.map((name) => /* @__PURE__ */ a(Sure, {
+							needs: "PUT /drives/{drive}/inputs",
+							label: t(`input_${name}`),
+							does: () => ask(t(`input_${name}`), () => call("PUT", `${path}/inputs?wait=5`, { [name]: true }))
+						}, name)),
+						/* @__PURE__ */ a(Button, {
+							needs: "PUT /drives/{drive}/inputs",
+							onClick: () => ask(t("inputs_off"), () => call("PUT", `${path}/inputs?wait=5`, {})),
+							children: t("inputs_off")
 						})
 					]
-				}, backup.id)),
+				}),
 				/* @__PURE__ */ a(Told, { asking }),
-				operation.value?.state === "running" && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
 				/* @__PURE__ */ a(Outcome, {
 					operation: operation.value,
 					label: label.value
-				}),
-				Array.isArray(differences) && /* @__PURE__ */ a(Differences, { rows: differences })
+				})
 			]
 		})]
 	});
 }
-function Differences({ rows }) {
-	if (rows.length === 0) return /* @__PURE__ */ a("p", {
-		class: "calm",
-		children: t("no_differences")
-	});
-	const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
-	return /* @__PURE__ */ a("table", {
-		class: "list",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name.replaceAll("_", " ") }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("td", { children: row[name] === null || row[name] === void 0 ? "–" : String(row[name]) }, name)) }, i)) })]
-	});
-}
-// src/parts/DrivePanel.tsx
-/** One axis drive: what it says of itself, and what is wrong. */
-var COLOURS$1 = {
-	calm: "var(--dim)",
-	go: "var(--accent)",
-	wait: "var(--wait)",
-	good: "var(--good)",
-	bad: "var(--bad)"
-};
-function DrivePanel({ id }) {
-	const now = driveNow(id);
-	tick.value;
-	if (!now) return null;
-	const { word, tone } = lookOfDrive(now);
-	return /* @__PURE__ */ a(Panel, {
-		title: now.id,
-		tag: now.name,
-		colour: COLOURS$1[tone],
-		children: [
-			/* @__PURE__ */ a(Notes$1, { drive: now }),
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("state"),
-					children: /* @__PURE__ */ a("b", {
-						class: tone,
-						children: t(`drive_${word}`)
-					})
-				}),
-				now.mode !== null && /* @__PURE__ */ a(Fact, {
-					name: t(now.mode === "error" ? "error_fact" : "operation_fact"),
-					children: [
-						now.meaning || "–",
-						" ",
-						/* @__PURE__ */ a("small", { children: now.code })
-					]
-				}),
-				now.online && /* @__PURE__ */ a(Fact, {
-					name: t("moves"),
-					children: now.moving === null ? t("unknown") : t(now.moving ? "yes" : "no")
-				}),
-				now.output !== null && /* @__PURE__ */ a(Fact, {
-					name: t("output"),
-					children: now.output
-				}),
-				now.distance !== null && /* @__PURE__ */ a(Fact, {
-					name: t("distance"),
-					children: [
-						hundredths(now.distance),
-						" ",
-						now.turn && /* @__PURE__ */ a("small", { children: ["· ", said(now.turn)] })
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("model"),
-					children: now.model || t("no_model")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("on_line"),
-					children: t("line_number", now.line, now.address)
-				}),
-				!now.online && /* @__PURE__ */ a(Fact, {
-					name: t("seen"),
-					children: now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"
-				})
-			] }),
-			/* @__PURE__ */ a(StopKey, { id }),
-			/* @__PURE__ */ a(DriveTools, { drive: now }),
-			/* @__PURE__ */ a(Parameters, { id })
-		]
-	});
-}
-/** Stops the axis, or resets an error: at once, since a stop asks nobody whether he is sure. */
-function StopKey({ id }) {
-	const error = useSignal(null);
-	const done = useSignal(null);
-	const press = () => {
-		error.value = done.value = null;
-		post(`/drives/${encodeURIComponent(id)}/keys?wait=5`, { key: "stop_reset" }).then((operation) => done.value = operation, (failure) => error.value = failure);
-	};
-	return /* @__PURE__ */ a($, { children: [
-		/* @__PURE__ */ a("div", {
-			class: "buttons",
-			children: /* @__PURE__ */ a("button", {
-				type: "button",
-				class: "halt",
-				onClick: press,
-				children: t("stop_reset")
-			})
-		}),
-		/* @__PURE__ */ a(Problem, { error: error.value }),
-		/* @__PURE__ */ a(Outcome, {
-			operation: done.value,
-			label: t("stop_reset")
-		})
-	] });
-}
-function Notes$1({ drive }) {
-	return /* @__PURE__ */ a($, { children: [
-		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
-			class: "note alarm",
-			children: [
-				/* @__PURE__ */ a("b", { children: tell(drive.error || drive.meaning) }),
-				" ",
-				drive.remedy && /* @__PURE__ */ a("em", { children: tell(drive.remedy) })
-			]
-		}),
-		!drive.online && drive.reason && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t(drive.online === null ? "drive_not_heard" : "drive_offline") }),
-				" ",
-				tell(drive.reason)
-			]
-		}),
-		drive.lockout && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("locked", drive.lockout.owner) }),
-				" ",
-				drive.lockout.reason
-			]
-		})
-	] });
-}
-// src/parts/Master.tsx
-/** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
-function Master() {
+/** Each ended done, failed, or unknown; what still runs can be cancelled. */
+function Operations({ path, drive }) {
 	const open = useSignal(false);
-	const now = controller.value;
-	if (!now) return null;
-	const emergencies = ["fire", "earthquake"].filter((kind) => now.emergencies.some((words) => words.includes(kind)));
-	return /* @__PURE__ */ a("div", {
-		class: "layers master",
-		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
-		children: [/* @__PURE__ */ a("button", {
-			type: "button",
-			"aria-expanded": open.value,
-			onClick: () => open.value = !open.value,
-			children: t("master")
-		}), open.value && /* @__PURE__ */ a("div", {
-			role: "group",
-			"aria-label": t("master"),
-			children: [now.emergencies.map((words) => /* @__PURE__ */ a("p", {
-				class: "note alarm",
-				children: tell(words)
-			}, words)), /* @__PURE__ */ a(Reasoned, { decisions: [
-				{
-					label: t("pause"),
-					does: (reason) => post("/controller/pause", { reason })
-				},
-				{
-					label: t("stop_all"),
-					grave: true,
-					does: (reason) => post("/controller/stop", { reason })
-				},
-				{
-					label: t("resume"),
-					bare: true,
-					does: () => post("/controller/resume")
-				},
-				...emergencies.map((kind) => ({
-					label: t(`release_${kind}`),
-					grave: true,
-					does: (reason) => post("/controller/emergency/release", {
-						kind,
-						reason
-					})
-				}))
-			] })]
-		})]
-	});
-}
-// src/theme.ts
-/** Light or dark: the colours themselves are custom properties of the style sheet, which the map reads too. */
-var KEPT$1 = "hoistway.theme";
-var kept$1 = localStorage.getItem(KEPT$1);
-var LIGHT = matchMedia("(prefers-color-scheme: light)");
-var theme = y$1(kept$1 === "dark" || kept$1 === "light" ? kept$1 : LIGHT.matches ? "light" : "dark");
-/** Show it, without choosing it for good. */
-function wear(next) {
-	document.documentElement.dataset["theme"] = next;
-	theme.value = next;
-}
-function choose$1(next) {
-	localStorage.setItem(KEPT$1, next);
-	wear(next);
-}
-function begin$1() {
-	wear(theme.value);
-	LIGHT.addEventListener("change", () => {
-		if (!localStorage.getItem(KEPT$1)) wear(LIGHT.matches ? "light" : "dark");
-	});
-}
-// src/parts/Header.tsx
-/** What the plant is, how it does, whether what is shown is live, who looks at it. */
-function Header() {
-	return /* @__PURE__ */ a("header", { children: [
-		/* @__PURE__ */ a("h1", { children: [/* @__PURE__ */ a("svg", {
-			viewBox: "0 0 32 32",
-			width: "24",
-			height: "24",
-			"aria-hidden": "true",
-			children: [/* @__PURE__ */ a("path", {
-				d: "M3 8h26M16 8v8",
-				stroke: "var(--accent)",
-				"stroke-width": "3",
-				"stroke-linecap": "round"
-			}), /* @__PURE__ */ a("rect", {
-				x: "9",
-				y: "16",
-				width: "14",
-				height: "10",
-				rx: "2",
-				fill: "#f5b83d"
-			})]
-		}), "Hoistway"] }),
-		/* @__PURE__ */ a("span", {
-			class: "plant",
-			children: layout.value?.name ?? ""
-		}),
-		/* @__PURE__ */ a(ControllerState, {}),
-		/* @__PURE__ */ a(Master, {}),
-		/* @__PURE__ */ a("span", { class: "grow" }),
-		/* @__PURE__ */ a(Counts, {}),
-		/* @__PURE__ */ a(Actor, {}),
-		/* @__PURE__ */ a(Theme, {}),
-		/* @__PURE__ */ a("button", {
-			type: "button",
-			class: "plain",
-			onClick: () => speak(language.value === "en" ? "ko" : "en"),
-			children: language.value === "en" ? "KO" : "EN"
-		}),
-		/* @__PURE__ */ a(LinkState, {})
-	] });
-}
-function Rooms() {
-	const grave = troubles.value.filter((wrong) => wrong.grave).length;
-	return /* @__PURE__ */ a("nav", {
-		class: "rooms",
-		"aria-label": t("rooms"),
-		children: ROOMS.map((name) => /* @__PURE__ */ a("button", {
-			type: "button",
-			"aria-current": room$1.value === name ? "page" : void 0,
-			onClick: () => room$1.value = name,
-			children: [t(name), name === "alarms" && grave > 0 && /* @__PURE__ */ a("b", {
-				class: "badge",
-				children: ["! ", grave]
-			})]
-		}, name))
-	});
-}
-function Theme() {
-	const other = theme.value === "dark" ? "light" : "dark";
-	return /* @__PURE__ */ a("button", {
-		type: "button",
-		class: "plain",
-		title: t(`theme_${other}`),
-		"aria-label": t(`theme_${other}`),
-		onClick: () => choose$1(other),
-		children: other === "light" ? "☀" : "☾"
-	});
-}
-function ControllerState() {
-	const now = controller.value;
-	if (!now) return /* @__PURE__ */ a("span", { class: "pill" });
-	const emergency = (now.emergencies ?? []).join(", ");
-	const grave = now.trouble || emergency;
-	const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
-	const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
-	const why = tell(notice.value || grave || now.reason || roll);
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("span", {
-		class: `pill ${tone}`,
-		title: t("controller"),
-		children: said(now.state)
-	}), /* @__PURE__ */ a("span", {
-		class: `why ${grave ? "bad" : ""}`,
-		role: "status",
-		title: why,
-		children: why
-	})] });
-}
-function Counts() {
-	const looks = /* @__PURE__ */ new Map();
-	for (const vehicle of vehicleList.value) looks.set(lookOf(vehicle), (looks.get(lookOf(vehicle)) ?? 0) + 1);
-	const open = jobList.value.filter((job) => !ENDED.has(job.state)).length;
-	return /* @__PURE__ */ a("span", {
-		class: "counts",
-		children: [
-			/* @__PURE__ */ a("span", { children: [
-				/* @__PURE__ */ a("b", { children: vehicleList.value.length }),
-				" ",
-				t("vehicles")
-			] }),
-			[
-				"alarm",
-				"held",
-				"gone"
-			].map((look) => looks.has(look) && /* @__PURE__ */ a("span", {
-				style: { color: LOOKS[look] },
-				children: [
-					/* @__PURE__ */ a("b", { children: looks.get(look) }),
-					" ",
-					t(`look_${look}`)
-				]
-			}, look)),
-			/* @__PURE__ */ a("span", { children: [
-				/* @__PURE__ */ a("b", { children: open }),
-				" ",
-				t("open_jobs")
-			] })
-		]
-	});
-}
-function Actor() {
-	const name = useSignal(actor());
-	return /* @__PURE__ */ a("span", {
-		class: "actor",
-		children: /* @__PURE__ */ a("input", {
-			value: name.value,
-			maxLength: 64,
-			"aria-label": t("your_name"),
-			autocomplete: "name",
-			title: t("name_hint"),
-			placeholder: t("your_name"),
-			onInput: (event) => {
-				name.value = event.currentTarget.value;
-				nameActor(name.value);
-			}
-		})
-	});
-}
-function LinkState() {
-	tick.value;
-	const state = link.value;
-	const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1e3) : null;
-	const text = state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);
-	return /* @__PURE__ */ a("span", {
-		class: `link ${state}`,
-		role: "status",
-		"aria-live": "polite",
-		children: [/* @__PURE__ */ a("i", { class: "dot" }), text]
-	});
-}
-// src/parts/JobPanel.tsx
-/** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
-var COLOURS = {
-	calm: "var(--dim)",
-	go: "var(--accent)",
-	wait: "var(--wait)",
-	good: "var(--good)",
-	bad: "var(--bad)"
-};
-var EVERY$1 = 3;
-function JobPanel({ id }) {
-	const why = useSignal(null);
-	const whole = useSignal(null);
-	const error = useSignal(null);
-	const job = jobList.value.find((job) => job.id === id) ?? whole.value;
-	const over = job ? ENDED.has(job.state) : false;
-	const round = over ? 0 : Math.floor(tick.value / EVERY$1);
-	A$1(() => {
-		const path = `/jobs/${encodeURIComponent(id)}`;
-		get(`${path}/why`).then((found) => why.value = found, (failure) => error.value = failure);
-		get(path).then((found) => whole.value = found, (failure) => error.value = failure);
-	}, [
-		id,
-		job?.state,
-		job?.vehicle,
-		round
-	]);
-	if (!job) return /* @__PURE__ */ a(Panel, {
-		title: id,
-		tag: t("job"),
-		colour: "var(--dim)",
-		children: /* @__PURE__ */ a(Problem, { error: error.value })
-	});
-	const tone = TONES[job.state] ?? "calm";
-	return /* @__PURE__ */ a(Panel, {
-		title: job.id,
-		tag: said(job.state),
-		colour: COLOURS[tone],
-		children: [
-			job.reason && !over && /* @__PURE__ */ a("p", {
-				class: "note waits",
-				children: [
-					/* @__PURE__ */ a("b", { children: t("waits") }),
-					" ",
-					tell(job.reason)
-				]
-			}),
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("source"),
-					children: /* @__PURE__ */ a(Name, { id: job.source })
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("destination"),
-					children: [/* @__PURE__ */ a(Name, { id: job.destination }), job.fallbacks.length > 0 && /* @__PURE__ */ a("small", { children: [" · ", t("fallbacks", job.fallbacks.join(", "))] })]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("carrier"),
-					children: job.carrier ?? t("unknown")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("vehicle"),
-					children: [job.vehicle ? /* @__PURE__ */ a(Name, { id: job.vehicle }) : t("none"), job.wish && /* @__PURE__ */ a("small", { children: [" · ", t("wished", job.wish)] })]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("priority"),
-					children: job.priority
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("ordered_by"),
-					children: [
-						job.actor,
-						" ",
-						/* @__PURE__ */ a("small", { children: ["· ", clock(job.created)] })
-					]
-				}),
-				over && /* @__PURE__ */ a(Fact, {
-					name: t("result"),
-					children: tell(job.result || job.reason) || said(job.state)
-				})
-			] }),
-			why.value && /* @__PURE__ */ a(Phases$1, { why: why.value }),
-			!over && /* @__PURE__ */ a(Change, { job }),
-			why.value && /* @__PURE__ */ a(Why, { why: why.value }),
-			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
-			/* @__PURE__ */ a(Problem, { error: error.value })
-		]
-	});
-}
-var seconds$1 = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
-/** How long it lay, was fetched, was carried: drawn to scale. */
-function Phases$1({ why }) {
-	const phases = [
-		"queued",
-		"fetching",
-		"carrying"
-	].flatMap((name) => {
-		const took = why[name];
-		return took === null ? [] : [{
-			name,
-			took
-		}];
-	});
-	if (phases.length === 0) return null;
-	return /* @__PURE__ */ a("section", {
-		class: "part",
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("phases") }),
-			/* @__PURE__ */ a("div", {
-				class: "phases",
-				children: phases.map(({ name, took }) => /* @__PURE__ */ a("span", {
-					class: name,
-					style: { flex: `${Math.max(took, .01)} 1 0` },
-					title: `${t(`phase_${name}`)} ${seconds$1(took)}`,
-					children: seconds$1(took)
-				}, name))
-			}),
-			/* @__PURE__ */ a("small", {
-				class: "calm",
-				children: phases.map(({ name, took }) => `${t(`phase_${name}`)} ${seconds$1(took)}`).join(" · ")
-			})
-		]
-	});
-}
-function Why({ why }) {
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("section", {
-		class: "part why-list",
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("why_vehicle") }),
-			why.assignments.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: t("not_assigned_yet")
-			}),
-			why.assignments.map((choice) => /* @__PURE__ */ a(Choice, { choice }, choice.at + choice.vehicle))
-		]
-	}), /* @__PURE__ */ a("section", {
-		class: "part why-list",
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("why_waits") }),
-			why.waits.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: t("never_waited")
-			}),
-			/* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: why.waits.map((wait) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("td", { children: clock(wait.since) }),
-				/* @__PURE__ */ a("td", { children: wait.seconds === null ? t("still") : seconds$1(wait.seconds) }),
-				/* @__PURE__ */ a("td", { children: tell(wait.reason) })
-			] }, wait.since + wait.reason)) }) }),
-			why.left_out > 0 && /* @__PURE__ */ a("small", {
-				class: "calm",
-				children: t("left_out", why.left_out)
-			})
-		]
-	})] });
-}
-function Choice({ choice }) {
-	return /* @__PURE__ */ a("div", {
-		class: "choice",
-		children: [
-			/* @__PURE__ */ a("b", { children: [
-				/* @__PURE__ */ a(Name, { id: choice.vehicle }),
-				" · ",
-				t("to_source", seconds$1(choice.seconds))
-			] }),
-			" ",
-			/* @__PURE__ */ a("small", {
-				class: "calm",
-				children: clock(choice.at)
-			}),
-			/* @__PURE__ */ a("div", { children: [
-				choice.hot && `${t("hot_lot")} · `,
-				choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds$1(choice.saved))} · `,
-				t("worth", seconds$1(choice.waited), seconds$1(choice.switch))
-			] }),
-			choice.candidates.length > 0 && /* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: choice.candidates.map((other) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: other.vehicle }) }),
-				/* @__PURE__ */ a("td", { children: other.seconds === null ? t("no_way") : seconds$1(other.seconds) }),
-				/* @__PURE__ */ a("td", { children: tell(other.why_not) })
-			] }, other.vehicle)) }) })
-		]
-	});
-}
-function History({ events }) {
-	return /* @__PURE__ */ a("details", {
-		class: "part",
-		children: [/* @__PURE__ */ a("summary", { children: [
-			t("events"),
-			" ",
-			events.length
-		] }), /* @__PURE__ */ a("table", {
-			class: "bits",
-			children: /* @__PURE__ */ a("tbody", { children: events.map((event) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("th", { children: clock(event.ts) }),
-				/* @__PURE__ */ a("td", { children: ["#", event.seq] }),
-				/* @__PURE__ */ a("td", { children: [
-					happening(event.event),
-					" ",
-					[
-						event.vehicle,
-						event.result,
-						tell(event.detail)
-					].filter(Boolean).join(" · ")
-				] })
-			] }, event.seq)) })
-		})]
-	});
-}
-var CANCELLABLE$1 = /* @__PURE__ */ new Set(["queued", "waiting"]);
-var ABORTABLE$1 = /* @__PURE__ */ new Set(["transferring", "paused"]);
-/** Other priority, destination or vehicle; or its end. */
-function Change({ job }) {
-	const error = useSignal(null);
-	const done = useSignal(false);
-	const priority = useSignal(String(job.priority));
-	const destination = useSignal(job.destination);
-	const vehicle = useSignal("");
-	changes.stations.value;
-	const path = `/jobs/${encodeURIComponent(job.id)}`;
-	const report = (asked) => {
-		error.value = null;
-		done.value = false;
-		asked.then(() => done.value = true, (failure) => error.value = failure);
-	};
-	const body = {
-		...Number(priority.value) !== job.priority ? { priority: Number(priority.value) } : {},
-		...destination.value !== job.destination ? { destination: destination.value } : {},
-		...vehicle.value ? { vehicle: vehicle.value } : {}
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "part",
-		onSubmit: (event) => {
-			event.preventDefault();
-			report(call("PATCH", path, body));
-		},
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("change") }),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [
-					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("priority") }), /* @__PURE__ */ a("input", {
-						name: "priority",
-						type: "number",
-						min: "0",
-						max: "99",
-						required: true,
-						value: priority.value,
-						onInput: (event) => priority.value = event.currentTarget.value
-					})] }),
-					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("vehicle") }), /* @__PURE__ */ a("input", {
-						name: "vehicle",
-						list: "vehicle-names",
-						autocomplete: "off",
-						placeholder: job.vehicle ?? t("any"),
-						value: vehicle.value,
-						onInput: (event) => vehicle.value = event.currentTarget.value.trim()
-					})] }),
-					/* @__PURE__ */ a("label", {
-						class: "wide",
-						children: [/* @__PURE__ */ a("span", { children: t("destination") }), /* @__PURE__ */ a("input", {
-							name: "destination",
-							list: "station-names",
-							autocomplete: "off",
-							required: true,
-							value: destination.value,
-							onInput: (event) => destination.value = event.currentTarget.value.trim()
-						})]
-					})
-				]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "vehicle-names",
-				children: layout.value?.vehicles.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "station-names",
-				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [
-					/* @__PURE__ */ a("button", {
-						type: "submit",
-						class: "primary",
-						disabled: Object.keys(body).length === 0,
-						children: t("change")
-					}),
-					CANCELLABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
-						label: t("cancel"),
-						does: () => report(post(`${path}/cancel`))
-					}),
-					ABORTABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
-						label: t("abort"),
-						does: () => report(post(`${path}/abort`))
-					}),
-					done.value && /* @__PURE__ */ a("span", {
-						class: "done",
-						role: "status",
-						children: t("taken")
-					})
-				]
-			}),
-			/* @__PURE__ */ a(Problem, { error: error.value })
-		]
-	});
-}
-// src/parts/JobRoom.tsx
-/** All jobs in a table: open ones live, ended ones from the history, older ones on demand. */
-var PAGE = 200;
-var STATES = [
-	"queued",
-	"waiting",
-	"transferring",
-	"paused",
-	"cancelling",
-	"aborting",
-	"completed",
-	"failed",
-	"cancelled",
-	"aborted"
-];
-function JobRoom() {
-	const letters = useSignal("");
-	const state = useSignal("");
-	const older = useSignal([]);
-	const error = useSignal(null);
-	tick.value;
-	const known = new Set(jobList.value.map((job) => job.id));
-	const all = [...jobList.value, ...older.value.filter((job) => !known.has(job.id))];
-	const wanted = letters.value.trim().toLowerCase();
-	const hits = (job) => [
-		job.id,
-		job.source,
-		job.destination,
-		job.carrier,
-		job.vehicle,
-		job.actor
-	].some((name) => name?.toLowerCase().includes(wanted) ?? false);
-	const rows = all.filter((job) => (!state.value || (state.value === "open" ? !ENDED.has(job.state) : job.state === state.value)) && hits(job));
-	const more = async () => {
-		error.value = null;
-		const oldest = all.filter((job) => ENDED.has(job.state)).reduce((least, job) => Math.min(least, job.order), Number.MAX_SAFE_INTEGER);
-		try {
-			const { items } = await get(`/jobs?limit=${PAGE}&after=${oldest}`);
-			older.value = [...older.value, ...items.filter((job) => ENDED.has(job.state))];
-		} catch (failure) {
-			error.value = failure;
-		}
-	};
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("jobs"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: [
-				/* @__PURE__ */ a("h2", { children: [
-					t("jobs"),
-					" ",
-					rows.length
-				] }),
-				/* @__PURE__ */ a(Problem, { error: error.value }),
-				/* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => void more(),
-					children: t("older")
-				}),
-				/* @__PURE__ */ a("select", {
-					"aria-label": t("state"),
-					value: state.value,
-					onChange: (event) => state.value = event.currentTarget.value,
-					children: [
-						/* @__PURE__ */ a("option", {
-							value: "",
-							children: t("all")
-						}),
-						/* @__PURE__ */ a("option", {
-							value: "open",
-							children: t("open")
-						}),
-						STATES.map((name) => /* @__PURE__ */ a("option", {
-							value: name,
-							children: said(name)
-						}, name))
-					]
-				}),
-				/* @__PURE__ */ a("input", {
-					type: "search",
-					"aria-label": t("filter"),
-					placeholder: t("filter"),
-					value: letters.value,
-					onInput: (event) => letters.value = event.currentTarget.value
-				})
-			]
-		}), /* @__PURE__ */ a(Table, {
-			label: t("jobs"),
-			rows,
-			keyOf: (job) => job.id,
-			pick: ({ id }) => selected.value = {
-				kind: "job",
-				id
-			},
-			chosen: selected.value?.kind === "job" ? selected.value.id : null,
-			none: t("no_jobs"),
-			columns: [
-				{
-					name: t("job"),
-					by: (job) => job.order,
-					of: ({ id }) => /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => selected.value = {
-							kind: "job",
-							id
-						},
-						children: id
-					})
-				},
-				{
-					name: t("state"),
-					by: (job) => said(job.state),
-					of: (job) => /* @__PURE__ */ a("span", {
-						class: `state ${TONES[job.state] ?? "calm"}`,
-						children: said(job.state)
-					})
-				},
-				{
-					name: t("priority"),
-					by: (job) => job.priority,
-					of: (job) => job.priority,
-					number: true
-				},
-				{
-					name: t("source"),
-					by: (job) => job.source,
-					of: (job) => /* @__PURE__ */ a(Name, { id: job.source })
-				},
-				{
-					name: t("destination"),
-					by: (job) => job.destination,
-					of: (job) => /* @__PURE__ */ a(Name, { id: job.destination })
-				},
-				{
-					name: t("carrier"),
-					by: (job) => job.carrier,
-					of: (job) => job.carrier ?? ""
-				},
-				{
-					name: t("vehicle"),
-					by: (job) => job.vehicle,
-					of: (job) => /* @__PURE__ */ a(Name, { id: job.vehicle })
-				},
-				{
-					name: t("ordered_at"),
-					by: (job) => job.created,
-					of: (job) => clock(job.created)
-				},
-				{
-					name: t("takes"),
-					by: (job) => took(job),
-					of: (job) => elapsed(job, serverNow()),
-					number: true
-				},
-				{
-					name: t("why"),
-					of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason)
-				}
-			]
-		})]
-	});
-}
-function took(job) {
-	return (job.ended ? Date.parse(job.ended) : serverNow()) - Date.parse(job.created);
-}
-// src/parts/Jobs.tsx
-/** Jobs, newest first: what each does, or why it waits. */
-var SHOWN = 100;
-var CANCELLABLE = /* @__PURE__ */ new Set(["queued", "waiting"]);
-var ABORTABLE = /* @__PURE__ */ new Set(["transferring", "paused"]);
-function Jobs() {
-	const which = useSignal("all");
-	const error = useSignal(null);
-	tick.value;
-	const all = jobList.value;
-	const open = all.filter((job) => !ENDED.has(job.state));
-	const list = which.value === "open" ? open : which.value === "ended" ? all.filter((job) => ENDED.has(job.state)) : all;
-	const ask = (job, what) => {
-		error.value = null;
-		post(`/jobs/${encodeURIComponent(job.id)}/${what}`).catch((failure) => error.value = failure);
-	};
-	return /* @__PURE__ */ a("section", {
-		class: "card jobs",
-		children: [
-			/* @__PURE__ */ a("h2", { children: [t("jobs"), /* @__PURE__ */ a("span", {
-				class: "tabs",
-				children: [
-					"all",
-					"open",
-					"ended"
-				].map((tab) => /* @__PURE__ */ a("button", {
-					type: "button",
-					"aria-pressed": which.value === tab,
-					onClick: () => which.value = tab,
-					children: [t(tab), tab === "open" && ` ${open.length}`]
-				}, tab))
-			})] }),
-			/* @__PURE__ */ a(Problem, { error: error.value }),
-			/* @__PURE__ */ a("ul", {
-				class: "scroll",
-				children: [list.length === 0 && /* @__PURE__ */ a("li", {
-					class: "nothing",
-					children: t("no_jobs")
-				}), list.slice(0, SHOWN).map((job) => /* @__PURE__ */ a(Row, {
-					job,
-					ask
-				}, job.id))]
-			})
-		]
-	});
-}
-function Row({ job, ask }) {
-	const over = ENDED.has(job.state);
-	const why = over ? job.result || job.reason : job.reason || leg(job);
-	return /* @__PURE__ */ a("li", {
-		class: over ? "job over" : "job",
-		"data-job": job.id,
-		children: [
-			/* @__PURE__ */ a("span", {
-				class: `state ${TONES[job.state] ?? "calm"}`,
-				children: said(job.state)
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "facts",
-				children: [
-					/* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						title: t("job_details"),
-						onClick: () => selected.value = {
-							kind: "job",
-							id: job.id
-						},
-						children: job.id
-					}),
-					job.priority !== 50 && /* @__PURE__ */ a("span", {
-						title: t("priority"),
-						children: ["P", job.priority]
-					}),
-					job.carrier && /* @__PURE__ */ a("span", { children: job.carrier }),
-					job.vehicle && /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => selected.value = {
-							kind: "vehicle",
-							id: job.vehicle
-						},
-						children: job.vehicle
-					})
-				]
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "age",
-				children: elapsed(job, serverNow())
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "route",
-				children: [
-					/* @__PURE__ */ a(Place$1, { id: job.source }),
-					/* @__PURE__ */ a("i", { children: "→" }),
-					/* @__PURE__ */ a(Place$1, { id: job.destination })
-				]
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "act",
-				children: [CANCELLABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
-					label: t("cancel"),
-					does: () => ask(job, "cancel")
-				}), ABORTABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
-					label: t("abort"),
-					does: () => ask(job, "abort")
-				})]
-			}),
-			/* @__PURE__ */ a("span", {
-				class: "reason",
-				title: tell(why),
-				children: tell(why)
-			})
-		]
-	});
-}
-function leg(job) {
-	const waiting = job.vehicle ? vehicles.get(job.vehicle)?.waiting : "";
-	if (waiting) return waiting;
-	if (job.leg === "to_source") return `${job.vehicle} → ${job.source}`;
-	if (job.leg === "to_destination") return `${job.vehicle} → ${job.destination}`;
-	return job.leg === "none" ? "" : `${job.vehicle}: ${said(job.leg)}`;
-}
-function Place$1({ id }) {
-	const kind = vehicles.has(id) ? "vehicle" : "station";
-	return /* @__PURE__ */ a("button", {
-		type: "button",
-		class: "text",
-		onClick: () => selected.value = {
-			kind,
-			id
-		},
-		children: id
-	});
-}
-// src/parts/KeyPrompt.tsx
-/** Asks for the access key; it stays in this tab. */
-function KeyPrompt() {
-	const key = useSignal("");
-	const box = T(null);
-	A$1(() => box.current?.showModal(), []);
-	const use = (event) => {
-		event.preventDefault();
-		useKey(key.value.trim());
-		keyWanted.value = false;
-		start();
-	};
-	return /* @__PURE__ */ a("dialog", {
-		ref: box,
-		onCancel: (event) => event.preventDefault(),
-		children: /* @__PURE__ */ a("form", {
-			onSubmit: use,
-			children: [
-				/* @__PURE__ */ a("h2", { children: t("key_title") }),
-				/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("key_label") }), /* @__PURE__ */ a("input", {
-					type: "password",
-					required: true,
-					autocomplete: "off",
-					value: key.value,
-					onInput: (event) => key.value = event.currentTarget.value
-				})] }),
-				/* @__PURE__ */ a("p", { children: t("key_hint") }),
-				/* @__PURE__ */ a("button", {
-					type: "submit",
-					class: "primary",
-					children: t("key_use")
-				})
-			]
-		})
-	});
-}
-// src/parts/StationWrite.tsx
-/** A person writes down what is at a station, or that it is not to be used. */
-function StationWrite({ station }) {
-	const present = useSignal(station.present ? "yes" : "no");
-	const carrier = useSignal(station.carrier ?? "");
-	const reserved = useSignal(station.reserved);
-	const closed = useSignal(station.out_of_service);
+	const again = useSignal(0);
 	const asking = useAsking();
-	const send = (event) => {
-		event.preventDefault();
-		const there = present.value === "yes";
-		const body = {
-			present: there,
-			carrier: there ? carrier.value.trim() : "",
-			reserved: reserved.value.trim(),
-			out_of_service: closed.value.trim(),
-			by_person: true
-		};
-		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
+	const { value } = useRead(open.value ? `${path}/operations?limit=20` : null, drive.operation, again.value, Math.floor(changes.drives.value / 20));
+	const cancel = async (id) => {
+		await asking.ask(() => post(`/operations/${encodeURIComponent(id)}/cancel`));
+		again.value++;
 	};
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
-			class: "stack",
-			onSubmit: send,
-			children: [
-				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [
-						/* @__PURE__ */ a(Choice$1, {
-							label: t("present"),
-							value: present,
-							of: [["yes", t("yes")], ["no", t("no")]]
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("carrier"),
-							name: "carrier",
-							value: carrier,
-							hint: t("unknown")
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("reserved"),
-							name: "reserved",
-							value: reserved,
-							hint: t("no")
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("out_of_service"),
-							name: "out_of_service",
-							value: closed,
-							hint: t("no")
-						})
-					]
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a("button", {
-						type: "submit",
-						children: t("write_down")
-					})
-				}),
-				/* @__PURE__ */ a(Told, { asking })
-			]
-		})]
-	});
-}
-// src/parts/Pulses.tsx
-/** Positions of the three taught axes, and what changes for whom. */
-var AXES = [
-	"shft",
-	"rota",
-	"lift"
-];
-function Pulses({ axes, signed, before }) {
-	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
-	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
-	return /* @__PURE__ */ a("span", {
-		class: "pulses",
-		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
-			class: before && before[axis] !== axes[axis] ? "changed" : "",
-			title: axis.toUpperCase(),
-			children: text(axes[axis])
-		}, axis))
-	});
-}
-function Changes({ changes }) {
-	if (changes.length === 0) return /* @__PURE__ */ a("p", {
-		class: "calm",
-		children: t("changes_nothing")
-	});
-	return /* @__PURE__ */ a("table", {
-		class: "list changes",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
-			t("at_station"),
-			t("vehicle"),
-			t("old"),
-			t("new"),
-			""
-		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
-				axes: change.new,
-				before: change.old
-			}) }),
-			/* @__PURE__ */ a("td", {
-				class: "bad",
-				children: change.beyond
-			})
-		] }, change.station + change.vehicle)) })]
-	});
-}
-// src/parts/Taught.tsx
-/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
-function Taught({ kind, id }) {
-	const open = useSignal(false);
 	return /* @__PURE__ */ a("details", {
 		class: "part acts",
 		open: open.value,
 		onToggle: (event) => open.value = event.currentTarget.open,
-		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
-			kind,
-			id
-		})]
-	});
-}
-function Versions({ kind, id }) {
-	const name = encodeURIComponent(id);
-	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
-	const again = useSignal(0);
-	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
-	const old = useSignal(null);
-	const asking = useAsking();
-	const list = [...value?.items ?? []].reverse();
-	const newest = list[0];
-	if (!value) return null;
-	if (!newest) return /* @__PURE__ */ a("p", {
-		class: "nothing",
-		children: t("never_taught")
-	});
-	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
 		children: [
+			/* @__PURE__ */ a("summary", { children: t("operations") }),
+			/* @__PURE__ */ a(Told, { asking }),
+			value?.items.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_operations")
+			}),
 			/* @__PURE__ */ a("table", {
-				class: "bits versions",
-				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
-					"data-version": version.version,
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((one) => /* @__PURE__ */ a("tr", {
+					"data-operation": one.id,
 					children: [
-						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
-						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("th", { children: ["#", one.id] }),
+						/* @__PURE__ */ a("td", {
+							class: one.state === "done" ? "good" : one.state === "running" ? "wait" : "bad",
+							children: said(`op_state_${one.state}`)
+						}),
 						/* @__PURE__ */ a("td", { children: [
-							said(version.source),
+							said(one.kind),
 							" · ",
-							version.actor,
+							one.actor,
 							" · ",
-							clock(version.at),
-							version.restores !== null && ` · = v${version.restores}`,
-							version.reason && ` · ${version.reason}`,
-							version.basis.map((basis) => /* @__PURE__ */ a("small", {
-								class: "basis",
-								children: [
-									basis.axis.toUpperCase(),
-									" ",
-									basis.raw,
-									" − ",
-									basis.less ?? 0,
-									" (",
-									basis.vehicle,
-									" @ ",
-									basis.barcode,
-									")"
-								]
-							}, basis.axis)),
-							version !== newest && /* @__PURE__ */ a("button", {
-								type: "button",
-								class: "text",
-								onClick: () => old.value = version.version,
-								children: t("compare")
+							moment(one.opened),
+							" ",
+							one.reason && ` · ${tell(one.reason)}`,
+							one.state === "running" && /* @__PURE__ */ a(Sure, {
+								needs: "POST /operations/{operation}/cancel",
+								label: t("cancel"),
+								does: () => void cancel(one.id)
 							})
 						] })
 					]
-				}, version.version)) })
-			}),
-			compare && /* @__PURE__ */ a(Compared, { path: compare }),
-			compare && /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t("roll_back", old.value ?? 0),
-					grave: true,
-					does: async (reason) => {
-						await post(`${path}/rollback`, {
-							version: old.value,
-							reason
-						}, { "If-Match": `"${newest.version}"` });
-						old.value = null;
-						again.value++;
-					}
-				}]
-			}),
-			!compare && /* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Compared({ path }) {
-	const { value } = useRead(path);
-	if (!value) return null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", { children: [
-			/* @__PURE__ */ a("b", { children: [
-				"v",
-				value.old.version,
-				" → v",
-				value.new.version
-			] }),
-			" ",
-			/* @__PURE__ */ a(Pulses, {
-				axes: value.differences,
-				signed: true
+				}, one.id)) })
 			})
-		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
-	});
-}
-// src/parts/StationPanel.tsx
-function StationPanel({ id }) {
-	const now = stationNow(id);
-	tick.value;
-	if (!now) return null;
-	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
-	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
-	return /* @__PURE__ */ a(Panel, {
-		title: now.id,
-		tag: said(now.kind),
-		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
-		children: [
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("present"),
-					children: [
-						occupied,
-						" ",
-						/* @__PURE__ */ a("small", { children: [
-							"(",
-							now.verified ? t("verified") : t("believed"),
-							")"
-						] })
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("carrier"),
-					children: now.carrier ?? t("none")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("provenance"),
-					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("reserved"),
-					children: now.reserved || t("no")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("out_of_service"),
-					children: now.out_of_service || t("no")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("barcode"),
-					children: now.barcode
-				}),
-				now.target && /* @__PURE__ */ a(Fact, {
-					name: t("target"),
-					children: [
-						"SHFT ",
-						now.target[0],
-						" · ROTA ",
-						now.target[1],
-						" · LIFT ",
-						now.target[2],
-						" ",
-						/* @__PURE__ */ a("small", { children: ["v", now.target_version] })
-					]
-				})
-			] }),
-			/* @__PURE__ */ a("div", {
-				class: "buttons",
-				children: [/* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => orderFrom(id),
-					children: t("use_source")
-				}), /* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => orderTo(id),
-					children: t("use_destination")
-				})]
-			}),
-			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
-			now.kind === "port" && /* @__PURE__ */ a(Taught, {
-				kind: "station",
-				id
-			}),
-			buffer && /* @__PURE__ */ a("section", {
-				class: "part",
-				children: [/* @__PURE__ */ a("h3", { children: [
-					t("buffer"),
-					" ",
-					buffer
-				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
-			})
-		]
-	});
-}
-// src/parts/Stations.tsx
-/** Stations and carriers: where everything is believed to be, and how well that is known. */
-function Stations() {
-	const tab = useSignal("stations");
-	const letters = useSignal("");
-	const group = useSignal("all");
-	tick.value;
-	const wanted = letters.value.trim().toLowerCase();
-	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
-	const groups = {
-		all: () => true,
-		present: (station) => station.present === true,
-		free: (station) => station.present === false,
-		unknown: (station) => station.present === null,
-		believed: (station) => !station.verified,
-		out_of_service: (station) => station.out_of_service !== "",
-		reserved: (station) => station.reserved !== ""
-	};
-	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
-	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
-	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("stations"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: [
-				/* @__PURE__ */ a("h2", {
-					class: "tabs-head",
-					children: /* @__PURE__ */ a("span", {
-						class: "tabs",
-						children: [/* @__PURE__ */ a("button", {
-							type: "button",
-							"aria-pressed": tab.value === "stations",
-							onClick: () => tab.value = "stations",
-							children: [
-								t("stations"),
-								" ",
-								stationList.value.length
-							]
-						}), /* @__PURE__ */ a("button", {
-							type: "button",
-							"aria-pressed": tab.value === "carriers",
-							onClick: () => tab.value = "carriers",
-							children: [
-								t("carriers"),
-								" ",
-								carrierList.value.length
-							]
-						})]
-					})
-				}),
-				tab.value === "stations" && /* @__PURE__ */ a("select", {
-					"aria-label": t("state"),
-					value: group.value,
-					onChange: (event) => group.value = event.currentTarget.value,
-					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
-						value: name,
-						children: name === "free" ? t("empty") : said(name)
-					}, name))
-				}),
-				/* @__PURE__ */ a("input", {
-					type: "search",
-					"aria-label": t("filter"),
-					placeholder: t("filter"),
-					value: letters.value,
-					onInput: (event) => letters.value = event.currentTarget.value
-				})
-			]
-		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
-			label: t("stations"),
-			rows: stations,
-			keyOf: ({ id }) => id,
-			pick: ({ id }) => selected.value = {
-				kind: "station",
-				id
-			},
-			chosen: selected.value?.kind === "station" ? selected.value.id : null,
-			none: t("nothing_found"),
-			columns: [
-				{
-					name: t("at_station"),
-					by: ({ id }) => id,
-					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
-				},
-				{
-					name: t("kind"),
-					by: ({ kind }) => kind,
-					of: ({ kind }) => said(kind)
-				},
-				{
-					name: t("barcode"),
-					by: ({ barcode }) => barcode,
-					of: ({ barcode }) => barcode
-				},
-				{
-					name: t("present"),
-					by: ({ present }) => present === null ? null : Number(present),
-					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
-				},
-				{
-					name: t("carrier"),
-					by: ({ carrier }) => carrier,
-					of: ({ carrier }) => carrier ?? ""
-				},
-				{
-					name: t("provenance"),
-					by: ({ provenance }) => provenance,
-					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
-				},
-				{
-					name: t("age"),
-					by: ({ at }) => at,
-					of: ({ at }) => since(at)
-				},
-				{
-					name: t("reserved"),
-					by: ({ reserved }) => reserved || null,
-					of: ({ reserved }) => reserved
-				},
-				{
-					name: t("out_of_service"),
-					by: (station) => station.out_of_service || null,
-					of: (station) => station.out_of_service
-				}
-			]
-		}) : /* @__PURE__ */ a("div", {
-			class: "split",
-			children: [/* @__PURE__ */ a(Table, {
-				label: t("carriers"),
-				rows: carriers,
-				keyOf: ({ id }) => id,
-				none: t("nothing_found"),
-				columns: [
-					{
-						name: t("carrier"),
-						by: ({ id }) => id,
-						of: ({ id }) => id
-					},
-					{
-						name: t("place"),
-						by: ({ place }) => place,
-						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
-					},
-					{
-						name: t("provenance"),
-						by: ({ provenance }) => provenance,
-						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
-					},
-					{
-						name: t("age"),
-						by: ({ at }) => at,
-						of: ({ at }) => since(at)
-					},
-					{
-						name: "",
-						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
-					}
-				]
-			}), /* @__PURE__ */ a(Install, {})]
-		})]
-	});
-}
-function Remove({ id }) {
-	const asking = useAsking();
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
-		label: t("remove"),
-		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
-	}), /* @__PURE__ */ a(Told, { asking })] });
-}
-/** A person says where a carrier is. */
-function Install() {
-	const carrier = useSignal("");
-	const place = useSignal("");
-	const asking = useAsking();
-	const send = (event) => {
-		event.preventDefault();
-		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
-		asking.ask(() => call("PUT", path, {
-			place: place.value.trim(),
-			by_person: true
-		}));
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "stack padded",
-		onSubmit: send,
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: t("carrier_is")
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("carrier"),
-					name: "carrier",
-					value: carrier,
-					required: true
-				}), /* @__PURE__ */ a(Field, {
-					label: t("place"),
-					name: "place",
-					value: place,
-					required: true
-				})]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a("button", {
-					type: "submit",
-					children: t("write_down")
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
 		]
 	});
 }
@@ -5538,7 +4744,7 @@ var LEGEND_MARKER = "u-marker";
 var LEGEND_LABEL = "u-label";
 var LEGEND_VALUE = "u-value";
 var WIDTH = "width";
-var HEIGHT$1 = "height";
+var HEIGHT$2 = "height";
 var TOP = "top";
 var BOTTOM = "bottom";
 var LEFT = "left";
@@ -6389,7 +5595,7 @@ function cursorPointShow(self, si) {
 	let pt = placeDiv();
 	let size = o.size(self, si);
 	setStylePx(pt, WIDTH, size);
-	setStylePx(pt, HEIGHT$1, size);
+	setStylePx(pt, HEIGHT$2, size);
 	let mar = size / -2;
 	setStylePx(pt, "marginLeft", mar);
 	setStylePx(pt, "marginTop", mar);
@@ -8470,13 +7676,13 @@ function uPlot(opts, data, then) {
 			setStylePx(under, LEFT, plotLftCss);
 			setStylePx(under, TOP, plotTopCss);
 			setStylePx(under, WIDTH, plotWidCss);
-			setStylePx(under, HEIGHT$1, plotHgtCss);
+			setStylePx(under, HEIGHT$2, plotHgtCss);
 			setStylePx(over, LEFT, plotLftCss);
 			setStylePx(over, TOP, plotTopCss);
 			setStylePx(over, WIDTH, plotWidCss);
-			setStylePx(over, HEIGHT$1, plotHgtCss);
+			setStylePx(over, HEIGHT$2, plotHgtCss);
 			setStylePx(wrap, WIDTH, fullWidCss);
-			setStylePx(wrap, HEIGHT$1, fullHgtCss);
+			setStylePx(wrap, HEIGHT$2, fullHgtCss);
 			can.width = round(fullWidCss * pxRatio);
 			can.height = round(fullHgtCss * pxRatio);
 			axes.forEach(({ _el, _show, _size, _pos, side }) => {
@@ -8744,7 +7950,7 @@ function uPlot(opts, data, then) {
 	}
 	function setSelV(off, dim) {
 		setStylePx(selectDiv, TOP, select.top = off);
-		setStylePx(selectDiv, HEIGHT$1, select.height = dim);
+		setStylePx(selectDiv, HEIGHT$2, select.height = dim);
 	}
 	let setSelX = scaleX.ori == 0 ? setSelH : setSelV;
 	let setSelY = scaleX.ori == 1 ? setSelH : setSelV;
@@ -9303,6 +8509,2602 @@ uPlot.sync = _sync;
 	paths.bars = bars;
 	paths.spline = monotoneCubic;
 }
+// src/theme.ts
+/** Light or dark: the colours themselves are custom properties of the style sheet, which the map reads too. */
+var KEPT$1 = "hoistway.theme";
+var kept$1 = localStorage.getItem(KEPT$1);
+var LIGHT = matchMedia("(prefers-color-scheme: light)");
+var theme = y$1(kept$1 === "dark" || kept$1 === "light" ? kept$1 : LIGHT.matches ? "light" : "dark");
+/** Show it, without choosing it for good. */
+function wear(next) {
+	document.documentElement.dataset["theme"] = next;
+	theme.value = next;
+}
+function choose$1(next) {
+	localStorage.setItem(KEPT$1, next);
+	wear(next);
+}
+function begin$1() {
+	wear(theme.value);
+	LIGHT.addEventListener("change", () => {
+		if (!localStorage.getItem(KEPT$1)) wear(LIGHT.matches ? "light" : "dark");
+	});
+}
+// src/parts/LiveChart.tsx
+/** A chart that grows at its right end: each unit has a scale of its own, the first two an axis. */
+var HEIGHT$1 = 200;
+var COLOURS$2 = [
+	"--look-moving",
+	"--look-held",
+	"--look-charging",
+	"--look-handling",
+	"--look-waiting",
+	"--look-alarm"
+];
+/** `times` in seconds since 1970. It is drawn anew only when other lines are wanted. */
+function LiveChart({ label, times, lines }) {
+	const box = T(null);
+	const chart = T(null);
+	const what = lines.map((line) => `${line.label} ${line.unit}`).join("\n");
+	const wears = theme.value;
+	A$1(() => {
+		const parent = box.current;
+		const style = getComputedStyle(document.documentElement);
+		const of = (name) => style.getPropertyValue(name).trim();
+		const units = [...new Set(lines.map(({ unit }) => unit))];
+		const axis = {
+			stroke: of("--dim"),
+			grid: {
+				stroke: of("--line"),
+				width: 1
+			},
+			ticks: {
+				stroke: of("--line"),
+				width: 1
+			}
+		};
+		const made = new uPlot({
+			width: parent.clientWidth,
+			height: HEIGHT$1,
+			series: [{}, ...lines.map(({ label: name, unit }, i) => ({
+				label: unit ? `${name} (${unit})` : name,
+				scale: `of ${unit}`,
+				stroke: of(COLOURS$2[i % COLOURS$2.length]),
+				width: 2,
+				spanGaps: true
+			}))],
+			axes: [axis, ...units.slice(0, 2).map((unit, i) => ({
+				...axis,
+				scale: `of ${unit}`,
+				side: i ? 1 : 3,
+				grid: i ? { show: false } : axis.grid,
+				...unit ? {
+					label: unit,
+					labelSize: 16
+				} : {}
+			}))]
+		}, [times, ...lines.map(({ values }) => values)], parent);
+		chart.current = made;
+		const size = new ResizeObserver(() => made.setSize({
+			width: parent.clientWidth,
+			height: HEIGHT$1
+		}));
+		size.observe(parent);
+		return () => {
+			size.disconnect();
+			made.destroy();
+			chart.current = null;
+		};
+	}, [wears, what]);
+	A$1(() => chart.current?.setData([times, ...lines.map(({ values }) => values)]), [times, lines]);
+	return /* @__PURE__ */ a("figure", {
+		class: "chart",
+		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
+			ref: box,
+			role: "img",
+			"aria-label": label,
+			"data-points": times.length
+		})]
+	});
+}
+// src/parts/DriveWatch.tsx
+/** Parameters of a drive watched live: polled by the server as long as somebody looks, and drawn over the last minutes. */
+/** Asked so often, ms; the server is told again in time that somebody still looks, s. */
+var EVERY$3 = 500;
+var GOOD_FOR = 20;
+var AGAIN = 8;
+/** So much is shown, s, and at most so many lines. */
+var SPAN = 180;
+var MOST$1 = 6;
+/** One name for each page, so that two people may watch the same drive. */
+var NAME = `page-${Math.random().toString(36).slice(2, 10)}`;
+function DriveWatch({ path }) {
+	const chosen = useSignal([]);
+	const on = useSignal(false);
+	const past = useSignal({
+		times: [],
+		values: {}
+	});
+	const error = useSignal(null);
+	const { value } = useRead(`${path}/parameters`);
+	const known = value?.items.filter(({ named, raw }) => named || raw !== null) ?? [];
+	const numbers = chosen.value.join();
+	const watch = `${path}/watches/${NAME}`;
+	A$1(() => {
+		if (!on.value || !numbers) return void 0;
+		let here = true;
+		const fail = (failure) => {
+			error.value = failure;
+			on.value = false;
+		};
+		const tell = () => void call("PUT", watch, {
+			parameters: numbers.split(","),
+			seconds: GOOD_FOR
+		}).catch(fail);
+		const look = async () => {
+			try {
+				const { items } = await get(`${path}/parameters`);
+				if (here) past.value = grown$1(past.value, numbers.split(","), items);
+			} catch (failure) {
+				if (here) fail(failure);
+			}
+		};
+		error.value = null;
+		past.value = {
+			times: [],
+			values: {}
+		};
+		tell();
+		const timers = [window.setInterval(tell, AGAIN * 1e3), window.setInterval(() => void look(), EVERY$3)];
+		return () => {
+			here = false;
+			timers.forEach(window.clearInterval);
+			call("DELETE", watch).catch(() => void 0);
+		};
+	}, [
+		path,
+		numbers,
+		on.value
+	]);
+	const turn = (number, wanted) => {
+		chosen.value = known.map((one) => one.number).filter((one) => one === number ? wanted : chosen.value.includes(one));
+	};
+	const lines = chosen.value.flatMap((number) => {
+		const parameter = known.find((one) => one.number === number);
+		return parameter ? [{
+			label: parameter.name || number,
+			unit: parameter.unit,
+			values: past.value.values[number] ?? []
+		}] : [];
+	});
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("watch") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			"data-watch": true,
+			children: [
+				/* @__PURE__ */ a("fieldset", {
+					class: "roles watched",
+					children: [
+						/* @__PURE__ */ a("legend", { children: t("parameters") }),
+						known.map(({ number, name }) => /* @__PURE__ */ a("label", { children: [
+							/* @__PURE__ */ a("input", {
+								type: "checkbox",
+								checked: chosen.value.includes(number),
+								disabled: !chosen.value.includes(number) && chosen.value.length >= MOST$1,
+								onChange: (event) => turn(number, event.currentTarget.checked)
+							}),
+							" ",
+							number,
+							" ",
+							name
+						] }, number)),
+						known.length === 0 && /* @__PURE__ */ a("span", {
+							class: "calm",
+							children: t("no_parameters")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a(Button, {
+						needs: "PUT /drives/{drive}/watches/{watch}",
+						"aria-pressed": on.value,
+						disabled: chosen.value.length === 0,
+						onClick: () => on.value = !on.value,
+						children: t(on.value ? "watch_end" : "watch_begin")
+					}), refusal("PUT /drives/{drive}/watches/{watch}") === "" && /* @__PURE__ */ a("small", {
+						class: "calm",
+						children: t("watch_hint", MOST$1)
+					})]
+				}),
+				/* @__PURE__ */ a(Problem, { error: error.value }),
+				past.value.times.length > 0 && /* @__PURE__ */ a(LiveChart, {
+					label: t("watch"),
+					times: past.value.times,
+					lines
+				})
+			]
+		})]
+	});
+}
+/** With one more moment at the end, and what is too old gone from the beginning. */
+function grown$1(past, numbers, items) {
+	const now = serverNow() / 1e3;
+	const first = past.times.findIndex((at) => at > now - SPAN);
+	const from = first < 0 ? past.times.length : first;
+	const valueOf = (number) => {
+		const parameter = items.find((one) => one.number === number);
+		return parameter ? parameter.value ?? parameter.raw : null;
+	};
+	const values = numbers.map((number) => [number, [...(past.values[number] ?? []).slice(from), valueOf(number)]]);
+	return {
+		times: [...past.times.slice(from), now],
+		values: Object.fromEntries(values)
+	};
+}
+// src/parts/DriveTools.tsx
+/** What can be done to a drive: jog, write a parameter, back up, compare, restore; each an operation that ends in one known way. */
+function DriveTools({ drive }) {
+	const path = `/drives/${encodeURIComponent(drive.id)}`;
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a(Jog, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a(DriveWatch, { path }),
+		/* @__PURE__ */ a(Backups, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a(DriveMore, {
+			drive,
+			path
+		}),
+		/* @__PURE__ */ a("details", {
+			class: "part acts",
+			children: [/* @__PURE__ */ a("summary", { children: t("lockout") }), /* @__PURE__ */ a(Reasoned, { decisions: [drive.lockout ? {
+				label: t("lift_lockout"),
+				needs: "DELETE /drives/{drive}/lockout",
+				bare: true,
+				grave: true,
+				does: () => call("DELETE", `${path}/lockout`)
+			} : {
+				label: t("lock_out"),
+				needs: "POST /drives/{drive}/lockout",
+				grave: true,
+				does: (reason) => post(`${path}/lockout`, { reason })
+			}] })]
+		})
+	] });
+}
+/** The key is said to be held so often, ms; the axis stops by itself when it is not. */
+var HELD = 200;
+/** Runs as long as the button is held: let go, hidden or left, it is released. */
+function Jog({ drive, path }) {
+	const asking = useAsking();
+	const way = useSignal(null);
+	const held = T(null);
+	const release = () => {
+		const now = held.current;
+		held.current = null;
+		way.value = null;
+		if (!now) return;
+		window.clearInterval(now.timer);
+		if (now.jog !== null) asking.ask(() => call("DELETE", `${path}/jog/${now.jog}`), "");
+	};
+	A$1(() => {
+		window.addEventListener("blur", release);
+		document.addEventListener("visibilitychange", release);
+		return () => {
+			window.removeEventListener("blur", release);
+			document.removeEventListener("visibilitychange", release);
+			release();
+		};
+	}, [path]);
+	const press = async (direction) => {
+		if (held.current) return;
+		const mine = {
+			jog: null,
+			timer: 0
+		};
+		held.current = mine;
+		way.value = direction;
+		await asking.ask(async () => {
+			const { jog } = await post(`${path}/jog`, { direction });
+			mine.jog = jog;
+			if (held.current !== mine) {
+				await call("DELETE", `${path}/jog/${jog}`);
+				return;
+			}
+			mine.timer = window.setInterval(() => void post(`${path}/jog/${jog}`).catch(release), HELD);
+		}, "");
+		if (asking.error.value) release();
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("jog") }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [["ccw", "cw"].map((direction) => /* @__PURE__ */ a(Button, {
+					needs: "POST /drives/{drive}/jog",
+					class: "jog",
+					"aria-pressed": way.value === direction,
+					disabled: !drive.online || drive.lockout !== null,
+					onPointerDown: (event) => {
+						event.currentTarget.setPointerCapture(event.pointerId);
+						press(direction);
+					},
+					onPointerUp: release,
+					onPointerCancel: release,
+					onKeyDown: (event) => event.key === " " && !event.repeat && void press(direction),
+					onKeyUp: (event) => event.key === " " && release(),
+					children: [
+						direction === "ccw" ? "◀ " : "",
+						t(direction),
+						direction === "cw" ? " ▶" : ""
+					]
+				}, direction)), /* @__PURE__ */ a("small", {
+					class: "calm",
+					children: t("jog_hint")
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Backups({ drive, path }) {
+	const again = useSignal(0);
+	const operation = useSignal(null);
+	const label = useSignal("");
+	const note = useSignal("");
+	const other = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead(`${path}/backups?limit=20`, again.value);
+	const begin = (what, body, words) => {
+		label.value = words;
+		operation.value = null;
+		asking.ask(async () => {
+			let now = await post(`${path}/${what}`, body);
+			operation.value = now;
+			while (now.state === "running") {
+				now = await get(`/operations/${encodeURIComponent(now.id)}?wait=2`);
+				operation.value = now;
+			}
+			again.value++;
+		}, "");
+	};
+	const differences = operation.value?.result["differences"] ?? operation.value?.result["rows"];
+	const others = driveList.value.filter(({ id }) => id !== drive.id);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("backups") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("note"),
+						value: note
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/backups",
+							onClick: () => begin("backups", { note: note.value.trim() }, t("back_up")),
+							children: t("back_up")
+						})
+					})]
+				}),
+				others.length > 0 && /* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("compare_with") }), /* @__PURE__ */ a("select", {
+						value: other.value,
+						onChange: (event) => other.value = event.currentTarget.value,
+						children: [/* @__PURE__ */ a("option", {
+							value: "",
+							children: t("choose")
+						}), others.map(({ id }) => /* @__PURE__ */ a("option", { children: id }, id))]
+					})] }), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/compare",
+							disabled: !other.value,
+							onClick: () => begin("compare", { drive: other.value }, t("compare")),
+							children: t("compare")
+						})
+					})]
+				}),
+				value?.items.map((backup) => /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-backup": backup.id,
+					children: [
+						/* @__PURE__ */ a("span", { children: [
+							"#",
+							backup.id,
+							" · ",
+							clock(backup.at),
+							" · ",
+							backup.actor,
+							" ",
+							backup.note
+						] }),
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/compare",
+							onClick: () => begin("compare", { backup: backup.id }, t("compare")),
+							children: t("compare")
+						}),
+						/* @__PURE__ */ a(Button, {
+							needs: "POST /drives/{drive}/restore",
+							onClick: () => begin("restore", {
+								backup: backup.id,
+								dry_run: true
+							}, t("restore_dry")),
+							children: t("restore_dry")
+						}),
+						/* @__PURE__ */ a(Sure, {
+							needs: "POST /drives/{drive}/restore",
+							label: t("restore"),
+							does: () => begin("restore", { backup: backup.id }, t("restore"))
+						})
+					]
+				}, backup.id)),
+				/* @__PURE__ */ a(Told, { asking }),
+				operation.value?.state === "running" && /* @__PURE__ */ a("small", { children: t("reading", operation.value.done, operation.value.total) }),
+				/* @__PURE__ */ a(Outcome, {
+					operation: operation.value,
+					label: label.value
+				}),
+				Array.isArray(differences) && /* @__PURE__ */ a(Differences, { rows: differences })
+			]
+		})]
+	});
+}
+function Differences({ rows }) {
+	if (rows.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("no_differences")
+	});
+	const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
+	return /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name.replaceAll("_", " ") }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: columns.map((name) => /* @__PURE__ */ a("td", { children: row[name] === null || row[name] === void 0 ? "–" : String(row[name]) }, name)) }, i)) })]
+	});
+}
+// src/parts/DrivePanel.tsx
+/** One axis drive: what it says of itself, and what is wrong. */
+var COLOURS$1 = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+function DrivePanel({ id }) {
+	const now = driveNow(id);
+	tick.value;
+	if (!now) return null;
+	const { word, tone } = lookOfDrive(now);
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: now.name,
+		colour: COLOURS$1[tone],
+		children: [
+			/* @__PURE__ */ a(Notes$1, { drive: now }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("state"),
+					children: /* @__PURE__ */ a("b", {
+						class: tone,
+						children: t(`drive_${word}`)
+					})
+				}),
+				now.mode !== null && /* @__PURE__ */ a(Fact, {
+					name: t(now.mode === "error" ? "error_fact" : "operation_fact"),
+					children: [
+						now.meaning || "–",
+						" ",
+						/* @__PURE__ */ a("small", { children: now.code })
+					]
+				}),
+				now.online && /* @__PURE__ */ a(Fact, {
+					name: t("moves"),
+					children: now.moving === null ? t("unknown") : t(now.moving ? "yes" : "no")
+				}),
+				now.output !== null && /* @__PURE__ */ a(Fact, {
+					name: t("output"),
+					children: now.output
+				}),
+				now.distance !== null && /* @__PURE__ */ a(Fact, {
+					name: t("distance"),
+					children: [
+						hundredths(now.distance),
+						" ",
+						now.turn && /* @__PURE__ */ a("small", { children: ["· ", said(now.turn)] })
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("model"),
+					children: now.model || t("no_model")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("on_line"),
+					children: t("line_number", now.line, now.address)
+				}),
+				!now.online && /* @__PURE__ */ a(Fact, {
+					name: t("seen"),
+					children: now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"
+				})
+			] }),
+			/* @__PURE__ */ a(StopKey, { id }),
+			/* @__PURE__ */ a(DriveTools, { drive: now }),
+			/* @__PURE__ */ a(Parameters, { id })
+		]
+	});
+}
+/** Stops the axis, or resets an error: at once, since a stop asks nobody whether he is sure. */
+function StopKey({ id }) {
+	const error = useSignal(null);
+	const done = useSignal(null);
+	const press = () => {
+		error.value = done.value = null;
+		post(`/drives/${encodeURIComponent(id)}/keys?wait=5`, { key: "stop_reset" }).then((operation) => done.value = operation, (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "buttons",
+			children: /* @__PURE__ */ a(Button, {
+				needs: "POST /drives/{drive}/keys",
+				class: "halt",
+				onClick: press,
+				children: t("stop_reset")
+			})
+		}),
+		/* @__PURE__ */ a(Problem, { error: error.value }),
+		/* @__PURE__ */ a(Outcome, {
+			operation: done.value,
+			label: t("stop_reset")
+		})
+	] });
+}
+function Notes$1({ drive }) {
+	return /* @__PURE__ */ a($, { children: [
+		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
+			class: "note alarm",
+			children: [
+				/* @__PURE__ */ a("b", { children: tell(drive.error || drive.meaning) }),
+				" ",
+				drive.remedy && /* @__PURE__ */ a("em", { children: tell(drive.remedy) })
+			]
+		}),
+		!drive.online && drive.reason && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t(drive.online === null ? "drive_not_heard" : "drive_offline") }),
+				" ",
+				tell(drive.reason)
+			]
+		}),
+		drive.lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", drive.lockout.owner) }),
+				" ",
+				drive.lockout.reason
+			]
+		})
+	] });
+}
+// src/parts/Account.tsx
+/** Who is here, with which roles; the password, and the way out. Where nobody logs in, only the name that they give themselves. */
+function Account() {
+	const who = me.value;
+	return /* @__PURE__ */ a($, { children: [namesItself.value && /* @__PURE__ */ a(Actor, {}), who && !who.open && /* @__PURE__ */ a(Menu, {
+		name: who.name ?? "",
+		roles: who.roles,
+		person: who.person
+	})] });
+}
+function Actor() {
+	const name = useSignal(actor());
+	return /* @__PURE__ */ a("span", {
+		class: "actor",
+		children: /* @__PURE__ */ a("input", {
+			value: name.value,
+			maxLength: 64,
+			"aria-label": t("your_name"),
+			autocomplete: "name",
+			title: t("name_hint"),
+			placeholder: t("your_name"),
+			onInput: (event) => {
+				name.value = event.currentTarget.value;
+				nameActor(name.value);
+			}
+		})
+	});
+}
+function Menu({ name, roles, person }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "layers master account",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			title: inWords(roles),
+			onClick: () => open.value = !open.value,
+			children: [
+				/* @__PURE__ */ a("b", { children: name }),
+				" ",
+				/* @__PURE__ */ a("small", { children: inWords(roles) })
+			]
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("account"),
+			children: [
+				/* @__PURE__ */ a("dl", {
+					class: "facts",
+					children: [
+						/* @__PURE__ */ a(Fact, {
+							name: t("name"),
+							children: name
+						}),
+						/* @__PURE__ */ a(Fact, {
+							name: t("roles"),
+							children: inWords(roles) || t("none")
+						}),
+						person && session.value && /* @__PURE__ */ a(Fact, {
+							name: t("good_until"),
+							children: clock(new Date(session.value.until).toISOString())
+						}),
+						!person && /* @__PURE__ */ a(Fact, {
+							name: t("kind"),
+							children: t("machine_key")
+						})
+					]
+				}),
+				person && /* @__PURE__ */ a(Password, {}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => asked$1.value = true,
+						children: t("log_in_as_other")
+					}), /* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => void logOut(),
+						children: t("log_out")
+					})]
+				})
+			]
+		})]
+	});
+}
+function Password() {
+	const old = useSignal("");
+	const next = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			old: old.value,
+			new: next.value
+		};
+		if (await asking.ask(() => call("PUT", "/session/password", body), t("password_changed"))) old.value = next.value = "";
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("change_password") }), /* @__PURE__ */ a("form", {
+		class: "stack",
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("old_password"),
+				name: "old",
+				type: "password",
+				value: old,
+				required: true
+			}),
+			/* @__PURE__ */ a(Field, {
+				label: t("new_password"),
+				name: "new",
+				type: "password",
+				value: next,
+				hint: t("password_rule"),
+				required: true
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "PUT /session/password",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("change_password")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Master.tsx
+/** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
+var FIRES = ["fire", "earthquake"];
+function Master() {
+	const open = useSignal(false);
+	const now = controller.value;
+	if (!now) return null;
+	const emergencies = FIRES.filter((kind) => now.emergencies.some((words) => words.includes(kind)));
+	return /* @__PURE__ */ a("div", {
+		class: "layers master",
+		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
+		children: [/* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-expanded": open.value,
+			onClick: () => open.value = !open.value,
+			children: t("master")
+		}), open.value && /* @__PURE__ */ a("div", {
+			role: "group",
+			"aria-label": t("master"),
+			children: [now.emergencies.map((words) => /* @__PURE__ */ a("p", {
+				class: "note alarm",
+				children: tell(words)
+			}, words)), /* @__PURE__ */ a(Reasoned, { decisions: [
+				{
+					label: t("pause"),
+					needs: "POST /controller/pause",
+					does: (reason) => post("/controller/pause", { reason })
+				},
+				{
+					label: t("stop_all"),
+					needs: "POST /controller/stop",
+					grave: true,
+					does: (reason) => post("/controller/stop", { reason })
+				},
+				...FIRES.filter((kind) => !emergencies.includes(kind)).map((kind) => ({
+					label: t(`tell_${kind}`),
+					needs: "POST /controller/emergency",
+					grave: true,
+					does: (reason) => post("/controller/emergency", {
+						kind,
+						reason
+					})
+				})),
+				{
+					label: t("resume"),
+					needs: "POST /controller/resume",
+					bare: true,
+					does: () => post("/controller/resume")
+				},
+				...emergencies.map((kind) => ({
+					label: t(`release_${kind}`),
+					needs: "POST /controller/emergency/release",
+					grave: true,
+					does: (reason) => post("/controller/emergency/release", {
+						kind,
+						reason
+					})
+				}))
+			] })]
+		})]
+	});
+}
+// src/parts/Header.tsx
+/** What the plant is, how it does, whether what is shown is live, who looks at it. */
+function Header() {
+	return /* @__PURE__ */ a("header", { children: [
+		/* @__PURE__ */ a("h1", { children: [/* @__PURE__ */ a("svg", {
+			viewBox: "0 0 32 32",
+			width: "24",
+			height: "24",
+			"aria-hidden": "true",
+			children: [/* @__PURE__ */ a("path", {
+				d: "M3 8h26M16 8v8",
+				stroke: "var(--accent)",
+				"stroke-width": "3",
+				"stroke-linecap": "round"
+			}), /* @__PURE__ */ a("rect", {
+				x: "9",
+				y: "16",
+				width: "14",
+				height: "10",
+				rx: "2",
+				fill: "#f5b83d"
+			})]
+		}), "Hoistway"] }),
+		/* @__PURE__ */ a("span", {
+			class: "plant",
+			children: layout.value?.name ?? ""
+		}),
+		/* @__PURE__ */ a(ControllerState, {}),
+		/* @__PURE__ */ a(KeptOff, {}),
+		/* @__PURE__ */ a(Master, {}),
+		/* @__PURE__ */ a("span", { class: "grow" }),
+		/* @__PURE__ */ a(Counts, {}),
+		/* @__PURE__ */ a(Account, {}),
+		/* @__PURE__ */ a(Theme, {}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			class: "plain",
+			onClick: () => speak(language.value === "en" ? "ko" : "en"),
+			children: language.value === "en" ? "KO" : "EN"
+		}),
+		/* @__PURE__ */ a(LinkState, {})
+	] });
+}
+function Rooms() {
+	const grave = troubles.value.filter((wrong) => wrong.grave).length;
+	return /* @__PURE__ */ a("nav", {
+		class: "rooms",
+		"aria-label": t("rooms"),
+		children: ROOMS.map((name) => /* @__PURE__ */ a("button", {
+			type: "button",
+			"aria-current": room$1.value === name ? "page" : void 0,
+			onClick: () => room$1.value = name,
+			children: [t(name), name === "alarms" && grave > 0 && /* @__PURE__ */ a("b", {
+				class: "badge",
+				children: ["! ", grave]
+			})]
+		}, name))
+	});
+}
+function Theme() {
+	const other = theme.value === "dark" ? "light" : "dark";
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "plain",
+		title: t(`theme_${other}`),
+		"aria-label": t(`theme_${other}`),
+		onClick: () => choose$1(other),
+		children: other === "light" ? "☀" : "☾"
+	});
+}
+function ControllerState() {
+	const now = controller.value;
+	if (!now) return /* @__PURE__ */ a("span", { class: "pill" });
+	const emergency = (now.emergencies ?? []).join(", ");
+	const grave = now.trouble || emergency;
+	const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
+	const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
+	const why = tell(notice.value || grave || now.reason || roll);
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("span", {
+		class: `pill ${tone}`,
+		title: t("controller"),
+		children: said(now.state)
+	}), /* @__PURE__ */ a("span", {
+		class: `why ${grave ? "bad" : ""}`,
+		role: "status",
+		title: why,
+		children: why
+	})] });
+}
+function Counts() {
+	const looks = /* @__PURE__ */ new Map();
+	for (const vehicle of vehicleList.value) looks.set(lookOf(vehicle), (looks.get(lookOf(vehicle)) ?? 0) + 1);
+	const open = jobList.value.filter((job) => !ENDED.has(job.state)).length;
+	return /* @__PURE__ */ a("span", {
+		class: "counts",
+		children: [
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: vehicleList.value.length }),
+				" ",
+				t("vehicles")
+			] }),
+			[
+				"alarm",
+				"held",
+				"gone"
+			].map((look) => looks.has(look) && /* @__PURE__ */ a("span", {
+				style: { color: LOOKS[look] },
+				children: [
+					/* @__PURE__ */ a("b", { children: looks.get(look) }),
+					" ",
+					t(`look_${look}`)
+				]
+			}, look)),
+			/* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: open }),
+				" ",
+				t("open_jobs")
+			] })
+		]
+	});
+}
+function LinkState() {
+	tick.value;
+	const state = link.value;
+	const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1e3) : null;
+	const text = state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);
+	return /* @__PURE__ */ a("span", {
+		class: `link ${state}`,
+		role: "status",
+		"aria-live": "polite",
+		children: [/* @__PURE__ */ a("i", { class: "dot" }), text]
+	});
+}
+// src/parts/JobPanel.tsx
+/** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
+var COLOURS = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+var EVERY$2 = 3;
+function JobPanel({ id }) {
+	const why = useSignal(null);
+	const whole = useSignal(null);
+	const error = useSignal(null);
+	const job = jobList.value.find((job) => job.id === id) ?? whole.value;
+	const over = job ? ENDED.has(job.state) : false;
+	const round = over ? 0 : Math.floor(tick.value / EVERY$2);
+	A$1(() => {
+		const path = `/jobs/${encodeURIComponent(id)}`;
+		get(`${path}/why`).then((found) => why.value = found, (failure) => error.value = failure);
+		get(path).then((found) => whole.value = found, (failure) => error.value = failure);
+	}, [
+		id,
+		job?.state,
+		job?.vehicle,
+		round
+	]);
+	if (!job) return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t("job"),
+		colour: "var(--dim)",
+		children: /* @__PURE__ */ a(Problem, { error: error.value })
+	});
+	const tone = TONES$2[job.state] ?? "calm";
+	return /* @__PURE__ */ a(Panel, {
+		title: job.id,
+		tag: said(job.state),
+		colour: COLOURS[tone],
+		children: [
+			job.reason && !over && /* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: [
+					/* @__PURE__ */ a("b", { children: t("waits") }),
+					" ",
+					tell(job.reason)
+				]
+			}),
+			!over && /* @__PURE__ */ a(CutOff, { id: job.source }),
+			!over && /* @__PURE__ */ a(CutOff, { id: job.destination }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("source"),
+					children: /* @__PURE__ */ a(Name, { id: job.source })
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("destination"),
+					children: [/* @__PURE__ */ a(Name, { id: job.destination }), job.fallbacks.length > 0 && /* @__PURE__ */ a("small", { children: [" · ", t("fallbacks", job.fallbacks.join(", "))] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: job.carrier ?? t("unknown")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("vehicle"),
+					children: [job.vehicle ? /* @__PURE__ */ a(Name, { id: job.vehicle }) : t("none"), job.wish && /* @__PURE__ */ a("small", { children: [" · ", t("wished", job.wish)] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("priority"),
+					children: job.priority
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("ordered_by"),
+					children: [
+						job.actor,
+						" ",
+						/* @__PURE__ */ a("small", { children: ["· ", clock(job.created)] })
+					]
+				}),
+				over && /* @__PURE__ */ a(Fact, {
+					name: t("result"),
+					children: tell(job.result || job.reason) || said(job.state)
+				})
+			] }),
+			why.value && /* @__PURE__ */ a(Phases$1, { why: why.value }),
+			!over && /* @__PURE__ */ a(Change$1, { job }),
+			why.value && /* @__PURE__ */ a(Why, { why: why.value }),
+			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
+var seconds$1 = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
+/** How long it lay, was fetched, was carried: drawn to scale. */
+function Phases$1({ why }) {
+	const phases = [
+		"queued",
+		"fetching",
+		"carrying"
+	].flatMap((name) => {
+		const took = why[name];
+		return took === null ? [] : [{
+			name,
+			took
+		}];
+	});
+	if (phases.length === 0) return null;
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("phases") }),
+			/* @__PURE__ */ a("div", {
+				class: "phases",
+				children: phases.map(({ name, took }) => /* @__PURE__ */ a("span", {
+					class: name,
+					style: { flex: `${Math.max(took, .01)} 1 0` },
+					title: `${t(`phase_${name}`)} ${seconds$1(took)}`,
+					children: seconds$1(took)
+				}, name))
+			}),
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: phases.map(({ name, took }) => `${t(`phase_${name}`)} ${seconds$1(took)}`).join(" · ")
+			})
+		]
+	});
+}
+function Why({ why }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("section", {
+		class: "part why-list",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("why_vehicle") }),
+			why.assignments.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("not_assigned_yet")
+			}),
+			why.assignments.map((choice) => /* @__PURE__ */ a(Choice, { choice }, choice.at + choice.vehicle))
+		]
+	}), /* @__PURE__ */ a("section", {
+		class: "part why-list",
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("why_waits") }),
+			why.waits.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("never_waited")
+			}),
+			/* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: why.waits.map((wait) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: clock(wait.since) }),
+				/* @__PURE__ */ a("td", { children: wait.seconds === null ? t("still") : seconds$1(wait.seconds) }),
+				/* @__PURE__ */ a("td", { children: tell(wait.reason) })
+			] }, wait.since + wait.reason)) }) }),
+			why.left_out > 0 && /* @__PURE__ */ a("small", {
+				class: "calm",
+				children: t("left_out", why.left_out)
+			})
+		]
+	})] });
+}
+function Choice({ choice }) {
+	return /* @__PURE__ */ a("div", {
+		class: "choice",
+		children: [
+			/* @__PURE__ */ a("b", { children: [
+				/* @__PURE__ */ a(Name, { id: choice.vehicle }),
+				" · ",
+				t("to_source", seconds$1(choice.seconds))
+			] }),
+			" ",
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: clock(choice.at)
+			}),
+			/* @__PURE__ */ a("div", { children: [
+				choice.hot && `${t("hot_lot")} · `,
+				choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds$1(choice.saved))} · `,
+				t("worth", seconds$1(choice.waited), seconds$1(choice.switch))
+			] }),
+			choice.candidates.length > 0 && /* @__PURE__ */ a("table", { children: /* @__PURE__ */ a("tbody", { children: choice.candidates.map((other) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: other.vehicle }) }),
+				/* @__PURE__ */ a("td", { children: other.seconds === null ? t("no_way") : seconds$1(other.seconds) }),
+				/* @__PURE__ */ a("td", { children: tell(other.why_not) })
+			] }, other.vehicle)) }) })
+		]
+	});
+}
+function History({ events }) {
+	return /* @__PURE__ */ a("details", {
+		class: "part",
+		children: [/* @__PURE__ */ a("summary", { children: [
+			t("events"),
+			" ",
+			events.length
+		] }), /* @__PURE__ */ a("table", {
+			class: "bits",
+			children: /* @__PURE__ */ a("tbody", { children: events.map((event) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("th", { children: clock(event.ts) }),
+				/* @__PURE__ */ a("td", { children: ["#", event.seq] }),
+				/* @__PURE__ */ a("td", { children: [
+					happening(event.event),
+					" ",
+					[
+						event.vehicle,
+						event.result,
+						tell(event.detail)
+					].filter(Boolean).join(" · ")
+				] })
+			] }, event.seq)) })
+		})]
+	});
+}
+var CANCELLABLE$1 = /* @__PURE__ */ new Set(["queued", "waiting"]);
+var ABORTABLE$1 = /* @__PURE__ */ new Set(["transferring", "paused"]);
+/** Other priority, destination or vehicle; or its end. */
+function Change$1({ job }) {
+	const error = useSignal(null);
+	const done = useSignal(false);
+	const priority = useSignal(String(job.priority));
+	const destination = useSignal(job.destination);
+	const vehicle = useSignal("");
+	changes.stations.value;
+	const path = `/jobs/${encodeURIComponent(job.id)}`;
+	const report = (asked) => {
+		error.value = null;
+		done.value = false;
+		asked.then(() => done.value = true, (failure) => error.value = failure);
+	};
+	const body = {
+		...Number(priority.value) !== job.priority ? { priority: Number(priority.value) } : {},
+		...destination.value !== job.destination ? { destination: destination.value } : {},
+		...vehicle.value ? { vehicle: vehicle.value } : {}
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "part",
+		onSubmit: (event) => {
+			event.preventDefault();
+			report(call("PATCH", path, body));
+		},
+		children: [
+			/* @__PURE__ */ a("h3", { children: t("change") }),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("priority") }), /* @__PURE__ */ a("input", {
+						name: "priority",
+						type: "number",
+						min: "0",
+						max: "99",
+						required: true,
+						value: priority.value,
+						onInput: (event) => priority.value = event.currentTarget.value
+					})] }),
+					/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("vehicle") }), /* @__PURE__ */ a("input", {
+						name: "vehicle",
+						list: "vehicle-names",
+						autocomplete: "off",
+						placeholder: job.vehicle ?? t("any"),
+						value: vehicle.value,
+						onInput: (event) => vehicle.value = event.currentTarget.value.trim()
+					})] }),
+					/* @__PURE__ */ a("label", {
+						class: "wide",
+						children: [/* @__PURE__ */ a("span", { children: t("destination") }), /* @__PURE__ */ a("input", {
+							name: "destination",
+							list: "station-names",
+							autocomplete: "off",
+							required: true,
+							value: destination.value,
+							onInput: (event) => destination.value = event.currentTarget.value.trim()
+						})]
+					})
+				]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "vehicle-names",
+				children: layout.value?.vehicles.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a(Button, {
+						needs: "PATCH /jobs/{job}",
+						type: "submit",
+						class: "primary",
+						disabled: Object.keys(body).length === 0,
+						children: t("change")
+					}),
+					CANCELLABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
+						needs: "POST /jobs/{job}/cancel",
+						label: t("cancel"),
+						does: () => report(post(`${path}/cancel`))
+					}),
+					ABORTABLE$1.has(job.state) && /* @__PURE__ */ a(Sure, {
+						needs: "POST /jobs/{job}/abort",
+						label: t("abort"),
+						does: () => report(post(`${path}/abort`))
+					}),
+					done.value && /* @__PURE__ */ a("span", {
+						class: "done",
+						role: "status",
+						children: t("taken")
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
+// src/parts/JobRoom.tsx
+/** All jobs in a table: open ones live, ended ones from the history, older ones on demand. */
+var PAGE = 200;
+var STATES = [
+	"queued",
+	"waiting",
+	"transferring",
+	"paused",
+	"cancelling",
+	"aborting",
+	"completed",
+	"failed",
+	"cancelled",
+	"aborted"
+];
+function JobRoom() {
+	const letters = useSignal("");
+	const state = useSignal("");
+	const older = useSignal([]);
+	const error = useSignal(null);
+	tick.value;
+	const known = new Set(jobList.value.map((job) => job.id));
+	const all = [...jobList.value, ...older.value.filter((job) => !known.has(job.id))];
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (job) => [
+		job.id,
+		job.source,
+		job.destination,
+		job.carrier,
+		job.vehicle,
+		job.actor
+	].some((name) => name?.toLowerCase().includes(wanted) ?? false);
+	const rows = all.filter((job) => (!state.value || (state.value === "open" ? !ENDED.has(job.state) : job.state === state.value)) && hits(job));
+	const more = async () => {
+		error.value = null;
+		const oldest = all.filter((job) => ENDED.has(job.state)).reduce((least, job) => Math.min(least, job.order), Number.MAX_SAFE_INTEGER);
+		try {
+			const { items } = await get(`/jobs?limit=${PAGE}&after=${oldest}`);
+			older.value = [...older.value, ...items.filter((job) => ENDED.has(job.state))];
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("jobs"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: [
+					t("jobs"),
+					" ",
+					rows.length
+				] }),
+				/* @__PURE__ */ a(Problem, { error: error.value }),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => void more(),
+					children: t("older")
+				}),
+				/* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: state.value,
+					onChange: (event) => state.value = event.currentTarget.value,
+					children: [
+						/* @__PURE__ */ a("option", {
+							value: "",
+							children: t("all")
+						}),
+						/* @__PURE__ */ a("option", {
+							value: "open",
+							children: t("open")
+						}),
+						STATES.map((name) => /* @__PURE__ */ a("option", {
+							value: name,
+							children: said(name)
+						}, name))
+					]
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("jobs"),
+			rows,
+			keyOf: (job) => job.id,
+			pick: ({ id }) => selected.value = {
+				kind: "job",
+				id
+			},
+			chosen: selected.value?.kind === "job" ? selected.value.id : null,
+			none: t("no_jobs"),
+			columns: [
+				{
+					name: t("job"),
+					by: (job) => job.order,
+					of: ({ id }) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "job",
+							id
+						},
+						children: id
+					})
+				},
+				{
+					name: t("state"),
+					by: (job) => said(job.state),
+					of: (job) => /* @__PURE__ */ a("span", {
+						class: `state ${TONES$2[job.state] ?? "calm"}`,
+						children: said(job.state)
+					})
+				},
+				{
+					name: t("priority"),
+					by: (job) => job.priority,
+					of: (job) => job.priority,
+					number: true
+				},
+				{
+					name: t("source"),
+					by: (job) => job.source,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.source })
+				},
+				{
+					name: t("destination"),
+					by: (job) => job.destination,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.destination })
+				},
+				{
+					name: t("carrier"),
+					by: (job) => job.carrier,
+					of: (job) => job.carrier ?? ""
+				},
+				{
+					name: t("vehicle"),
+					by: (job) => job.vehicle,
+					of: (job) => /* @__PURE__ */ a(Name, { id: job.vehicle })
+				},
+				{
+					name: t("ordered_at"),
+					by: (job) => job.created,
+					of: (job) => clock(job.created)
+				},
+				{
+					name: t("takes"),
+					by: (job) => took(job),
+					of: (job) => elapsed(job, serverNow()),
+					number: true
+				},
+				{
+					name: t("why"),
+					of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason)
+				}
+			]
+		})]
+	});
+}
+function took(job) {
+	return (job.ended ? Date.parse(job.ended) : serverNow()) - Date.parse(job.created);
+}
+// src/parts/Jobs.tsx
+/** Jobs, newest first: what each does, or why it waits. */
+var SHOWN = 100;
+var CANCELLABLE = /* @__PURE__ */ new Set(["queued", "waiting"]);
+var ABORTABLE = /* @__PURE__ */ new Set(["transferring", "paused"]);
+function Jobs() {
+	const which = useSignal("all");
+	const error = useSignal(null);
+	tick.value;
+	const all = jobList.value;
+	const open = all.filter((job) => !ENDED.has(job.state));
+	const list = which.value === "open" ? open : which.value === "ended" ? all.filter((job) => ENDED.has(job.state)) : all;
+	const ask = (job, what) => {
+		error.value = null;
+		post(`/jobs/${encodeURIComponent(job.id)}/${what}`).catch((failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a("section", {
+		class: "card jobs",
+		children: [
+			/* @__PURE__ */ a("h2", { children: [t("jobs"), /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: [
+					"all",
+					"open",
+					"ended"
+				].map((tab) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": which.value === tab,
+					onClick: () => which.value = tab,
+					children: [t(tab), tab === "open" && ` ${open.length}`]
+				}, tab))
+			})] }),
+			/* @__PURE__ */ a(Problem, { error: error.value }),
+			/* @__PURE__ */ a("ul", {
+				class: "scroll",
+				children: [list.length === 0 && /* @__PURE__ */ a("li", {
+					class: "nothing",
+					children: t("no_jobs")
+				}), list.slice(0, SHOWN).map((job) => /* @__PURE__ */ a(Row, {
+					job,
+					ask
+				}, job.id))]
+			})
+		]
+	});
+}
+function Row({ job, ask }) {
+	const over = ENDED.has(job.state);
+	const why = over ? job.result || job.reason : job.reason || leg(job);
+	return /* @__PURE__ */ a("li", {
+		class: over ? "job over" : "job",
+		"data-job": job.id,
+		children: [
+			/* @__PURE__ */ a("span", {
+				class: `state ${TONES$2[job.state] ?? "calm"}`,
+				children: said(job.state)
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						title: t("job_details"),
+						onClick: () => selected.value = {
+							kind: "job",
+							id: job.id
+						},
+						children: job.id
+					}),
+					job.priority !== 50 && /* @__PURE__ */ a("span", {
+						title: t("priority"),
+						children: ["P", job.priority]
+					}),
+					job.carrier && /* @__PURE__ */ a("span", { children: job.carrier }),
+					job.vehicle && /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "vehicle",
+							id: job.vehicle
+						},
+						children: job.vehicle
+					})
+				]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "age",
+				children: elapsed(job, serverNow())
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "route",
+				children: [
+					/* @__PURE__ */ a(Place$1, { id: job.source }),
+					/* @__PURE__ */ a("i", { children: "→" }),
+					/* @__PURE__ */ a(Place$1, { id: job.destination })
+				]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "act",
+				children: [CANCELLABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+					needs: "POST /jobs/{job}/cancel",
+					label: t("cancel"),
+					does: () => ask(job, "cancel")
+				}), ABORTABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+					needs: "POST /jobs/{job}/abort",
+					label: t("abort"),
+					does: () => ask(job, "abort")
+				})]
+			}),
+			/* @__PURE__ */ a("span", {
+				class: "reason",
+				title: tell(why),
+				children: tell(why)
+			})
+		]
+	});
+}
+function leg(job) {
+	const waiting = job.vehicle ? vehicles.get(job.vehicle)?.waiting : "";
+	if (waiting) return waiting;
+	if (job.leg === "to_source") return `${job.vehicle} → ${job.source}`;
+	if (job.leg === "to_destination") return `${job.vehicle} → ${job.destination}`;
+	return job.leg === "none" ? "" : `${job.vehicle}: ${said(job.leg)}`;
+}
+function Place$1({ id }) {
+	const kind = vehicles.has(id) ? "vehicle" : "station";
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "text",
+		onClick: () => selected.value = {
+			kind,
+			id
+		},
+		children: id
+	});
+}
+// src/parts/LogIn.tsx
+/** Asks who is there: name and password, or a machine's key. What stands on the page behind it stays as it was. */
+function LogIn() {
+	const byKey = useSignal(false);
+	const name = useSignal(me.value?.person ? me.value.name ?? "" : "");
+	const secret = useSignal("");
+	const box = T(null);
+	const asking = useAsking();
+	const again = me.value !== null && !me.value.open;
+	A$1(() => box.current?.showModal(), []);
+	const enter = async (event) => {
+		event.preventDefault();
+		const given = secret.value;
+		if (!await asking.ask(() => byKey.value ? useKey(given.trim()) : logIn(name.value.trim(), given), "")) secret.value = "";
+	};
+	const other = () => {
+		byKey.value = !byKey.value;
+		secret.value = "";
+		asking.error.value = null;
+	};
+	return /* @__PURE__ */ a("dialog", {
+		ref: box,
+		"aria-label": t("log_in"),
+		onCancel: (event) => event.preventDefault(),
+		children: /* @__PURE__ */ a("form", {
+			onSubmit: (event) => void enter(event),
+			children: [
+				/* @__PURE__ */ a("h2", { children: t(again ? "log_in_again" : byKey.value ? "key_title" : "log_in_title") }),
+				again && /* @__PURE__ */ a("p", { children: t("nothing_lost") }),
+				!byKey.value && /* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("name") }), /* @__PURE__ */ a("input", {
+					name: "name",
+					required: true,
+					maxLength: 64,
+					autocomplete: "username",
+					value: name.value,
+					onInput: (event) => name.value = event.currentTarget.value
+				})] }),
+				/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t(byKey.value ? "key_label" : "password") }), /* @__PURE__ */ a("input", {
+					name: byKey.value ? "key" : "password",
+					type: "password",
+					required: true,
+					autocomplete: byKey.value ? "off" : "current-password",
+					value: secret.value,
+					onInput: (event) => secret.value = event.currentTarget.value
+				})] }, String(byKey.value)),
+				byKey.value && /* @__PURE__ */ a("p", { children: t("key_hint") }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("button", {
+						type: "submit",
+						class: "primary",
+						disabled: asking.busy.value,
+						children: t(byKey.value ? "key_use" : "log_in")
+					}), /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: other,
+						children: t(byKey.value ? "use_password" : "use_a_key")
+					})]
+				})
+			]
+		})
+	});
+}
+// src/parts/Stage.tsx
+/** Sends a vehicle to a station before its lot is ready; it stays idle there. */
+function Stage({ id }) {
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const send = () => void asking.ask(async () => {
+		const body = vehicle.value.trim() ? { vehicle: vehicle.value.trim() } : {};
+		const sent = await post(`/stations/${encodeURIComponent(id)}/stage`, body);
+		vehicle.value = sent.id;
+	}, t("staged"));
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("stage") }),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "stage",
+					value: vehicle,
+					list: "stage-vehicles",
+					hint: t("nearest_free")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /stations/{station}/stage",
+						label: t("stage"),
+						does: send
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "stage-vehicles",
+				children: layout.value?.vehicles.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/StationWrite.tsx
+/** A person writes down what is at a station, or that it is not to be used. */
+function StationWrite({ station }) {
+	const present = useSignal(station.present ? "yes" : "no");
+	const carrier = useSignal(station.carrier ?? "");
+	const reserved = useSignal(station.reserved);
+	const closed = useSignal(station.out_of_service);
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const there = present.value === "yes";
+		const body = {
+			present: there,
+			carrier: there ? carrier.value.trim() : "",
+			reserved: reserved.value.trim(),
+			out_of_service: closed.value.trim(),
+			by_person: true
+		};
+		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
+			class: "stack",
+			onSubmit: send,
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [
+						/* @__PURE__ */ a(Choice$1, {
+							label: t("present"),
+							value: present,
+							of: [["yes", t("yes")], ["no", t("no")]]
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("carrier"),
+							name: "carrier",
+							value: carrier,
+							hint: t("unknown")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("reserved"),
+							name: "reserved",
+							value: reserved,
+							hint: t("no")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("out_of_service"),
+							name: "out_of_service",
+							value: closed,
+							hint: t("no")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Button, {
+						needs: "PATCH /stations/{station}",
+						type: "submit",
+						children: t("write_down")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		})]
+	});
+}
+// src/parts/ByHand.tsx
+/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
+var AXES$1 = [
+	"shft",
+	"rota",
+	"lift"
+];
+function ByHand({ kind, path, newest, after }) {
+	const values = {
+		shft: useSignal(String(newest?.shft ?? "")),
+		rota: useSignal(String(newest?.rota ?? "")),
+		lift: useSignal(String(newest?.lift ?? ""))
+	};
+	const asking = useAsking();
+	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
+	const write = async () => {
+		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
+		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
+		if (await asking.ask(() => call("PUT", path, body, match))) after();
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields three",
+				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
+					label: axis.toUpperCase(),
+					name: axis,
+					type: "number",
+					value: values[axis]
+				}, axis))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
+					label: t("write"),
+					disabled: !whole,
+					does: () => void write()
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
+];
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
+}
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
+}
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
+}
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	const byHand = /* @__PURE__ */ a(ByHand, {
+		kind,
+		path,
+		newest,
+		after: () => again.value++
+	}, newest?.version);
+	if (!newest) return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_taught")
+		}), byHand]
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							said(version.source),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking }),
+			byHand
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
+	});
+}
+// src/parts/StationPanel.tsx
+function StationPanel({ id }) {
+	const now = stationNow(id);
+	tick.value;
+	if (!now) return null;
+	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
+	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: said(now.kind),
+		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
+		children: [
+			/* @__PURE__ */ a(CutOff, { id }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("present"),
+					children: [
+						occupied,
+						" ",
+						/* @__PURE__ */ a("small", { children: [
+							"(",
+							now.verified ? t("verified") : t("believed"),
+							")"
+						] })
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: now.carrier ?? t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("provenance"),
+					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("reserved"),
+					children: now.reserved || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("out_of_service"),
+					children: now.out_of_service || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("barcode"),
+					children: now.barcode
+				}),
+				now.target && /* @__PURE__ */ a(Fact, {
+					name: t("target"),
+					children: [
+						"SHFT ",
+						now.target[0],
+						" · ROTA ",
+						now.target[1],
+						" · LIFT ",
+						now.target[2],
+						" ",
+						/* @__PURE__ */ a("small", { children: ["v", now.target_version] })
+					]
+				})
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "buttons",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderFrom(id),
+					children: t("use_source")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderTo(id),
+					children: t("use_destination")
+				})]
+			}),
+			/* @__PURE__ */ a(Stage, { id }),
+			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
+			now.kind === "port" && /* @__PURE__ */ a(Taught, {
+				kind: "station",
+				id
+			}),
+			buffer && /* @__PURE__ */ a("section", {
+				class: "part",
+				children: [/* @__PURE__ */ a("h3", { children: [
+					t("buffer"),
+					" ",
+					buffer
+				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
+			})
+		]
+	});
+}
+// src/parts/Once.tsx
+/** Something that is shown once and never again: a key, a secret; it is copied and put away. */
+function Once({ label, value }) {
+	const box = T(null);
+	const copied = useSignal(false);
+	if (!value.value) return null;
+	const copy = async () => {
+		box.current?.select();
+		try {
+			await navigator.clipboard.writeText(value.value);
+		} catch {
+			document.execCommand("copy");
+		}
+		copied.value = true;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "note waits stack",
+		"data-once": true,
+		children: [
+			/* @__PURE__ */ a("b", { children: label }),
+			/* @__PURE__ */ a("span", { children: t("shown_once") }),
+			/* @__PURE__ */ a("input", {
+				ref: box,
+				readOnly: true,
+				class: "hex",
+				"aria-label": label,
+				value: value.value,
+				onFocus: (event) => event.currentTarget.select()
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					class: "primary",
+					onClick: () => void copy(),
+					children: t(copied.value ? "copied" : "copy")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => {
+						value.value = "";
+						copied.value = false;
+					},
+					children: t("put_away")
+				})]
+			})
+		]
+	});
+}
+// src/parts/Staff.tsx
+/** Users and keys: who may log in, which machines may call, with which roles; for administrators. */
+function Staff() {
+	const tab = useSignal("users");
+	const why = refusal("GET /users");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("access"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [/* @__PURE__ */ a("h2", { children: t("access") }), /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: ["users", "keys"].map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": tab.value === name,
+					onClick: () => tab.value = name,
+					children: t(name === "users" ? "users" : "machine_keys")
+				}, name))
+			})]
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : tab.value === "users" ? /* @__PURE__ */ a(Users, {}) : /* @__PURE__ */ a(Keys$1, {})]
+	});
+}
+function Roles({ value }) {
+	const turn = (role, on) => {
+		value.value = allRoles.value.filter((one) => one === role ? on : value.value.includes(one));
+	};
+	return /* @__PURE__ */ a("fieldset", {
+		class: "roles",
+		children: [/* @__PURE__ */ a("legend", { children: t("roles") }), allRoles.value.map((role) => /* @__PURE__ */ a("label", { children: [
+			/* @__PURE__ */ a("input", {
+				type: "checkbox",
+				checked: value.value.includes(role),
+				onChange: (event) => turn(role, event.currentTarget.checked)
+			}),
+			" ",
+			said(`role_${role}`)
+		] }, role))]
+	});
+}
+function Users() {
+	const again = useSignal(0);
+	const chosen = useSignal(null);
+	const { value } = useRead("/users", again.value);
+	const user = value?.items.find(({ name }) => name === chosen.value);
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("users"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			pick: (row) => chosen.value = row.name,
+			chosen: chosen.value,
+			none: t("no_users"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => chosen.value = row.name,
+						children: row.name
+					})
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => Number(row.disabled),
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.disabled ? "bad" : "good",
+						children: t(row.disabled ? "disabled" : "enabled")
+					})
+				},
+				{
+					name: t("logged_in"),
+					by: (row) => row.logged_in,
+					of: (row) => row.logged_in ? moment(row.logged_in) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment(row.created)} · ${row.created_by}`
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [user && /* @__PURE__ */ a(Change, {
+			user,
+			after: () => again.value++
+		}, user.name), /* @__PURE__ */ a(Add, { after: () => again.value++ })] })]
+	});
+}
+function Change({ user, after }) {
+	const roles = useSignal(user.roles);
+	const password = useSignal("");
+	const asking = useAsking();
+	const path = `/users/${encodeURIComponent(user.name)}`;
+	const change = async (body, words) => {
+		if (await asking.ask(() => call("PATCH", path, body), words)) {
+			password.value = "";
+			after();
+		}
+	};
+	const same = roles.value.join() === user.roles.join();
+	return /* @__PURE__ */ a("section", {
+		class: "stack padded",
+		"data-user": user.name,
+		"aria-label": user.name,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: user.name
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t("change_roles"),
+					disabled: same || roles.value.length === 0,
+					does: () => void change({ roles: roles.value }, t("taken"))
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t(user.disabled ? "enable" : "disable"),
+					does: () => void change({ disabled: !user.disabled }, t("taken"))
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("new_password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "PATCH /users/{user}",
+						label: t("reset_password"),
+						disabled: !password.value,
+						does: () => void change({ password: password.value }, t("password_reset", user.name))
+					})
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Add({ after }) {
+	const [name, password] = [useSignal(""), useSignal("")];
+	const roles = useSignal([]);
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			password: password.value
+		};
+		if (!await asking.ask(() => post("/users", body), t("user_added", body.name))) return;
+		name.value = password.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("add_user"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("add_user")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule"),
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /users",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("add_user")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Keys$1() {
+	const again = useSignal(0);
+	const { value } = useRead("/keys", again.value);
+	const asking = useAsking();
+	const revoke = async (name) => {
+		await asking.ask(() => call("DELETE", `/keys/${encodeURIComponent(name)}`), t("key_revoked", name));
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Told, { asking }), /* @__PURE__ */ a(Table, {
+			label: t("machine_keys"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			none: t("no_keys"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => row.name
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.state === "active" ? "good" : "bad",
+						children: said(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
+					})
+				},
+				{
+					name: t("expires"),
+					by: (row) => row.expires,
+					of: (row) => row.expires ? moment(row.expires) : t("never")
+				},
+				{
+					name: t("last_used"),
+					by: (row) => row.used,
+					of: (row) => row.used ? moment(row.used) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment(row.created)} · ${row.created_by}`
+				},
+				{
+					name: "",
+					of: (row) => row.state === "active" && /* @__PURE__ */ a(Sure, {
+						needs: "DELETE /keys/{key}",
+						label: t("revoke"),
+						does: () => void revoke(row.name)
+					})
+				}
+			]
+		})] }), /* @__PURE__ */ a(Issue, { after: () => again.value++ })]
+	});
+}
+function Issue({ after }) {
+	const [name, days] = [useSignal(""), useSignal("365")];
+	const roles = useSignal([]);
+	const made = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			...days.value ? { days: Number(days.value) } : {}
+		};
+		if (!await asking.ask(async () => {
+			made.value = (await post("/keys", body)).key;
+		}, "")) return;
+		name.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("issue_key"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("issue_key")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("days_good"),
+					name: "days",
+					type: "number",
+					min: 1,
+					max: 3660,
+					value: days,
+					hint: t("until_revoked")
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /keys",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("issue_key")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("new_key"),
+				value: made
+			})
+		]
+	});
+}
+// src/parts/Stations.tsx
+/** Stations and carriers: where everything is believed to be, and how well that is known. */
+function Stations() {
+	const tab = useSignal("stations");
+	const letters = useSignal("");
+	const group = useSignal("all");
+	tick.value;
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
+	const groups = {
+		all: () => true,
+		present: (station) => station.present === true,
+		free: (station) => station.present === false,
+		unknown: (station) => station.present === null,
+		believed: (station) => !station.verified,
+		out_of_service: (station) => station.out_of_service !== "",
+		reserved: (station) => station.reserved !== ""
+	};
+	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
+	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
+	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("stations"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "tabs-head",
+					children: /* @__PURE__ */ a("span", {
+						class: "tabs",
+						children: [/* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "stations",
+							onClick: () => tab.value = "stations",
+							children: [
+								t("stations"),
+								" ",
+								stationList.value.length
+							]
+						}), /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "carriers",
+							onClick: () => tab.value = "carriers",
+							children: [
+								t("carriers"),
+								" ",
+								carrierList.value.length
+							]
+						})]
+					})
+				}),
+				tab.value === "stations" && /* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: group.value,
+					onChange: (event) => group.value = event.currentTarget.value,
+					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "free" ? t("empty") : said(name)
+					}, name))
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
+			label: t("stations"),
+			rows: stations,
+			keyOf: ({ id }) => id,
+			pick: ({ id }) => selected.value = {
+				kind: "station",
+				id
+			},
+			chosen: selected.value?.kind === "station" ? selected.value.id : null,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("at_station"),
+					by: ({ id }) => id,
+					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
+				},
+				{
+					name: t("kind"),
+					by: ({ kind }) => kind,
+					of: ({ kind }) => said(kind)
+				},
+				{
+					name: t("barcode"),
+					by: ({ barcode }) => barcode,
+					of: ({ barcode }) => barcode
+				},
+				{
+					name: t("present"),
+					by: ({ present }) => present === null ? null : Number(present),
+					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
+				},
+				{
+					name: t("carrier"),
+					by: ({ carrier }) => carrier,
+					of: ({ carrier }) => carrier ?? ""
+				},
+				{
+					name: t("provenance"),
+					by: ({ provenance }) => provenance,
+					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+				},
+				{
+					name: t("age"),
+					by: ({ at }) => at,
+					of: ({ at }) => since(at)
+				},
+				{
+					name: t("reserved"),
+					by: ({ reserved }) => reserved || null,
+					of: ({ reserved }) => reserved
+				},
+				{
+					name: t("out_of_service"),
+					by: (station) => station.out_of_service || null,
+					of: (station) => station.out_of_service
+				}
+			]
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("carriers"),
+				rows: carriers,
+				keyOf: ({ id }) => id,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("carrier"),
+						by: ({ id }) => id,
+						of: ({ id }) => id
+					},
+					{
+						name: t("place"),
+						by: ({ place }) => place,
+						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
+					},
+					{
+						name: t("provenance"),
+						by: ({ provenance }) => provenance,
+						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					},
+					{
+						name: t("age"),
+						by: ({ at }) => at,
+						of: ({ at }) => since(at)
+					},
+					{
+						name: "",
+						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
+					}
+				]
+			}), /* @__PURE__ */ a(Install, {})]
+		})]
+	});
+}
+function Remove({ id }) {
+	const asking = useAsking();
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
+		needs: "DELETE /carriers/{carrier}",
+		label: t("remove"),
+		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
+	}), /* @__PURE__ */ a(Told, { asking })] });
+}
+/** A person says where a carrier is. */
+function Install() {
+	const carrier = useSignal("");
+	const place = useSignal("");
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
+		asking.ask(() => call("PUT", path, {
+			place: place.value.trim(),
+			by_person: true
+		}));
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		onSubmit: send,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("carrier_is")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("carrier"),
+					name: "carrier",
+					value: carrier,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("place"),
+					name: "place",
+					value: place,
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "PUT /carriers/{carrier}",
+					type: "submit",
+					children: t("write_down")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
 // src/parts/Chart.tsx
 /** A chart over time. */
 var HEIGHT = 190;
@@ -9395,10 +11197,10 @@ var TABLES = [
 	"transfers"
 ];
 /** Read anew so often, s. */
-var EVERY = 60;
+var EVERY$1 = 60;
 function Statistics() {
 	const period = useSignal("hour");
-	const round = Math.floor(tick.value / EVERY);
+	const round = Math.floor(tick.value / EVERY$1);
 	const query = w$2(() => {
 		const [length, interval] = PERIODS[period.value];
 		const end = Date.now();
@@ -9610,13 +11412,276 @@ function Phases({ phases }) {
 		}) })]
 	})] });
 }
+// src/parts/TeachingFiles.tsx
+/** Taught values as files: saved, and read back after a look at what each row would come to. */
+var TONES$1 = {
+	new: "good",
+	changed: "wait",
+	same: "calm",
+	error: "bad"
+};
+function TeachingFiles() {
+	const side = useSignal("dests");
+	const file = useSignal(null);
+	const report = useSignal(null);
+	const asking = useAsking();
+	const ask = (dry) => void asking.ask(async () => {
+		const given = file.value;
+		report.value = null;
+		report.value = await upload(`/teaching/${side.value}/import?dry_run=${dry}`, await given.text(), given.name.endsWith(".json") ? "application/json" : "text/csv");
+		if (!dry) file.value = null;
+	}, dry ? "" : t("imported"));
+	const choose = (chosen) => {
+		file.value = chosen ?? null;
+		if (chosen) ask(true);
+	};
+	const save = (kind, history) => void asking.ask(() => download(`/teaching/${side.value}?format=${kind}&history=${history}`, `${side.value}.${kind}`), "");
+	const found = report.value;
+	const wrong = found?.counts["error"] ?? 0;
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [/* @__PURE__ */ a("div", {
+			class: "stack padded",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Choice$1, {
+						label: t("kind"),
+						value: side,
+						of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: [
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", false),
+								children: t("save_csv")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("json", false),
+								children: t("save_json")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", true),
+								children: t("save_history")
+							}),
+							/* @__PURE__ */ a("label", {
+								class: "file",
+								children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
+									type: "file",
+									accept: ".csv,.json,text/csv,application/json",
+									"aria-label": t("read_file"),
+									onChange: (event) => {
+										choose(event.currentTarget.files?.[0]);
+										event.currentTarget.value = "";
+									}
+								})]
+							})
+						]
+					})]
+				}),
+				found && /* @__PURE__ */ a("p", {
+					role: "status",
+					"data-import": found.dry_run ? "tried" : "done",
+					children: [
+						"new",
+						"changed",
+						"same",
+						"error"
+					].map((fate) => /* @__PURE__ */ a("span", {
+						class: TONES$1[fate] ?? "",
+						children: [
+							/* @__PURE__ */ a("b", { children: found.counts[fate] }),
+							" ",
+							t(`fate_${fate}`),
+							" "
+						]
+					}, fate))
+				}),
+				found?.dry_run && file.value && /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
+						needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
+						label: t("import"),
+						disabled: wrong > 0,
+						does: () => ask(false)
+					})]
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("import"),
+			rows: found?.items ?? [],
+			keyOf: (row) => String(row.line),
+			none: t("import_none"),
+			columns: [
+				{
+					name: t("line_of_file"),
+					by: (row) => row.line,
+					of: (row) => row.line,
+					number: true
+				},
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+				},
+				{
+					name: t("result"),
+					by: (row) => row.fate,
+					of: (row) => /* @__PURE__ */ a("b", {
+						class: TONES$1[row.fate] ?? "",
+						children: t(`fate_${row.fate}`)
+					})
+				},
+				{
+					name: t("in_words"),
+					of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
+				}
+			]
+		})]
+	});
+}
+// src/parts/TeachingRaw.tsx
+/** What vehicles sent while they were taught, as they sent it; and the offsets of two vehicles side by side. */
+function TeachingRaw() {
+	const after = useSignal(0);
+	const { value } = useRead(`/teaching/events?limit=200&after=${after.value}`, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [
+			/* @__PURE__ */ a(TwoOffsets, {}),
+			/* @__PURE__ */ a(Table, {
+				label: t("teaching_events"),
+				rows: [...value?.items ?? []].reverse(),
+				keyOf: (row) => String(row.number),
+				none: t("no_proposals"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.number,
+						of: (row) => row.number,
+						number: true
+					},
+					{
+						name: t("when"),
+						by: (row) => row.at,
+						of: (row) => moment(row.at)
+					},
+					{
+						name: t("vehicle"),
+						by: (row) => row.vehicle,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+					},
+					{
+						name: t("barcode"),
+						by: (row) => row.barcode,
+						of: (row) => row.barcode
+					},
+					{
+						name: t("what"),
+						by: (row) => row.code,
+						of: (row) => `${row.axis?.toUpperCase() ?? "–"} · 0x${row.code}`
+					},
+					{
+						name: t("position"),
+						by: (row) => row.position,
+						of: (row) => row.position ?? "–",
+						number: true
+					},
+					{
+						name: t("asked_by"),
+						by: (row) => row.asked_by,
+						of: (row) => row.asked_by ?? ""
+					}
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: after.value === 0,
+					onClick: () => after.value = 0,
+					children: t("from_start")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: !value?.next,
+					onClick: () => after.value = value?.next ?? 0,
+					children: [t("newer"), " ▶"]
+				})]
+			})
+		]
+	});
+}
+function TwoOffsets() {
+	const [one, other] = [useSignal(""), useSignal("")];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	const known = (id) => hoists.some((vehicle) => vehicle.id === id);
+	const ready = known(one.value) && known(other.value) && one.value !== other.value;
+	const path = `/teaching/compare/offsets/${encodeURIComponent(one.value)}/${encodeURIComponent(other.value)}`;
+	const { value, error } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		role: "group",
+		"aria-label": t("compare_offsets"),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("compare_offsets")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "one",
+					value: one,
+					list: "offset-hoists"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle_other"),
+					name: "other",
+					value: other,
+					list: "offset-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "offset-hoists",
+				children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && /* @__PURE__ */ a(Problem, { error }),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: one.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.one })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: other.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.other })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("difference"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: value.differences,
+							signed: true
+						})
+					})
+				]
+			})
+		]
+	});
+}
 // src/parts/Teaching.tsx
 /** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
 var TABS = [
 	"proposals",
 	"sessions",
 	"drift",
-	"dry_run"
+	"dry_run",
+	"files",
+	"raw"
 ];
 function Teaching() {
 	const tab = useSignal("proposals");
@@ -9632,14 +11697,16 @@ function Teaching() {
 						type: "button",
 						"aria-pressed": tab.value === name,
 						onClick: () => tab.value = name,
-						children: t(name)
+						children: t(name === "files" || name === "raw" ? `teaching_${name}` : name)
 					}, name))
 				})]
 			}),
 			tab.value === "proposals" && /* @__PURE__ */ a(Proposals, {}),
 			tab.value === "sessions" && /* @__PURE__ */ a(Sessions, {}),
 			tab.value === "drift" && /* @__PURE__ */ a(Drift, {}),
-			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {})
+			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {}),
+			tab.value === "files" && /* @__PURE__ */ a(TeachingFiles, {}),
+			tab.value === "raw" && /* @__PURE__ */ a(TeachingRaw, {})
 		]
 	});
 }
@@ -9652,7 +11719,7 @@ var OPEN = /* @__PURE__ */ new Set([
 	"pending",
 	"ambiguous"
 ]);
-var tone = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
+var tone$1 = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
 function Proposals() {
 	const chosen = useSignal(null);
 	const { value } = useRead("/teaching/proposals?limit=200", changes.teaching.value);
@@ -9677,7 +11744,7 @@ function Proposals() {
 					name: t("state"),
 					by: (row) => row.state,
 					of: (row) => /* @__PURE__ */ a("span", {
-						class: `state ${tone(row.state)}`,
+						class: `state ${tone$1(row.state)}`,
 						children: said(row.state)
 					})
 				},
@@ -9706,11 +11773,11 @@ function Proposals() {
 					of: (row) => clock(row.at)
 				}
 			]
-		}), id !== null && /* @__PURE__ */ a(Detail, { id }, id)]
+		}), id !== null && /* @__PURE__ */ a(Detail$1, { id }, id)]
 	});
 }
 /** A proposal: what was sent, what it would make, for whom that changes anything; and the decision. */
-function Detail({ id }) {
+function Detail$1({ id }) {
 	const again = useSignal(0);
 	const { value: proposal } = useRead(`/teaching/proposals/${id}`, changes.teaching.value, again.value);
 	const station = useSignal("");
@@ -9806,8 +11873,8 @@ function Detail({ id }) {
 					}),
 					/* @__PURE__ */ a("div", {
 						class: "acts-row",
-						children: /* @__PURE__ */ a("button", {
-							type: "button",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /teaching/proposals/{proposal}/assign",
 							disabled: !station.value,
 							onClick: () => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match)),
 							children: t("assign")
@@ -9823,11 +11890,13 @@ function Detail({ id }) {
 				asking,
 				decisions: [{
 					label: t(against.length ? "approve_anyway" : "approve"),
+					needs: "POST /teaching/proposals/{proposal}/approve",
 					bare: against.length === 0,
 					grave: true,
 					does: decide("approve", { accept: against })
 				}, {
 					label: t("reject"),
+					needs: "POST /teaching/proposals/{proposal}/reject",
 					does: decide("reject", {})
 				}]
 			})
@@ -9928,7 +11997,8 @@ function Sessions() {
 				}),
 				/* @__PURE__ */ a("div", {
 					class: "acts-row",
-					children: /* @__PURE__ */ a("button", {
+					children: /* @__PURE__ */ a(Button, {
+						needs: "POST /teaching/sessions",
 						type: "submit",
 						children: t("open_session")
 					})
@@ -9966,8 +12036,8 @@ function Session({ id }) {
 			}),
 			session.state === "open" && /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("div", {
 				class: "acts-row",
-				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a("button", {
-					type: "button",
+				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a(Button, {
+					needs: "POST /teaching/sessions/{session}/start",
 					onClick: () => void asking.ask(() => post(`${path}/start`, { what }), t("sent")),
 					children: t(what === "dest" ? "teach_dest" : "teach_offset")
 				}, what))
@@ -9975,10 +12045,12 @@ function Session({ id }) {
 				asking,
 				decisions: [{
 					label: t("close_session"),
+					needs: "POST /teaching/sessions/{session}/close",
 					bare: true,
 					does: (reason) => post(`${path}/close`, { reason })
 				}, {
 					label: t("abandon"),
+					needs: "POST /teaching/sessions/{session}/close",
 					bare: true,
 					grave: true,
 					does: (reason) => post(`${path}/close`, {
@@ -12524,7 +14596,8 @@ function Transfer() {
 					onInput: (event) => priority.value = event.currentTarget.value
 				})]
 			}),
-			/* @__PURE__ */ a("button", {
+			/* @__PURE__ */ a(Button, {
+				needs: "POST /jobs",
 				type: "submit",
 				class: "primary",
 				disabled: sending.value,
@@ -12666,10 +14739,12 @@ function VehicleCommands({ vehicle }) {
 					"data-commands": vehicle.id,
 					children: [
 						plain.map((command) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
 							label: t(`vc_${command}`),
 							does: () => send({ command })
 						}, command)),
 						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
 							label: t(`vc_lift_${action}`),
 							does: () => send({
 								command: "agv_lift",
@@ -12677,6 +14752,7 @@ function VehicleCommands({ vehicle }) {
 							})
 						}, action)),
 						agv && /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
 							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
 							does: () => send({
 								command: "agv_charge",
@@ -12684,6 +14760,14 @@ function VehicleCommands({ vehicle }) {
 							})
 						})
 					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /vehicles/{vehicle}/park",
+						label: t("park"),
+						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
+					})
 				}),
 				/* @__PURE__ */ a(Move, { send }),
 				!agv && /* @__PURE__ */ a(Handle, { send }),
@@ -12717,6 +14801,7 @@ function Recover({ path }) {
 			/* @__PURE__ */ a("div", {
 				class: "acts-row",
 				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/recover",
 					label: t("recover"),
 					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
 				})
@@ -12749,6 +14834,7 @@ function Move({ send }) {
 			/* @__PURE__ */ a("div", {
 				class: "wide acts-row",
 				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
 					label: t("move"),
 					disabled: !barcode.value.trim(),
 					does: () => send({
@@ -12778,6 +14864,7 @@ function Handle({ send }) {
 			/* @__PURE__ */ a("div", {
 				class: "acts-row",
 				children: [/* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
 					label: t("vc_pickup"),
 					disabled: !station.value.trim(),
 					does: () => send({
@@ -12785,6 +14872,7 @@ function Handle({ send }) {
 						station: station.value.trim()
 					})
 				}), /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
 					label: t("vc_place"),
 					disabled: !station.value.trim(),
 					does: () => send({
@@ -12810,6 +14898,7 @@ function Display({ send }) {
 		}), /* @__PURE__ */ a("div", {
 			class: "acts-row",
 			children: /* @__PURE__ */ a(Sure, {
+				needs: "POST /vehicles/{vehicle}/commands",
 				label: t("vc_display"),
 				disabled: !words.value,
 				does: () => send({
@@ -12825,15 +14914,18 @@ function Service({ vehicle, path }) {
 	const used = vehicle.service === "in_service";
 	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
 		label: t("lift_lockout"),
+		needs: "DELETE /vehicles/{vehicle}/lockout",
 		bare: true,
 		grave: true,
 		does: () => call("DELETE", `${path}/lockout`)
 	} : {
 		label: t("lock_out"),
+		needs: "POST /vehicles/{vehicle}/lockout",
 		grave: true,
 		does: (reason) => post(`${path}/lockout`, { reason })
 	}, used ? {
 		label: t("take_out"),
+		needs: "PUT /vehicles/{vehicle}/service",
 		grave: true,
 		does: (reason) => call("PUT", `${path}/service`, {
 			in_service: false,
@@ -12841,6 +14933,7 @@ function Service({ vehicle, path }) {
 		})
 	} : {
 		label: t("put_back"),
+		needs: "PUT /vehicles/{vehicle}/service",
 		bare: true,
 		does: () => call("PUT", `${path}/service`, { in_service: true })
 	}] });
@@ -12989,7 +15082,6 @@ function Vehicles() {
 }
 // src/parts/VehiclePanel.tsx
 /** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
-var FRAMES_EVERY = 2e3;
 function VehiclePanel({ id }) {
 	const now = vehicleNow(id);
 	tick.value;
@@ -13052,7 +15144,7 @@ function VehiclePanel({ id }) {
 				kind: "vehicle",
 				id
 			}),
-			/* @__PURE__ */ a(Frames, { id })
+			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
 		]
 	});
 }
@@ -13144,9 +15236,9 @@ function AgvFacts({ agv }) {
 				name: t("last_tag"),
 				children: agv.tag
 			}),
-			agv.beyond && /* @__PURE__ */ a(Fact, {
+			agv.toward && /* @__PURE__ */ a(Fact, {
 				name: t("beyond"),
-				children: agv.beyond
+				children: agv.toward
 			}),
 			/* @__PURE__ */ a(Fact, {
 				name: t("path"),
@@ -13207,77 +15299,6 @@ function LinkFacts({ vehicle }) {
 		})
 	] });
 }
-function Frames({ id }) {
-	const list = useSignal(null);
-	const box = T(null);
-	A$1(() => {
-		let here = true;
-		const read = async () => {
-			if (box.current?.querySelector("details[open]")) return;
-			try {
-				const { items } = await get(`/vehicles/${encodeURIComponent(id)}/frames?lang=${language.value}`);
-				if (here) list.value = items.slice(-30).reverse();
-			} catch {}
-		};
-		read();
-		const timer = window.setInterval(() => void read(), FRAMES_EVERY);
-		return () => {
-			here = false;
-			window.clearInterval(timer);
-		};
-	}, [id, language.value]);
-	return /* @__PURE__ */ a("section", {
-		class: "frames",
-		ref: box,
-		children: [
-			/* @__PURE__ */ a("h3", { children: t("last_frames") }),
-			list.value?.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: t("no_frames")
-			}),
-			list.value?.map((traffic) => /* @__PURE__ */ a(Frame, { traffic }, `${traffic.at}${traffic.direction}${traffic.hex}`))
-		]
-	});
-}
-function Frame({ traffic }) {
-	const rows = traffic.frames.flatMap((frame) => frame.fields);
-	const main = rows.find((row) => [
-		"CMD",
-		"MSG",
-		"MESSAGE",
-		"RESULT"
-	].includes(row.name.toUpperCase()));
-	const kind = traffic.frames.map((frame) => frame.kind.toUpperCase()).join(" + ");
-	return /* @__PURE__ */ a("details", { children: [
-		/* @__PURE__ */ a("summary", { children: [
-			/* @__PURE__ */ a("span", {
-				class: traffic.direction,
-				children: traffic.direction === "in" ? "←" : "→"
-			}),
-			/* @__PURE__ */ a("time", { children: clock(traffic.at) }),
-			/* @__PURE__ */ a("b", { children: kind }),
-			/* @__PURE__ */ a("span", {
-				class: "more",
-				children: main ? main.meaning || main.value : ""
-			})
-		] }),
-		/* @__PURE__ */ a("code", {
-			class: "hex",
-			children: traffic.hex.match(/../g)?.join(" ")
-		}),
-		/* @__PURE__ */ a("table", {
-			class: "bits",
-			children: /* @__PURE__ */ a("tbody", { children: rows.map((row, i) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("th", {
-					style: { paddingLeft: `${row.depth * .7}em` },
-					children: row.name
-				}),
-				/* @__PURE__ */ a("td", { children: row.value }),
-				/* @__PURE__ */ a("td", { children: row.meaning })
-			] }, i)) })
-		})
-	] });
-}
 var VERDICTS = [
 	"go_on",
 	"off_rail",
@@ -13328,9 +15349,10 @@ function Decide({ vehicle }) {
 				value: reason.value,
 				onInput: (event) => reason.value = event.currentTarget.value
 			}),
-			/* @__PURE__ */ a("button", {
+			/* @__PURE__ */ a(Button, {
+				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
 				type: "submit",
-				title: releasing && !actor() ? t("your_name") : "",
+				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
 				children: t(releasing ? "release" : "hold")
 			}),
 			/* @__PURE__ */ a(Problem, { error: error.value })
@@ -13383,6 +15405,654 @@ function choose(id) {
 		id
 	} : null;
 }
+// src/parts/WalkDetail.tsx
+/** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */
+var FINDINGS = [
+	"not_seen",
+	"differs",
+	"moved",
+	"agrees"
+];
+var TONES = {
+	agrees: "good",
+	differs: "bad",
+	moved: "wait",
+	not_seen: "calm"
+};
+var FULL = /* @__PURE__ */ new Set([
+	"full",
+	"1",
+	"yes",
+	"true",
+	"y",
+	"있음"
+]);
+var EMPTY = /* @__PURE__ */ new Set([
+	"empty",
+	"0",
+	"no",
+	"false",
+	"n",
+	"없음"
+]);
+/** So many sights the server takes at once. */
+var AT_ONCE = 1e3;
+/** What a file says was seen; lines without a word for it were not walked along. Raises Error: a line says something else. */
+function sightsOf(text) {
+	const rows = rowsOf(text);
+	if (!rows.some((row) => "station" in row && "seen" in row)) throw new Error(t("walk_file_columns"));
+	return rows.flatMap((row, i) => {
+		const word = (row["seen"] ?? "").toLowerCase();
+		if (!word || !row["station"]) return [];
+		if (!FULL.has(word) && !EMPTY.has(word)) throw new Error(t("walk_file_word", i + 2, row["seen"] ?? ""));
+		const carrier = FULL.has(word) ? row["seen_carrier"] || null : null;
+		return [{
+			station: row["station"],
+			present: FULL.has(word),
+			carrier
+		}];
+	});
+}
+function WalkDetail({ walk }) {
+	const only = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead(`/walks/${walk.id}/places`, changes.walks.value, changes.stations.value);
+	const places = value?.items ?? [];
+	const open = walk.state === "open";
+	const counts = Object.fromEntries(FINDINGS.map((name) => [name, places.filter(({ finding }) => finding === name).length]));
+	return /* @__PURE__ */ a("div", {
+		class: "walk",
+		"data-walk": walk.id,
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "padded stack",
+				children: [
+					/* @__PURE__ */ a("h2", {
+						class: "sub",
+						children: [
+							"#",
+							walk.id,
+							" ",
+							walk.reason,
+							" · ",
+							said(`walk_${walk.state}`)
+						]
+					}),
+					/* @__PURE__ */ a("div", {
+						class: "acts-row",
+						role: "group",
+						"aria-label": t("finding"),
+						children: [FINDINGS.map((name) => /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": only.value === name,
+							onClick: () => only.value = only.value === name ? "" : name,
+							children: [
+								t(`found_${name}`),
+								" ",
+								counts[name]
+							]
+						}, name)), /* @__PURE__ */ a(Files, {
+							walk,
+							places,
+							asking
+						})]
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			/* @__PURE__ */ a(Table, {
+				label: t("places"),
+				rows: places.filter(({ finding }) => !only.value || finding === only.value),
+				keyOf: (row) => row.station,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("at_station"),
+						by: (row) => row.station,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+					},
+					{
+						name: t("expected"),
+						by: (row) => stands(row.now, row.now_carrier),
+						of: (row) => stands(row.now, row.now_carrier)
+					},
+					{
+						name: t("found"),
+						by: (row) => stands(row.seen, row.seen_carrier),
+						of: (row) => row.seen === null ? "" : stands(row.seen, row.seen_carrier)
+					},
+					{
+						name: t("finding"),
+						by: (row) => row.finding,
+						of: (row) => /* @__PURE__ */ a("b", {
+							class: TONES[row.finding] ?? "",
+							children: said(`found_${row.finding}`)
+						})
+					},
+					...open ? [{
+						name: t("enter"),
+						of: (row) => /* @__PURE__ */ a(Enter, {
+							walk: walk.id,
+							place: row,
+							asking
+						})
+					}] : [{
+						name: t("who"),
+						of: (row) => row.by ?? ""
+					}]
+				]
+			}),
+			open && /* @__PURE__ */ a(Ends, {
+				walk,
+				doubtful: (counts["not_seen"] ?? 0) + (counts["moved"] ?? 0)
+			})
+		]
+	});
+}
+/** What stands at a place, in words. */
+function stands(present, carrier) {
+	if (present === null) return t("unknown");
+	return present ? carrier ?? t("unread") : t("empty");
+}
+function Enter({ walk, place, asking }) {
+	const carrier = useSignal(place.seen_carrier ?? place.now_carrier ?? "");
+	const enter = (present) => {
+		const body = {
+			present,
+			carrier: present ? carrier.value.trim() || null : null
+		};
+		asking.ask(() => call("PUT", `/walks/${walk}/places/${encodeURIComponent(place.station)}`, body), t("entered_place", place.station));
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "acts-row enter",
+		children: [
+			/* @__PURE__ */ a(Button, {
+				needs: "PUT /walks/{walk}/places/{station}",
+				"aria-pressed": place.seen === false,
+				onClick: () => enter(false),
+				children: t("empty")
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: "PUT /walks/{walk}/places/{station}",
+				"aria-pressed": place.seen === true,
+				onClick: () => enter(true),
+				children: t("full")
+			}),
+			/* @__PURE__ */ a("input", {
+				"aria-label": `${t("carrier")} ${place.station}`,
+				placeholder: t("unread"),
+				value: carrier.value,
+				onInput: (event) => carrier.value = event.currentTarget.value,
+				onKeyDown: (event) => event.key === "Enter" && enter(true)
+			})
+		]
+	});
+}
+/** The list to take along, and what came back in it. */
+function Files({ walk, places, asking }) {
+	const write = () => {
+		const word = (present) => present === null ? "" : present ? "full" : "empty";
+		save(csvOf([
+			"station",
+			"expected",
+			"expected_carrier",
+			"seen",
+			"seen_carrier",
+			"finding",
+			"by",
+			"at"
+		], places.map((place) => ({
+			...place,
+			expected: word(place.now),
+			expected_carrier: place.now_carrier,
+			seen: word(place.seen)
+		}))), `walk-${walk.id}.csv`);
+	};
+	const read = async (file) => {
+		if (!file) return;
+		let taken = 0;
+		await asking.ask(async () => {
+			const sights = sightsOf(await file.text());
+			if (sights.length === 0) throw new Error(t("walk_file_nothing"));
+			for (let i = 0; i < sights.length; i += AT_ONCE) await post(`/walks/${walk.id}/places`, { sights: sights.slice(i, i + AT_ONCE) });
+			taken = sights.length;
+		}, "");
+		if (taken) asking.done.value = t("walk_file_read", taken);
+	};
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("button", {
+		type: "button",
+		onClick: write,
+		children: t("save_csv")
+	}), walk.state === "open" && refusal("POST /walks/{walk}/places") === "" && /* @__PURE__ */ a("label", {
+		class: "file",
+		children: [/* @__PURE__ */ a("span", { children: t("read_csv") }), /* @__PURE__ */ a("input", {
+			type: "file",
+			accept: ".csv,text/csv",
+			"aria-label": t("read_csv"),
+			onChange: (event) => {
+				read(event.currentTarget.files?.[0]);
+				event.currentTarget.value = "";
+			}
+		})]
+	})] });
+}
+function Ends({ walk, doubtful }) {
+	const path = `/walks/${walk.id}`;
+	return /* @__PURE__ */ a("div", {
+		class: "padded",
+		children: [doubtful > 0 && /* @__PURE__ */ a("p", {
+			class: "calm",
+			children: t("walk_doubtful", doubtful)
+		}), /* @__PURE__ */ a(Reasoned, { decisions: [{
+			label: t(doubtful > 0 ? "accept_partial" : "accept"),
+			needs: "POST /walks/{walk}/accept",
+			bare: true,
+			grave: true,
+			does: () => post(`${path}/accept`, { partial: doubtful > 0 })
+		}, {
+			label: t("abandon"),
+			needs: "POST /walks/{walk}/abandon",
+			grave: true,
+			does: (reason) => post(`${path}/abandon`, { reason })
+		}] })]
+	});
+}
+// src/parts/Walks.tsx
+/** Audit walks along places after an outage: begun, entered at a place or from a file, compared, taken for true by a named person. */
+function Walks() {
+	const chosen = useSignal(null);
+	const { value } = useRead("/walks/history?limit=200", changes.walks.value);
+	const id = chosen.value ?? value?.items.find(({ state }) => state === "open")?.id ?? null;
+	const walk = value?.items.find((one) => one.id === id);
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("walks"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: /* @__PURE__ */ a("h2", { children: t("walks") })
+		}), /* @__PURE__ */ a("div", {
+			class: "split walks",
+			children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Begin, { begun: (number) => chosen.value = number }), /* @__PURE__ */ a(Table, {
+				label: t("walks"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.id),
+				pick: (row) => chosen.value = row.id,
+				chosen: String(id),
+				none: t("no_walks"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.id,
+						of: (row) => row.id,
+						number: true
+					},
+					{
+						name: t("reason"),
+						by: (row) => row.reason,
+						of: (row) => /* @__PURE__ */ a("button", {
+							type: "button",
+							class: "text",
+							onClick: () => chosen.value = row.id,
+							children: row.reason
+						})
+					},
+					{
+						name: t("state"),
+						by: (row) => row.state,
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: row.state === "open" ? "wait" : "",
+							children: said(`walk_${row.state}`)
+						})
+					},
+					{
+						name: t("entered"),
+						by: (row) => row.entered,
+						of: (row) => `${row.entered} / ${row.places}`,
+						number: true
+					},
+					{
+						name: t("begun"),
+						by: (row) => row.started,
+						of: (row) => `${moment(row.started)} · ${row.actor}`
+					}
+				]
+			})] }), walk ? /* @__PURE__ */ a(WalkDetail, { walk }, walk.id) : /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("choose_walk")
+			})]
+		})]
+	});
+}
+/** Along every side buffer, or along the stations that are named. */
+function Begin({ begun }) {
+	const [reason, stations] = [useSignal(""), useSignal("")];
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const names = stations.value.split(/[\s,]+/).filter(Boolean);
+		if (await asking.ask(async () => {
+			begun((await post("/walks", {
+				reason: reason.value.trim(),
+				stations: names
+			})).id);
+		})) reason.value = stations.value = "";
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("begin_walk"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("begin_walk")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("reason"),
+					name: "reason",
+					value: reason,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("stations"),
+					name: "stations",
+					value: stations,
+					hint: t("all_buffers")
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /walks",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("begin_walk")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/Webhooks.tsx
+/** Webhooks: who is told of events by HTTP, how far each is, what was tried; paused, tried, told again, given another secret. */
+/** Asked so often, s. */
+var EVERY = 3;
+var tone = (state) => state === "active" ? "good" : state === "failed" ? "bad" : "wait";
+function Webhooks() {
+	const why = refusal("GET /webhooks");
+	const chosen = useSignal(null);
+	const again = useSignal(0);
+	const { value } = useRead(why ? null : "/webhooks", again.value, Math.floor(tick.value / EVERY));
+	const webhook = value?.items.find(({ id }) => id === chosen.value);
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("webhooks"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: /* @__PURE__ */ a("h2", { children: t("webhooks") })
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("webhooks"),
+				rows: value?.items ?? [],
+				keyOf: (row) => String(row.id),
+				pick: (row) => chosen.value = row.id,
+				chosen: String(chosen.value),
+				none: t("no_webhooks"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.id,
+						of: (row) => row.id,
+						number: true
+					},
+					{
+						name: "URL",
+						by: (row) => row.url,
+						of: (row) => /* @__PURE__ */ a("button", {
+							type: "button",
+							class: "text",
+							onClick: () => chosen.value = row.id,
+							children: row.url
+						})
+					},
+					{
+						name: t("state"),
+						by: (row) => row.state,
+						of: (row) => /* @__PURE__ */ a("span", {
+							class: tone(row.state),
+							children: said(`hook_${row.state}`)
+						})
+					},
+					{
+						name: t("behind"),
+						by: (row) => row.behind,
+						of: (row) => row.behind,
+						number: true
+					},
+					{
+						name: t("delivered"),
+						by: (row) => row.delivered,
+						of: (row) => row.delivered,
+						number: true
+					},
+					{
+						name: t("failing_since"),
+						by: (row) => row.failing,
+						of: (row) => row.failing ? moment(row.failing) : ""
+					}
+				]
+			}), /* @__PURE__ */ a("div", { children: [webhook && /* @__PURE__ */ a(Detail, {
+				webhook,
+				after: () => again.value++
+			}, webhook.id), /* @__PURE__ */ a(Subscribe, { after: () => again.value++ })] })]
+		})]
+	});
+}
+function Detail({ webhook, after }) {
+	const path = `/webhooks/${webhook.id}`;
+	const from = useSignal("");
+	const secret = useSignal("");
+	const asking = useAsking();
+	const round = useSignal(0);
+	const { value } = useRead(`${path}/deliveries?limit=20`, round.value, webhook.delivered, webhook.attempts);
+	const ask = async (what, words) => {
+		await asking.ask(what, words);
+		round.value++;
+		after();
+	};
+	const ping = () => ask(async () => {
+		const tried = await post(`${path}/ping`);
+		if (!tried.taken) throw new Error(tried.error);
+	}, t("pinged"));
+	const renew = () => ask(async () => {
+		secret.value = (await post(`${path}/secret`, {})).secret;
+	}, t("both_sign"));
+	const active = webhook.state === "active";
+	return /* @__PURE__ */ a("section", {
+		class: "stack padded",
+		"data-webhook": webhook.id,
+		"aria-label": `#${webhook.id}`,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					"#",
+					webhook.id,
+					" ",
+					webhook.note
+				]
+			}),
+			(webhook.reason || webhook.error) && /* @__PURE__ */ a("p", {
+				class: "note held",
+				children: tell(webhook.reason || webhook.error)
+			}),
+			/* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [/* @__PURE__ */ a(Fact, {
+					name: t("events"),
+					children: webhook.events.length ? webhook.events.map(happening).join(", ") : t("all")
+				}), /* @__PURE__ */ a(Fact, {
+					name: t("told_up_to"),
+					children: ["#", webhook.position]
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [
+					/* @__PURE__ */ a(Button, {
+						needs: "PATCH /webhooks/{webhook}",
+						onClick: () => void ask(() => call("PATCH", path, { active: !active })),
+						children: t(active ? "pause" : "resume")
+					}),
+					/* @__PURE__ */ a(Button, {
+						needs: "POST /webhooks/{webhook}/ping",
+						disabled: asking.busy.value,
+						onClick: () => void ping(),
+						children: t("ping")
+					}),
+					/* @__PURE__ */ a(Sure, {
+						needs: "POST /webhooks/{webhook}/secret",
+						label: t("new_secret"),
+						does: () => void renew()
+					}),
+					/* @__PURE__ */ a(Sure, {
+						needs: "DELETE /webhooks/{webhook}",
+						label: t("remove"),
+						does: () => void ask(() => call("DELETE", path))
+					})
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("replay_after"),
+					name: "after",
+					type: "number",
+					min: 0,
+					value: from
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /webhooks/{webhook}/replay",
+						label: t("replay"),
+						disabled: from.value === "",
+						does: () => void ask(() => post(`${path}/replay`, { after: Number(from.value) }))
+					})
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("secret"),
+				value: secret
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				"aria-label": t("deliveries"),
+				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((one) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: moment(one.at) }),
+					/* @__PURE__ */ a("td", {
+						class: one.taken ? "good" : "bad",
+						children: one.status ?? "–"
+					}),
+					/* @__PURE__ */ a("td", { children: [
+						happening(one.event),
+						" ",
+						one.seq !== null && `#${one.seq}`,
+						" · ",
+						one.seconds.toFixed(2),
+						" s ",
+						one.error && `· ${tell(one.error)}`
+					] })
+				] }, one.number)) })
+			})
+		]
+	});
+}
+function Subscribe({ after }) {
+	const [url, events, note, from] = [
+		useSignal(""),
+		useSignal(""),
+		useSignal(""),
+		useSignal("")
+	];
+	const secret = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			url: url.value.trim(),
+			events: events.value.split(/[\s,]+/).filter(Boolean),
+			note: note.value.trim(),
+			...from.value ? { after: Number(from.value) } : {}
+		};
+		if (!await asking.ask(async () => {
+			secret.value = (await post("/webhooks", body)).secret;
+		}, "")) return;
+		url.value = events.value = note.value = from.value = "";
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("subscribe"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("subscribe")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: "URL",
+						name: "url",
+						value: url,
+						required: true,
+						wide: true
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("events"),
+						name: "events",
+						value: events,
+						hint: t("all")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("begin_after"),
+						name: "after",
+						type: "number",
+						min: 0,
+						value: from,
+						hint: t("from_now")
+					}),
+					/* @__PURE__ */ a(Field, {
+						label: t("note"),
+						name: "note",
+						value: note,
+						wide: true
+					})
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /webhooks",
+					type: "submit",
+					disabled: asking.busy.value,
+					children: t("subscribe")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("secret"),
+				value: secret
+			})
+		]
+	});
+}
 // src/parts/App.tsx
 function App() {
 	const pick = selected.value;
@@ -13406,7 +16076,8 @@ function App() {
 					/* @__PURE__ */ a(Jobs, {})
 				]
 			})] }),
-			keyWanted.value && /* @__PURE__ */ a(KeyPrompt, {})
+			asked$1.value && /* @__PURE__ */ a(LogIn, {}),
+			/* @__PURE__ */ a(Barred, {})
 		]
 	});
 }
@@ -13457,6 +16128,10 @@ function Room() {
 		case "alarms": return /* @__PURE__ */ a(Alarms, {});
 		case "closures": return /* @__PURE__ */ a(Closing, {});
 		case "stations": return /* @__PURE__ */ a(Stations, {});
+		case "walks": return /* @__PURE__ */ a(Walks, {});
+		case "access": return /* @__PURE__ */ a(Staff, {});
+		case "webhooks": return /* @__PURE__ */ a(Webhooks, {});
+		case "audit": return /* @__PURE__ */ a(Audit, {});
 		case "teaching": return /* @__PURE__ */ a(Teaching, {});
 		case "statistics": return /* @__PURE__ */ a(Statistics, {});
 		default: return null;

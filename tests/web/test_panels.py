@@ -1,0 +1,203 @@
+"""What people find in the panels: what is cut off, lines, a drive watched live, taught values as files, webhooks."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from app.domain.device_requests import RaiseEmergency
+from app.domain.drive import Parameter
+from app.domain.drive_records import OperationState
+from app.domain.drive_requests import CancelDriveOperation, StopDriveLine, UnwatchDrive, WatchDrive
+from app.domain.requests import StageVehicle, WriteDest
+from app.domain.teaching_requests import ImportTaught
+from app.domain.view import ControllerView, ParameterView, Topic, Update
+from app.domain.webhooks import AddWebhook, ReplayWebhook
+from tests.e2e.processes import wait_until
+from tests.web.staffed import Staffed, staffed
+from tools.chromium import installed
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("staffed-panels"),
+    pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
+]
+
+
+@pytest.fixture(scope="module")
+def plant(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
+    with staffed(tmp_path_factory.mktemp("panels")) as plant:
+        yield plant
+
+
+T = TypeVar("T")
+
+
+def seen(plant: Staffed, kind: type[T]) -> list[T]:
+    return [request for request in plant.server.controller.seen if isinstance(request, kind)]
+
+
+def end_all(plant: Staffed) -> None:
+    """Let all operations on drives end that are under way."""
+    drives = plant.server.controller.drives
+    running = [number for number, one in drives.operations.items() if one.state is OperationState.RUNNING]
+    plant.server.show([drives.end(number) for number in running])
+
+
+def press_twice(scope: Locator | Page, name: str) -> None:
+    scope.get_by_role("button", name=name, exact=True).click()
+    scope.get_by_role("button", name="Sure?", exact=True).click()
+
+
+def opened(scope: Locator, summary: str) -> Locator:
+    """Open what stands behind a summary; return the box."""
+    words = scope.page.locator("summary", has_text=re.compile(f"^{summary}"))
+    box = scope.locator("details", has=words).last
+    box.locator("summary").first.click()
+    return box
+
+
+def test_what_is_kept_off_and_cut_off_stands_in_the_header_among_the_closures_and_with_its_station(
+    plant: Staffed,
+) -> None:
+    (now,) = plant.server.controller.model.all(Topic.CONTROLLER)
+    assert isinstance(now, ControllerView)
+    view = replace(
+        now,
+        kept_off=("1002 to 1003: V002 has broken down there",),
+        closed_places=1,
+        cut_off=("P2: V002 stands at 1002",),
+        led_round=3,
+    )
+    plant.server.show([Update(Topic.CONTROLLER, "controller", view)])
+    with plant.at_work("lee", "map?station=P2") as page:
+        expect(page.locator("[data-cut-off=P2]")).to_contain_text("V002 stands at 1002")
+        head = page.locator("header .kept")
+        expect(head).to_have_text("1 places closed · 1 stations cut off")
+        head.click()
+        room = page.get_by_role("region", name="Closures")
+        expect(room.get_by_label("Routes keep off")).to_contain_text("V002 has broken down there")
+        expect(room.locator("[data-led]")).to_contain_text("3 vehicles led round what is closed")
+        plant.server.show([Update(Topic.CONTROLLER, "controller", now)])
+        expect(head).to_have_count(0)
+
+
+def test_a_drives_parameters_are_watched_live_as_long_as_somebody_looks(plant: Staffed) -> None:
+    words = plant.server.controller.drives.words
+    with plant.at_work("mia", "map?drive=D1") as page:
+        box = opened(page.locator(".panel"), "Watch live")
+        box.get_by_label("1C Acceleration").check()
+        box.get_by_role("button", name="Watch", exact=True).click()
+        drawn = box.locator("[data-points]")
+        expect(drawn).to_be_visible()
+        view = plant.server.controller.model.get(Topic.PARAMETERS, "D1/1C")
+        assert isinstance(view, ParameterView)
+        plant.server.show([Update(Topic.PARAMETERS, "D1/1C", replace(view, raw=400, value=4.0))])
+        expect(box.locator(".u-legend")).to_contain_text("Acceleration (s)")
+        page.wait_for_function("() => Number(document.querySelector('[data-points]').dataset.points) >= 2")
+        box.get_by_role("button", name="End", exact=True).click()
+        expect(box.get_by_role("button", name="Watch", exact=True)).to_be_visible()
+        page.wait_for_load_state("networkidle")
+    (watched,) = {(word.drive, word.parameters) for word in words if isinstance(word, WatchDrive)}
+    assert watched == ("D1", (Parameter(0x1C),))
+    assert [type(word) for word in words][-1] is UnwatchDrive
+
+
+def test_a_line_says_how_it_does_and_stops_all_its_drives_at_one_press(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        page.locator(".below .tabs button", has_text="Lines").click()
+        line = page.locator("[data-line=AXES]")
+        expect(line).to_contain_text("up since")
+        expect(line).to_contain_text("D1")
+        line.get_by_role("button", name="Stop all drives of this line").click()
+        wait_until(lambda: bool(seen(plant, StopDriveLine)), "the request")
+        end_all(plant)
+        expect(line.locator(".done")).to_contain_text("Stop sent to all of them")
+    assert [request.line for request in seen(plant, StopDriveLine)] == ["AXES"]
+
+
+def test_what_was_asked_of_a_drive_can_be_cancelled_while_it_runs(plant: Staffed) -> None:
+    with plant.at_work("mia", "map?drive=D1") as page:
+        page.locator(".panel").get_by_role("button", name="Read parameters").click()
+        box = opened(page.locator(".panel"), "What was asked of it")
+        running = box.locator("[data-operation]", has_text="under way").first
+        press_twice(running, "Cancel")
+        expect(box.locator("[data-operation]", has_text="read").first).to_contain_text("done")
+    assert seen(plant, CancelDriveOperation)
+
+
+def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> None:
+    with plant.at_work("lee", "map?station=P1") as page:
+        box = opened(page.locator(".panel"), "Send a vehicle here")
+        box.get_by_label("Vehicle").fill("V002")
+        press_twice(box, "Send a vehicle here")
+        expect(page.locator(".panel .done, .panel .problem").first).to_be_visible()
+        page.get_by_role("button", name="Plant…").click()
+        group = page.get_by_role("group", name="Plant…")
+        group.get_by_label("Reason").fill("smoke in bay 2")
+        press_twice(group, "There is a fire")
+        page.keyboard.press("Escape")
+        page.goto(f"{plant.server.url}#/map?vehicle=V001")
+        panel = page.locator(".panel")
+        opened(panel, "Commands")
+        press_twice(panel, "Park")
+        expect(panel.locator(".done, .problem").first).to_be_visible()
+    assert [(request.station, request.vehicle) for request in seen(plant, StageVehicle)] == [("P1", "V002")]
+    assert [(request.kind, request.reason) for request in seen(plant, RaiseEmergency)] == [("fire", "smoke in bay 2")]
+
+
+def test_taught_values_are_read_from_a_file_after_a_look_at_each_row(plant: Staffed, tmp_path: Path) -> None:
+    file = tmp_path / "dests.csv"
+    with plant.at_work("mia", "teaching") as page:
+        page.get_by_role("button", name="Files", exact=True).click()
+        file.write_text("station,shft,rota,lift\nP1,1,2,3\nP9,1,2,3\n", encoding="utf-8")
+        page.get_by_label("Read a file").set_input_files(file)
+        expect(page.locator("[data-import=tried]")).to_contain_text("1 wrong")
+        expect(page.get_by_role("button", name="Import", exact=True)).to_be_disabled()
+        assert not seen(plant, ImportTaught)
+        file.write_text("station,shft,rota,lift\nP1,1,2,3\n", encoding="utf-8")
+        page.get_by_label("Read a file").set_input_files(file)
+        expect(page.locator("[data-import=tried]")).to_contain_text("1 new")
+        press_twice(page.locator(".room"), "Import")
+        page.wait_for_load_state("networkidle")
+    (asked,) = seen(plant, ImportTaught)
+    assert [row.name for row in asked.rows] == ["P1"]
+
+
+def test_a_port_is_given_its_pulses_by_hand(plant: Staffed) -> None:
+    with plant.at_work("mia", "map?station=P1") as page:
+        taught = opened(page.locator(".panel"), "DEST")
+        opened(taught, "Write by hand")
+        for axis, value in (("SHFT", "10"), ("ROTA", "-20"), ("LIFT", "30")):
+            taught.get_by_label(axis, exact=True).fill(value)
+        press_twice(taught, "Write")
+        expect(taught.locator("[data-version='1']")).to_contain_text("-20")
+    (asked,) = seen(plant, WriteDest)
+    assert (asked.pulses.shft, asked.pulses.rota, asked.pulses.lift, asked.actor) == (10, -20, 30, "mia")
+
+
+def test_a_webhook_is_added_its_secret_shown_once_and_events_are_told_again(plant: Staffed) -> None:
+    with plant.at_work("kim", "webhooks") as page:
+        form = page.get_by_role("form", name="Tell somebody")
+        form.get_by_label("URL").fill("http://elsewhere.example/")
+        form.get_by_role("button", name="Tell somebody").click()
+        expect(form.locator(".problem")).to_contain_text("Nothing may be sent there")
+        form.get_by_label("URL").fill("http://mes.fab/events")
+        form.get_by_label("Events").fill("TransferCompleted")
+        form.get_by_role("button", name="Tell somebody").click()
+        assert form.get_by_label("Secret").input_value().startswith("whsec_")
+        page.locator("[data-row='1'] button").click()
+        hook = page.locator("[data-webhook='1']")
+        hook.get_by_role("button", name="Try it").click()
+        expect(hook.locator(".done")).to_contain_text("It was taken")
+        hook.get_by_label("Again after event").fill("4")
+        press_twice(hook, "Tell again")
+        expect(hook.locator("dd", has_text="#4")).to_be_visible()
+        press_twice(hook, "Remove")
+        expect(page.locator("[data-row='1']")).to_have_count(0)
+    assert [request.url for request in seen(plant, AddWebhook)] == ["http://mes.fab/events"]
+    assert [request.after for request in seen(plant, ReplayWebhook)] == [4]

@@ -1,0 +1,76 @@
+/** What routes keep off, whom that cuts off, and how vehicles are led round it: in the header in few words, in full among the closures. */
+import { controller } from "../store";
+import { room } from "../route";
+import { t, tell } from "../texts";
+
+/** In the header, only if anything is the matter. */
+export function KeptOff() {
+  const now = controller.value;
+  if (!now || now.closed_places + now.cut_off.length === 0) return null;
+  const words = [
+    ...(now.closed_places ? [t("places_closed", now.closed_places)] : []),
+    ...(now.cut_off.length ? [t("stations_cut_off", now.cut_off.length)] : []),
+  ];
+  return (
+    <button type="button" class={`kept ${now.cut_off.length ? "bad" : "wait"}`} title={now.cut_off.map(tell).join("\n")} onClick={() => (room.value = "closures")}>
+      {words.join(" · ")}
+    </button>
+  );
+}
+
+/** Every reason, every station cut off, and what was done about it. */
+export function KeptList() {
+  const now = controller.value;
+  if (!now) return null;
+  const led = [
+    ...(now.led_round ? [t("led_round", now.led_round)] : []),
+    ...(now.led_quicker ? [t("led_quicker", now.led_quicker)] : []),
+    ...(now.slow_track ? [t("slow_track", now.slow_track)] : []),
+    ...(now.weighed ? [t("weighed", now.weighed)] : []),
+  ];
+  return (
+    <>
+      {now.cut_off.length > 0 && <Lines title={t("cut_off_now")} lines={now.cut_off} sign="✕" tone="" />}
+      {now.kept_off.length > 0 && <Lines title={t("kept_off")} lines={now.kept_off} sign="⤳" tone="wait" />}
+      {led.length > 0 && (
+        <p class="padded calm" data-led>
+          {t("since_start")}: {led.join(" · ")}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Lines({ title, lines, sign, tone }: { title: string; lines: string[]; sign: string; tone: string }) {
+  return (
+    <>
+      <h2 class="sub">
+        {title} {lines.length}
+      </h2>
+      <ul class="alarms" aria-label={title}>
+        {lines.map((words) => (
+          <li key={words}>
+            <span class={`sign ${tone}`}>{sign}</span>
+            <span>{tell(words)}</span>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+/** Why a station cannot be reached now; null: nothing says so. */
+export function cutOff(id: string): string | null {
+  return controller.value?.cut_off.find((words) => words.startsWith(`${id}: `)) ?? null;
+}
+
+export function CutOff({ id }: { id: string }) {
+  const words = cutOff(id);
+  return (
+    words && (
+      <p class="note alarm" data-cut-off={id}>
+        <b>{t("not_reachable")}</b> {tell(words)}
+      </p>
+    )
+  );
+}
