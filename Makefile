@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 UV := $(BIN)/uv pip compile pyproject.toml --universal --no-strip-extras --generate-hashes --python-version 3.11 --no-header --no-emit-index-url --no-emit-find-links --quiet
 
-.PHONY: setup run test campaign soak coverage check bench lock web
+.PHONY: setup run test campaign soak coverage check bench docs lock web
 .DELETE_ON_ERROR:
 
 setup: $(READY)  ## make .venv with everything in it, from a bare Python 3.11 or newer
@@ -20,7 +20,7 @@ test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.
 	$(BIN)/pytest -n auto --dist loadgroup
 
 campaign: $(READY)  ## hundreds of runs in which everything goes wrong, and known mistakes that must be noticed
-	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls && $(BIN)/python -m tests.acceptance.power --cuts 1000 && $(BIN)/pytest -n auto --dist loadgroup -m campaign
 
 soak: $(READY)  ## the same for hours: 20,000 runs, and each known mistake on seeds that nobody chose
 	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000
@@ -33,6 +33,9 @@ check: $(READY)  ## format, lint, types, import contracts; no tests
 
 bench: $(READY)  ## all benchmarks, each against its floor in the same run
 	$(BIN)/python -m tests.bench
+
+docs: $(READY)  ## the documentation as a site with a search, in site/html; fails for a link that leads nowhere
+	$(BIN)/python -m tools.site
 
 lock:  ## pin every dependency with hashes, for all Python versions and systems
 	$(UV) -o requirements/runtime.txt && $(UV) --group dev -o requirements/dev.txt

@@ -1,6 +1,8 @@
 """Settings of all tests."""
 
+import gc
 import os
+import sys
 
 import pytest
 import structlog
@@ -10,6 +12,11 @@ from tests.ordering import spread, weight
 
 # Compiling takes longer than any test of what is compiled: tests run the same functions as they stand.
 os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
+# Containers often forbid to keep what was compiled: then each worker and each process of a test would compile the program anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+# A worker holds 5,000 tests that are no garbage: they are looked through seldom, and once collected never again.
+gc.set_threshold(50_000, 20, 50)
 # A loaded machine makes an example slow, not wrong.
 settings.register_profile("hoistway", deadline=None)
 settings.load_profile("hoistway")
@@ -28,6 +35,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
     if workers > 1:
         items[:] = spread(items, workers, lambda item: weight(item.nodeid))
+
+
+def pytest_collection_finish() -> None:
+    """Leave the tests themselves out of every search for garbage."""
+    gc.collect()
+    gc.freeze()
 
 
 def pytest_runtest_teardown() -> None:

@@ -6,13 +6,13 @@ from typing import TypeVar
 
 T = TypeVar("T")
 LONG = {
-    "tests/e2e/test_killed_server.py::test_a_server": 127,
+    "tests/e2e/test_killed_server.py::test_a_server": 50,
     "tests/e2e/test_whole_shift.py": 107,
-    "tests/sim/test_whole_plant.py::test_half_an_hour": 45,
+    "tests/sim/test_whole_plant.py::test_work_under_load": 20,
     "tests/e2e/test_curl_teaching.py": 67,
     "tests/e2e/test_room_scripts.py": 30,
-    "tests/agv/test_two_way.py": 15,
-    "tests/sim/test_doors.py::test_an_hour": 14,
+    "tests/agv/test_two_way.py::test_no_agvs": 6,
+    "tests/sim/test_doors.py::test_jobs_through": 5,
     "tests/sim/test_breakdowns.py": 8,
     "tests/e2e/test_drive_scripts.py::test_a_maintenance_person": 45,
     "tests/e2e/test_tutorial.py::test_every_command": 60,
@@ -26,8 +26,8 @@ LONG = {
     "tests/e2e/test_mes.py": 40,
     "tests/e2e/test_webhooks.py::test_no_event": 8,
     "tests/e2e/test_command_line.py::test_the_demo": 15,
-    "tests/sim/test_whole_plant.py::test_a_controller_killed": 25,
-    "tests/sim/test_whole_plant.py::test_an_hour": 6,
+    "tests/sim/test_whole_plant.py::test_a_controller_killed": 8,
+    "tests/sim/test_whole_plant.py::test_work_in_the_agv": 8,
     "tests/sim/test_agreement.py::test_both_plants": 15,
     "tests/sim/kinematic/test_drill.py::test_a_whole_drill": 8,
     "tests/sim/kinematic/test_drill.py::test_a_drill_names": 6,

@@ -128,7 +128,7 @@ def described(settings: Settings) -> FastAPI:
     app.state.callers = callers
     app.counted = app.state.counted = CountedCalls()
     app.orders = ServerErrorMiddleware(Orders(Guard(app, settings, callers), app.state), problems.defect)
-    api = APIRouter(prefix="/api/v1")
+    api = APIRouter()
     for router in (
         jobs.router,
         events.router,
@@ -167,7 +167,8 @@ def described(settings: Settings) -> FastAPI:
         webhooks.router,
     ):
         api.include_router(router)
-    app.include_router(api)
+    # A router without a prefix is looked through when it is included, and all its routes are made once for that.
+    app.include_router(api, prefix="/api/v1")
     app.include_router(probes)
     app.include_router(metrics.router)
     problems.install(app)

@@ -82,7 +82,7 @@ def _of_controller(call: Callable[..., Awaitable[Response]], body: Any = None, *
         given = () if body is None else (said.body,)
         return await call(*given, controller=said.controller, actor=said.actor)
 
-    return Command(body, carry_out, person)
+    return Command(body, carry_out, person, aimed=False)
 
 
 def numbered(call: Callable[..., Awaitable[Response]], body: Any) -> Command:

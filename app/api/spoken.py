@@ -71,11 +71,15 @@ class Said:
 
 @dataclass(frozen=True)
 class Command:
-    """A command by name: what its body is (None: none), what carries it out, and whether a named person has to decide it."""
+    """A command by name: what its body is (None: none), what carries it out, and whether a named person has to decide it.
+
+    ``aimed``: it is about one object, its target.
+    """
 
     body: Any
     carry_out: Callable[[Said], Awaitable[Response]]
     person: bool = False
+    aimed: bool = True
 
     @cached_property
     def adapter(self) -> TypeAdapter[Any]:

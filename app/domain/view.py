@@ -220,7 +220,7 @@ class ControllerView:
     stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
     ``led_round`` what is closed, ``led_quicker`` because another way had become quicker. ``slow_track``: pieces of track that
     take twice as long as usual for the traffic on them; ``weighed``: how often ways were weighed anew by that.
-    ``pauses``: zones that are paused or stopped.
+    ``pauses``: zones that are paused or stopped. ``recording``: a recorded incident is replayed, and nothing can be asked of it.
     """
 
     plant: str
@@ -242,6 +242,7 @@ class ControllerView:
     slow_track: int = 0
     weighed: int = 0
     pauses: tuple[PauseView, ...] = ()
+    recording: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -573,6 +574,26 @@ View = (
     | AlarmView
     | WalkView
 )
+
+
+SHOWN: Mapping[Topic, tuple[type, ...]] = {
+    Topic.CONTROLLER: (ControllerView,),
+    Topic.VEHICLES: (VehicleView,),
+    Topic.JOBS: (JobView,),
+    Topic.STATIONS: (StationView,),
+    Topic.CARRIERS: (CarrierView,),
+    Topic.EVENTS: (EventView,),
+    Topic.COMMANDS: (CommandView,),
+    Topic.DEVICES: (DeviceView,),
+    Topic.DRIVES: (DriveView,),
+    Topic.OPERATIONS: (OperationView,),
+    Topic.PARAMETERS: (ParameterView,),
+    Topic.TEACHING: (TeachingSessionView, ProposalView),
+    Topic.CLOSURES: (ClosureView,),
+    Topic.ALARMS: (AlarmView,),
+    Topic.WALKS: (WalkView,),
+}
+"""What the objects of each topic are."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,8 @@ from app.sim.fuzz import Plan, Tally, draw, play, reached, shrunk
 from app.sim.fuzz.plan import Blow, Crash, Strike, Where
 
 PLANTS = Path(__file__).parents[2] / "plants"
-SEEDS = {"small": 64, "hall": 24}
-SLICES = 4
+SEEDS = {"small": 24, "hall": 12}
+SLICES = 2
 
 
 def plant_of(name: str) -> Plant:

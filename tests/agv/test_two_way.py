@@ -11,6 +11,7 @@ from app.planning.floor import corridors, floor_of
 from app.planning.track import Track
 from app.planning.ways import Ways
 from tests.agv.hall import HallWorld, hall, tag
+from tests.shares import shared
 
 TEN_MINUTES = 600.0
 
@@ -90,17 +91,18 @@ def test_agvs_that_want_each_others_place_all_come_through(plant: Plant) -> None
     worked(plant, 1)
 
 
+@pytest.mark.parametrize("seeds", shared([range(9), range(9, 16)], 1), ids=["few", "more"])
 @pytest.mark.parametrize("agvs", [2, 3])
-def test_no_agvs_lock_up_on_any_tree_with_more_ends_than_agvs(agvs: int) -> None:
-    trees = [(seed, plant) for seed in range(16) if (plant := tree(seed, agvs))]
-    assert len(trees) >= 4
+def test_no_agvs_lock_up_on_any_tree_with_more_ends_than_agvs(agvs: int, seeds: range) -> None:
+    trees = [(seed, plant) for seed in seeds if (plant := tree(seed, agvs))]
+    assert len(trees) >= 2
     for seed, plant in trees:
         worked(plant, seed)
 
 
-def test_no_two_agvs_lock_up_on_any_two_way_network() -> None:
-    for seed in range(10):
-        worked(mesh(seed), seed)
+@pytest.mark.parametrize("seed", shared([*range(10)], 3))
+def test_no_two_agvs_lock_up_on_any_two_way_network(seed: int) -> None:
+    worked(mesh(seed), seed)
 
 
 def test_a_chain_of_two_way_track_is_a_corridor_and_so_is_a_junction() -> None:

@@ -3,7 +3,7 @@
 import asyncio
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import httpx
 import jsonschema
@@ -16,15 +16,17 @@ from typer import Typer
 from typer.testing import CliRunner
 
 from app.api.commands import COMMANDS
-from app.cli.openapi import document, openapi
+from app.cli.openapi import document, openapi, stream_document
 from app.domain import requests as r
 from app.domain.access import Role
-from app.domain.view import Topic
+from app.domain.view import SHOWN, LineView, Topic, View
 from tests.api.kept_versions import kept_versions
 from tests.api.receptions import reception, with_admin
 from tests.api.recordings import recorded
 from tests.api.scripted import ACTOR, NOW, Scripted
 from tests.api.sockets import Socket
+from tests.api.test_policy import MAY_SAY
+from tests.api.test_problems import EXAMPLES
 
 ROOT = Path(__file__).parents[2]
 DOCUMENT: dict[str, Any] = json.loads((ROOT / "openapi/openapi.json").read_text(encoding="utf-8"))
@@ -36,6 +38,13 @@ REGISTRY: Registry[Any] = Registry().with_resources(
     ]
 )
 CLOSE = {"place": {"kind": "zone", "zone": "Z1"}, "reason": "a rail is changed"}
+BODIES: dict[str, Any] = {
+    "vehicle.command": {"command": "move", "barcode": "1001"},
+    "drive.write": {"parameter": "1C", "raw": 5},
+    "drive.jog.keep": {"jog": 1},
+    "drive.jog.release": {"jog": 1},
+}
+"""Bodies that no route has."""
 ORDER = {"job_id": "LOT-1", "source": "P1", "destination": "P2", "carrier": "F1"}
 
 
@@ -53,6 +62,9 @@ def test_the_command_writes_and_checks_the_document(tmp_path: Path) -> None:
     assert runner.invoke(app, [str(file), "--check"]).exit_code == 1
     assert runner.invoke(app, [str(file)]).exit_code == 0
     assert runner.invoke(app, [str(file), "--check"]).exit_code == 0
+    file.with_name("asyncapi.yaml").write_text("asyncapi: 3.0.0\n")
+    behind = runner.invoke(app, [str(file), "--check"])
+    assert (behind.exit_code, "asyncapi.yaml is out of date" in behind.output) == (1, True)
 
 
 def test_every_operation_is_named_described_and_declares_its_problems() -> None:
@@ -75,20 +87,54 @@ def test_every_reference_of_the_descriptions_leads_somewhere() -> None:
             resolver.lookup(base + reference if reference.startswith("#") else reference)
 
 
-def test_the_live_description_names_every_topic() -> None:
+def test_the_committed_asyncapi_document_is_made_from_the_code() -> None:
+    committed = (ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8")
+    assert committed == stream_document(), "run `hoistway openapi`"
+
+
+def test_the_asyncapi_document_is_one_of_version_3_0_0() -> None:
+    schema = json.loads((ROOT / "tests/api/schemas/asyncapi-3.0.0.json").read_text(encoding="utf-8"))
+    validator = jsonschema.Draft7Validator(schema)
+    validator.validate(ASYNC)
+    wrong = {**ASYNC, "operations": {"watch": {"action": "shout", "channel": {"$ref": "#/channels/live"}}}}
+    assert not validator.is_valid(wrong)
+
+
+def test_the_live_description_names_every_topic_with_what_its_objects_are() -> None:
     messages = ASYNC["components"]["messages"]
     assert set(messages["words"]["payload"]["properties"]["topics"]["items"]["enum"]) == set(Topic)
-    objects = set(messages["snapshot"]["payload"]["properties"]["objects"]["properties"])
-    changed = set(messages["change"]["payload"]["properties"]["changes"]["items"]["properties"]["topic"]["enum"])
-    assert objects == changed == set(Topic) - {Topic.EVENTS}
+    objects = messages["snapshot"]["payload"]["properties"]["objects"]["properties"]
+    changes = messages["change"]["payload"]["properties"]["changes"]["items"]["oneOf"]
+    changed = [one["properties"]["topic"]["const"] for one in changes]
+    assert list(objects) == changed == [topic for topic in Topic if topic is not Topic.EVENTS]
+    shown = {kind for kinds in SHOWN.values() for kind in kinds}
+    assert shown == set(get_args(View)) - {LineView}, "a view belongs to a topic; a line is asked for over REST alone"
 
 
 def test_the_live_description_names_every_command_and_every_frame() -> None:
-    command = ASYNC["components"]["messages"]["words"]["payload"]["properties"]["command"]["properties"]
-    assert command["name"]["enum"] == list(COMMANDS)
-    assert set(ASYNC["channels"]["live"]["messages"]) == set(ASYNC["components"]["messages"])
+    one_of = ASYNC["components"]["messages"]["command"]["payload"]["properties"]["command"]["oneOf"]
+    schemas = [ASYNC["components"]["schemas"][ref["$ref"].rpartition("/")[2]] for ref in one_of]
+    assert [schema["properties"]["name"]["const"] for schema in schemas] == list(COMMANDS)
+    for name, schema in zip(COMMANDS, schemas, strict=True):
+        assert set(schema["x-roles"]) == set(MAY_SAY[name].split())
+    told = {name for channel in ASYNC["channels"].values() for name in channel["messages"]}
+    assert told == set(ASYNC["components"]["messages"])
     operations = [ref["$ref"] for one in ASYNC["operations"].values() for ref in one["messages"]]
-    assert {ref.rpartition("/")[2] for ref in operations} == set(ASYNC["components"]["messages"])
+    assert {ref.rpartition("/")[2] for ref in operations} == told
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_command_is_described_as_the_server_takes_it(name: str) -> None:
+    command, where = COMMANDS[name], "asyncapi.yaml#/components/messages/command/payload"
+    said: dict[str, Any] = {"name": name, "target": "V001" if command.aimed else ""}
+    if command.body is not None:
+        said["body"] = body = BODIES.get(name) or EXAMPLES[command.body.__name__]
+        command.adapter.validate_json(json.dumps(body))
+        with pytest.raises(jsonschema.ValidationError):
+            valid({"id": 1, "command": {**said, "body": {**body, "surprise": 1}}}, where)
+    valid({"id": 1, "actor": "kim", "command": said}, where)
+    with pytest.raises(jsonschema.ValidationError):
+        valid({"id": 1, "command": {**said, "name": f"{name}.no"}}, where)
 
 
 @pytest.mark.anyio
@@ -135,7 +181,7 @@ async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scri
     known |= {"webhook": "1", "version": "1"}
     seen = 0
     for path, operations in DOCUMENT["paths"].items():
-        if "get" not in operations or path.endswith(("/stream", "/report", "{kind}", "/export", "/file")):
+        if "get" not in operations or path.endswith(("/stream", "/report", "{kind}", "/export", "/pieces", "/file")):
             continue
         named = known | ({"device": "DOOR1", "command": opened} if "{device}" in path else {})
         asked = {"from": "P1", "to": "P2"} if path.endswith("/routes") else {}

@@ -22,6 +22,7 @@ from app.protocols.itsc.session import Timing
 from app.runtime.clock import Clock
 from app.runtime.controller import Controller
 from app.runtime.lines import Line
+from app.runtime.sockets import Sockets
 from app.runtime.telemetry import set_up
 
 HOST = "127.0.0.1"
@@ -48,14 +49,14 @@ async def sessions(port: int, count: int, poll: float) -> None:
     """Serve lines and sessions; in place of the fleet, the newest event of each vehicle is kept."""
     loop, ids = asyncio.get_running_loop(), CmdIds(Epoch(1))
     newest: dict[VehicleId, Event] = {}
-    timing = Timing(poll=Seconds(poll))
+    timing, sockets = Timing(poll=Seconds(poll)), Sockets()
 
     def told(events: Iterable[Event], _now: Seconds) -> None:
         for event in events:
             newest[event.vehicle] = event
 
     for number in range(1, count + 1):
-        line = Line(VehicleLine(told, spec_of(number), DEFAULT, ids, timing), Clock().now)
+        line = Line(VehicleLine(told, spec_of(number), DEFAULT, ids, timing), Clock().now, sockets=sockets)
         await loop.create_connection(lambda line=line: line, HOST, port)  # type: ignore[misc]
     await _for_ever()
 

@@ -135,7 +135,7 @@ def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back
     plant.start()
     new, less, wrong = (tmp_path / name for name in ("new.yaml", "less.yaml", "wrong.yaml"))
     new.write_text(with_port(plant.text), encoding="utf-8")
-    less.write_text(without(plant.text, "P2"), encoding="utf-8")
+    less.write_text(with_port(without(plant.text, "P2")), encoding="utf-8")
     wrong.write_text(plant.text.replace("at: 104", "at: 904"), encoding="utf-8")
 
     told = plant.layout("stage", str(wrong), "--reason", "typing error")
@@ -149,8 +149,9 @@ def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back
     assert plant.layout("activate", "2", "--reason", "it is built") == "version 2 is active\nexit 0"
     assert "P9" in plant.stations()
 
+    HTTP.post(f"{plant.url}/api/v1/controller/pause", json={"reason": "one after the other"})
     plant.order("J1", "P1", "P2")
-    wait_until(lambda: plant.get("/jobs/J1")["picked"] is not None, "the carrier aboard", plant.log)
+    plant.order("J2", "P2", "P3")
     told = plant.layout("stage", str(less), "--reason", "P2 goes")
     assert "in the way: job J1: it names P2, which the new plant does not have" in told
     told = plant.layout("activate", "3", "--reason", "P2 goes")
@@ -158,8 +159,8 @@ def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back
     assert "exit 1" in told
     body = {"reason": "P2 goes", "wait": True}
     patient = HTTP.post(f"{plant.url}/api/v1/layout/versions/3/activate", json=body, headers={"X-Actor": "kim"})
-    assert patient.json()["in_the_way"][0]["name"] == "J1"
-    plant.order("J2", "P2", "P3")
+    assert [one["name"] for one in patient.json()["in_the_way"]] == ["J1", "J2"]
+    HTTP.post(f"{plant.url}/api/v1/controller/resume")
     wait_until(lambda: plant.versions() == {1: "former", 2: "former", 3: "active"}, "the change", plant.log)
     assert [plant.get(f"/jobs/{job}")["state"] for job in ("J1", "J2")] == ["completed"] * 2
     assert "P2" not in plant.stations()

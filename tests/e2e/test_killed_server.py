@@ -7,10 +7,11 @@ from pathlib import Path
 from random import Random
 
 import httpx
+import pytest
 
 from tests.e2e.processes import HTTP, answers, free_ports, journal_of, quick_plant, running, wait_until
+from tests.shares import shared
 
-KILLS = 10
 SEED = 7
 TRIPS = [
     ("FOUP0001", "ETCH01-P1", "SBA-R1"),
@@ -90,7 +91,8 @@ def states(url: str) -> Counter[str]:
     return Counter(job["state"] for job in answer.json()["items"]) if answer.status_code == 200 else Counter()
 
 
-def test_a_server_killed_ten_times_loses_no_job_and_repeats_no_pick_up(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kills", shared([3, 10], 1))
+def test_a_server_killed_again_and_again_loses_no_job_and_repeats_no_pick_up(tmp_path: Path, kills: int) -> None:
     dice = Random(SEED)
     plant, journal, sim_log = quick_plant("demo", tmp_path), tmp_path / "journal", tmp_path / "sim.log"
     server = Server(plant, tmp_path)
@@ -100,8 +102,8 @@ def test_a_server_killed_ten_times_loses_no_job_and_repeats_no_pick_up(tmp_path:
         try:
             server.ready()
             waiting = jobs()
-            for kill in range(KILLS):
-                batch = len(jobs()) * (kill + 1) // KILLS - (len(jobs()) - len(waiting))
+            for kill in range(kills):
+                batch = len(jobs()) * (kill + 1) // kills - (len(jobs()) - len(waiting))
                 while batch > 0:
                     if order(server.url, waiting[0]):
                         waiting.pop(0)

@@ -8,6 +8,8 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from app.domain.layout import IdleRules, Plant
 from app.domain.units import Seconds
 from app.domain.view import Update, VehicleView
@@ -15,9 +17,10 @@ from app.plant import read
 from app.sim.run import run
 from app.sim.truth import Act
 from app.sim.world import Result, World
+from tests.shares import shared
 
 PLANTS = Path(__file__).parents[2] / "plants"
-HALF_AN_HOUR, ONE_HOUR = 1800.0, 3600.0
+TEN_MINUTES, TWENTY_MINUTES, HALF_AN_HOUR, ONE_HOUR = 600.0, 1200.0, 1800.0, 3600.0
 AGAIN = """
 import json, sys
 from dataclasses import asdict
@@ -56,36 +59,38 @@ def plain(result: Result) -> dict[str, Any]:
     return found
 
 
-def test_half_an_hour_under_load_ends_every_job_breaks_no_rule_and_is_the_same_in_every_process() -> None:
-    """Two hours of it: ``make campaign``."""
-    elsewhere = begun_elsewhere("demo", HALF_AN_HOUR, HALF_AN_HOUR, "4711")
+@pytest.mark.parametrize("seconds", shared([TEN_MINUTES, HALF_AN_HOUR], 1))
+def test_work_under_load_ends_every_job_breaks_no_rule_and_is_the_same_in_every_process(seconds: float) -> None:
+    """Two hours of it: ``hoistway simulate`` in ``make campaign``."""
+    elsewhere = begun_elsewhere("demo", seconds, seconds, "4711")
     world = World(plant_of("demo"), 1)
-    world.work(until=HALF_AN_HOUR, keep_open=8)
-    world.run(HALF_AN_HOUR)
+    world.work(until=seconds, keep_open=8)
+    world.run(seconds)
     assert world.finish(1800.0)
     here = world.result()
     there, _ = elsewhere.communicate()
     assert here.violations == ()
     assert here.open == ()
     assert here.completed == here.ended == here.takes == here.puts
-    assert here.completed > 100
+    assert here.completed > seconds / 18
     assert json.loads(there) == plain(here)
 
 
-def test_an_hour_in_the_agv_hall_ends_every_job_through_its_door_and_is_the_same_in_every_process() -> None:
-    elsewhere = begun_elsewhere("hall", ONE_HOUR, ONE_HOUR, "4711")
+@pytest.mark.parametrize("seconds", shared([TWENTY_MINUTES, ONE_HOUR], 1))
+def test_work_in_the_agv_hall_ends_every_job_through_its_door_and_is_the_same_in_every_process(seconds: float) -> None:
+    elsewhere = begun_elsewhere("hall", seconds, seconds, "4711")
     world = World(plant_of("hall"), 1)
     acts: list[Act] = []
     world.acted = acts.append
-    world.work(until=ONE_HOUR, keep_open=8)
-    world.run(ONE_HOUR)
+    world.work(until=seconds, keep_open=8)
+    world.run(seconds)
     assert world.finish(1800.0)
     here = world.result()
     there, _ = elsewhere.communicate()
     assert here.violations == ()
     assert here.completed == here.ended == here.takes == here.puts
-    assert here.completed > 60
-    assert sum(act.station == "AB3" for act in acts) > 20, "AB3 lies behind the door"
+    assert here.completed > seconds / 60
+    assert sum(act.station == "AB3" for act in acts) > seconds / 180, "AB3 lies behind the door"
     assert json.loads(there) == plain(here)
 
 
@@ -96,12 +101,12 @@ def test_another_seed_is_another_run() -> None:
     assert one.trace != other.trace
 
 
-def test_a_controller_killed_at_random_moments_loses_no_job_and_breaks_no_rule() -> None:
-    for seed in range(3):
-        result = run(plant_of("demo"), seed, 240.0, keep_open=8, kills=8)
-        assert result.violations == (), f"seed {seed}"
-        assert result.open == (), f"seed {seed}"
-        assert result.takes == result.puts == result.completed
+@pytest.mark.parametrize("seed", shared([0, 1, 2], 1))
+def test_a_controller_killed_at_random_moments_loses_no_job_and_breaks_no_rule(seed: int) -> None:
+    result = run(plant_of("demo"), seed, 240.0, keep_open=8, kills=8)
+    assert result.violations == ()
+    assert result.open == ()
+    assert result.takes == result.puts == result.completed
 
 
 def test_with_idle_hoists_parked_every_job_ends_and_no_rule_is_broken() -> None:
