@@ -6,9 +6,9 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query
 from starlette.responses import Response
 
-from app.api.calls import Ctl, Who, answer_of, read
+from app.api.calls import Ctl, Who, answer_of, items, read
 from app.api.declared import gives
-from app.api.inputs import Moment
+from app.api.inputs import Limit, Moment, QueryId
 from app.api.periods import Begin, End, Period, period
 from app.api.port import Controller
 from app.api.problems import Problem
@@ -16,7 +16,7 @@ from app.domain.units import Timestamp
 from app.fleet.views import view_of_event
 from app.runtime.incident import Incident, written
 from app.runtime.playback import Playback
-from app.runtime.showing import iso, shown
+from app.runtime.showing import encode, iso, shown
 
 router = APIRouter(prefix="/history", tags=["history"])
 HOUR = 3600.0
@@ -27,6 +27,41 @@ Place = Annotated[
     int, Query(ge=0, le=(1 << 53) - 1, description="Only what comes after this place; go on with `next`.")
 ]
 Most = Annotated[int, Query(ge=1, le=20_000, description="At most this many.")]
+AfterPiece = Annotated[int | None, Query(ge=0, le=(1 << 53) - 1, description="Only pieces numbered above this.")]
+OfNote = Annotated[bool, Query(description="Only what a person would look for: alarms, closures, pauses, what failed.")]
+Newest = Annotated[bool, Query(description="The newest before `to` instead of the first after `from`.")]
+EVENTS_OF_NOTE = frozenset(
+    {
+        "AlarmSet",
+        "AlarmCleared",
+        "VehicleBrokenDown",
+        "VehicleMended",
+        "VehicleHeld",
+        "VehicleReleased",
+        "VehicleRemoved",
+        "VehicleInstalled",
+        "PlaceClosing",
+        "PlaceClosed",
+        "PlaceOpened",
+        "ZonePaused",
+        "ZoneResumed",
+        "EmergencySet",
+        "EmergencyReleased",
+        "ControllerPaused",
+        "ControllerAuto",
+        "DriveErrorSet",
+        "DriveErrorCleared",
+        "DriveOffline",
+        "TransferAbortCompleted",
+        "TransferAbortFailed",
+        "TransferCancelFailed",
+        "TeachingApproved",
+    }
+)
+"""Our choice."""
+PIECES: dict[int | str, dict[str, Any]] = {
+    200: {"description": "A line of JSON, then the pieces.", "content": {"application/octet-stream": {}}}
+}
 FILE: dict[int | str, dict[str, Any]] = {200: {"description": "The file.", "content": {"application/gzip": {}}}}
 
 
@@ -51,7 +86,9 @@ async def show_span(controller: Ctl) -> Response:
     """Show from when to when there is playback, and how large it is."""
     span = await read(_playback(controller).span)
     begin, end = (None if moment is None else iso(moment) for moment in (span.begin, span.end))
-    return answer_of({"from": begin, "to": end, "bytes": span.size})
+    source = _playback(controller).source
+    incident = None if source is None else {"by": source.by, "made": iso(source.made)}
+    return answer_of({"from": begin, "to": end, "bytes": span.size, "incident": incident})
 
 
 @router.get("/changes", **gives("PlaybackChange[]", description="Changes after `from` up to `to`, in order."))
@@ -61,8 +98,49 @@ async def list_changes(
     """List what changed in a period (by default the last hour). Of a vehicle a change has only the fields that are other now."""
     asked = period(begin, end, controller.utc(), HOUR)
     changes = await read(lambda: list(_playback(controller).changes(asked.begin, asked.end, after, limit)))
-    items = [{"at": iso(at), "topic": topic, "key": key, "value": value} for _, (at, topic, key, value) in changes]
-    return answer_of({"items": items, "next": changes[-1][0] if len(changes) == limit else None})
+    made = [{"at": iso(at), "topic": topic, "key": key, "value": value} for _, (at, topic, key, value) in changes]
+    return answer_of({"items": made, "next": changes[-1][0] if len(changes) == limit else None})
+
+
+@router.get("/pieces", responses=PIECES, response_class=Response)
+async def read_pieces(controller: Ctl, begin: Begin = None, end: End = None, after: AfterPiece = None) -> Response:
+    """Give the recording of a period as it is kept, for a player: a line of JSON, then the pieces one after the other.
+
+    The line lists them (`id`, `kind`, `begin`, `end` in UTC seconds, `size` in bytes) and has `more`. Each is JSON under
+    zlib: of the kind `state` objects by topic and key, of the kind `changes` a list of [moment, topic, key, value]. The
+    first is the newest state that is not after `from`; with `after` they go on after that piece.
+    """
+    asked = period(begin, end, controller.utc(), HOUR)
+    found, more = await read(_playback(controller).pieces, asked.begin, asked.end, after)
+    listed = [
+        {"id": one.id, "kind": one.kind, "begin": one.begin, "end": one.end, "size": len(one.body)} for one in found
+    ]
+    head = encode({"items": listed, "more": more})
+    return Response(b"".join((head, b"\n", *(one.body for one in found))), media_type="application/octet-stream")
+
+
+@router.get("/events", **gives("Event[]", description="Events, oldest first."))
+async def list_past_events(
+    controller: Ctl,
+    begin: Begin = None,
+    end: End = None,
+    *,
+    of_note: OfNote = False,
+    newest: Newest = False,
+    job: QueryId = None,
+    vehicle: QueryId = None,
+    limit: Limit = 100,
+) -> Response:
+    """List the events of a period (by default the last hour): the first, or the newest. All of them: `GET /events`."""
+    _playback(controller)
+    asked = period(begin, end, controller.utc(), HOUR)
+    named = EVENTS_OF_NOTE if of_note else None
+    found = await read(
+        lambda: controller.reader.happened(
+            asked.begin, asked.end, named=named, job=job, vehicle=vehicle, newest=newest, limit=limit
+        )
+    )
+    return items(shown(view_of_event(event)) for event in found)
 
 
 @router.get("/export", responses=FILE, response_class=Response)

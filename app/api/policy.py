@@ -157,6 +157,8 @@ ROUTES: Mapping[str, Scope] = {
     "GET /history": Scope.READ,
     "GET /history/span": Scope.READ,
     "GET /history/changes": Scope.READ,
+    "GET /history/pieces": Scope.READ,
+    "GET /history/events": Scope.READ,
     "GET /history/export": Scope.READ_AUDIT,
     "POST /stations/{station}/stage": Scope.JOBS,
     "POST /vehicles/{vehicle}/park": Scope.VEHICLES,

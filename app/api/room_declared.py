@@ -101,7 +101,18 @@ ROOM: Json = {
         },
         "The plant as it was.",
     ),
-    "Span": _object({"from": _nullable(_TIME), "to": _nullable(_TIME), "bytes": _WHOLE}, "What playback there is."),
+    "Span": _object(
+        {
+            "from": _nullable(_TIME),
+            "to": _nullable(_TIME),
+            "bytes": _WHOLE,
+            "incident": {
+                **_nullable(_object({"by": _TEXT, "made": _TIME})),
+                "description": "Who exported it, and when: it is a file under `hoistway replay`; null: the plant itself.",
+            },
+        },
+        "What playback there is.",
+    ),
     "PlaybackChange": _object(
         {
             "at": _TIME,

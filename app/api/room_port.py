@@ -1,10 +1,11 @@
 """What the API needs of the store for the control room."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Protocol
 
 from app.domain.alarms import Alarm, AlarmCount
 from app.domain.closures import Closure
+from app.domain.records import HistoryEvent
 from app.domain.statistics import Queued, Transfer, Waited
 from app.domain.walks import Walk, WalkPlace
 
@@ -62,6 +63,20 @@ class RoomReader(Protocol):
 
     def first_event(self, moment: float) -> int:
         """Return the number of the first event that is not before a moment."""
+        ...
+
+    def happened(
+        self,
+        begin: float,
+        end: float,
+        *,
+        named: Collection[str] | None = None,
+        job: str | None = None,
+        vehicle: str | None = None,
+        newest: bool = False,
+        limit: int = 100,
+    ) -> Sequence[HistoryEvent]:
+        """Return events of a period, oldest first: the first of them, or the newest. ``named``: only such."""
         ...
 
     def event_count(self, begin: float, end: float) -> int:

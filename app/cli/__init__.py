@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib import metadata
 from typing import Annotated
 
@@ -29,6 +30,7 @@ from app.cli import (
     vectors,
     workload,
 )
+from app.cli.running import COLLECTED
 from app.texts import LANGUAGES
 
 
@@ -63,6 +65,7 @@ def _whole(
     ] = None,
 ) -> None:
     """An open fleet transport controller for overhead hoists, AGVs and their equipment."""
+    gc.set_threshold(*COLLECTED)
 
 
 for command in (

@@ -220,7 +220,7 @@ class ControllerView:
     stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
     ``led_round`` what is closed, ``led_quicker`` because another way had become quicker. ``slow_track``: pieces of track that
     take twice as long as usual for the traffic on them; ``weighed``: how often ways were weighed anew by that.
-    ``pauses``: zones that are paused or stopped.
+    ``pauses``: zones that are paused or stopped. ``recording``: a recorded incident is replayed, and nothing can be asked of it.
     """
 
     plant: str
@@ -242,6 +242,7 @@ class ControllerView:
     slow_track: int = 0
     weighed: int = 0
     pauses: tuple[PauseView, ...] = ()
+    recording: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,11 +7,15 @@ from typing import Any
 
 import msgspec
 
+from app.domain.units import Timestamp
 from app.domain.view import Topic
 from app.runtime.recording import Change
-from app.store.playback import PlaybackReader, Span
+from app.store.playback import Piece, PlaybackReader, Span
 
 State = dict[str, dict[str, Any]]
+MOST_PIECES = 100
+ENOUGH = 4_000_000
+"""So many pieces, and hardly more bytes than that, are given at a time. Our choice."""
 IN_A_PIECE = 1 << 20
 """A place among the changes is the piece's number times this, and its place in the piece."""
 
@@ -41,11 +45,23 @@ def apply(state: State, change: Change) -> None:
         objects[key] = value
 
 
-class Playback:
-    """What was recorded of a plant; blocking, from any thread. Every method raises StoreError."""
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Who made an incident's file, and when."""
 
-    def __init__(self, url: str) -> None:
+    by: str
+    made: Timestamp
+
+
+class Playback:
+    """What was recorded of a plant; blocking, from any thread. Every method raises StoreError.
+
+    ``source``: it is an incident from elsewhere; None: the plant under control itself.
+    """
+
+    def __init__(self, url: str, source: Source | None = None) -> None:
         self._reader = PlaybackReader(url)
+        self.source = source
 
     def close(self) -> None:
         """Close all connections."""
@@ -66,6 +82,26 @@ class Playback:
                 if change[0] <= at:
                     apply(state, change)
         return Moment(at, state)
+
+    def pieces(self, begin: float, end: float, after: int | None = None) -> tuple[list[Piece], bool]:
+        """Return pieces as they are kept, in order, and whether there are more up to ``end``.
+
+        They begin with the newest whole state that is not after ``begin`` (else the first after it), or with what comes
+        after a piece's number. Whole states among them are what the changes before them led to, unless some were lost.
+        """
+        if after is None:
+            whole = self._reader.state_before(begin) or self._reader.first_state(begin, end)
+            if whole is None:
+                return [], False
+            after = whole.id - 1
+        found = self._reader.since(after, end, MOST_PIECES + 1)
+        taken, size = found[:MOST_PIECES], 0
+        for count, piece in enumerate(taken, 1):
+            size += len(piece.body)
+            if size > ENOUGH:
+                taken = taken[:count]
+                break
+        return taken, len(taken) < len(found)
 
     def changes(self, begin: float, end: float, after: int = 0, limit: int = 5000) -> Iterator[tuple[int, Change]]:
         """Give the changes after a moment up to another, in order, with their places; ``after`` is the last place seen."""

@@ -1,7 +1,8 @@
 """A recorded incident in place of a controller: it can be looked at, and takes no requests."""
 
 import asyncio
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from app.domain.drive_requests import Word
@@ -20,9 +21,9 @@ from app.protocols.itsc.session import LinkQuality
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.incident import Incident
 from app.runtime.metrics import Figures
-from app.runtime.playback import Playback
+from app.runtime.playback import Playback, Source, apply
 from app.runtime.reception import Reception
-from app.runtime.recording import PIECE_SECONDS, Change, packed
+from app.runtime.recording import PIECE_SECONDS, STATE_SECONDS, Change, packed
 from app.runtime.webhooks import Targets
 from app.store.ledger import SqlLedger
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
@@ -42,12 +43,12 @@ class Recorded:
         self.backlog = (0, 0)
         self.reception: Reception | None = None
         _fill(incident, url)
-        self.reader, self.playback = Reader(url), Playback(url)
+        self.reader, self.playback = Reader(url), Playback(url, Source(incident.actor, incident.made))
         self.model = ReadModel(last_event=max((event["seq"] for event in incident.events), default=0))
         self.hub = Hub(self.model)
         record = ControllerRecord(ControllerState.PAUSED, "a recording")
         view = view_of_controller(self.plant.name, record, 0, incident.made, ())  # type: ignore[arg-type]
-        self.hub.publish([Update(Topic.CONTROLLER, self.plant.name, view)])
+        self.hub.publish([Update(Topic.CONTROLLER, self.plant.name, replace(view, recording=True))])
         self._track = Track(self.plant)
         self._router = Router(self._track)
 
@@ -122,13 +123,25 @@ def _fill(incident: Incident, url: str) -> None:
         ledger.close()
     store = PlaybackStore(url)
     try:
-        begin = incident.begin
-        store.append([Piece(STATE, begin, begin, 1, packed(incident.state))])
-        made = [Piece(CHANGES, some[0][0], some[-1][0], len(some), packed(some)) for some in _split(incident.changes)]
-        if made:
-            store.append(made)
+        for pieces in _pieces(incident):
+            store.append(pieces)
     finally:
         store.close()
+
+
+def _pieces(incident: Incident) -> Iterator[list[Piece]]:
+    """Give an incident as its controller had recorded it: the whole state now and then, so that every moment is near one."""
+    state = {topic: dict(objects) for topic, objects in incident.state.items()}
+    whole = incident.begin
+    yield [Piece(STATE, whole, whole, 1, packed(state))]
+    for some in _split(incident.changes):
+        begin, made = some[0][0], []
+        if begin >= whole + STATE_SECONDS:
+            whole = begin
+            made.append(Piece(STATE, begin, begin, 1, packed(state)))
+        for change in some:
+            apply(state, change)
+        yield [*made, Piece(CHANGES, begin, some[-1][0], len(some), packed(some))]
 
 
 def _split(changes: Sequence[Change]) -> list[list[Change]]:

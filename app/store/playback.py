@@ -142,6 +142,17 @@ class PlaybackReader:
         query = sa.select(pieces).where(pieces.c.kind == STATE, pieces.c.begin <= at)
         return next(iter(self._pieces(query.order_by(pieces.c.begin.desc(), pieces.c.id.desc()).limit(1))), None)
 
+    def first_state(self, begin: float, end: float) -> Piece | None:
+        """Return the first whole state of a period."""
+        c = pieces.c
+        query = sa.select(pieces).where(c.kind == STATE, c.begin >= begin, c.begin <= end)
+        return next(iter(self._pieces(query.order_by(c.begin, c.id).limit(1))), None)
+
+    def since(self, after: int, end: float, limit: int) -> list[Piece]:
+        """Return pieces of both kinds with ids above ``after`` that begin before a moment, in order."""
+        query = sa.select(pieces).where(pieces.c.id > after, pieces.c.begin <= end)
+        return self._pieces(query.order_by(pieces.c.id).limit(limit))
+
     def changes(self, begin: float, end: float, after: int = 0, limit: int = 100) -> list[Piece]:
         """Return pieces of changes that reach into a period, in order, with ids from ``after`` on."""
         c = pieces.c

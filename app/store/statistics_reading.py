@@ -1,15 +1,18 @@
 """The reading side of statistics: what ended in a period, put together by the database."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any, TypeVar
 
 import sqlalchemy as sa
 
 from app.domain.job import TERMINAL, JobEvent
+from app.domain.records import HistoryEvent
 from app.domain.statistics import Queued, Transfer, Waited
+from app.store import rows
 from app.store.columns import Found
 from app.store.tables import events, job_whys, jobs
+from app.store.teaching_reading import where
 
 T = TypeVar("T")
 BEFORE = 86_400.0
@@ -41,6 +44,26 @@ class StatisticsReader(ABC):
     def first_event(self, moment: float) -> int:
         """Return the number of the first event that is not before a moment, one above the last if none is."""
         return self._first_since(events.c.seq, moment)
+
+    def happened(
+        self,
+        begin: float,
+        end: float,
+        *,
+        named: Collection[str] | None = None,
+        job: str | None = None,
+        vehicle: str | None = None,
+        newest: bool = False,
+        limit: int = 100,
+    ) -> list[HistoryEvent]:
+        """Return events of a period, oldest first: the first of them, or the newest. ``named``: only such."""
+        first, last = self._first_since(events.c.seq, begin), self._first_since(events.c.seq, end)
+        query = where(sa.select(events), {events.c.job: job, events.c.vehicle: vehicle})
+        query = query.where(events.c.seq >= first, events.c.seq < last)
+        if named is not None:
+            query = query.where(events.c.event.in_(sorted(named)))
+        found = self._list(query.order_by(events.c.seq.desc() if newest else events.c.seq).limit(limit), rows.event)
+        return found[::-1] if newest else found
 
     def event_count(self, begin: float, end: float) -> int:
         """Return how many events lie between two moments."""
@@ -78,8 +101,8 @@ class StatisticsReader(ABC):
         j = jobs.c
         first, last = self._first_since(j.number, begin), self._first_since(j.number, end)
         query = sa.select(job_whys.c.waits).where(job_whys.c.number >= first, job_whys.c.number < last)
-        rows = self._list(query.order_by(job_whys.c.number.desc()).limit(WAITS_OF), lambda row: row.waits)
-        return [Waited(since, until, reason) for row in rows for since, reason, until in row], len(rows)
+        found = self._list(query.order_by(job_whys.c.number.desc()).limit(WAITS_OF), lambda row: row.waits)
+        return [Waited(since, until, reason) for row in found for since, reason, until in row], len(found)
 
     def _first_since(self, number: sa.Column[int], moment: float) -> int:
         """Return the first number of a row that is not before a moment, one above the last if none is.

@@ -7,6 +7,21 @@ from app.runtime.recording import packed
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
 from tests.api.scripted import NOW
 
+JOB = {
+    "id": "J1",
+    "order": 1,
+    "state": "queued",
+    "leg": "none",
+    "source": "P1",
+    "destination": "P2",
+    "priority": 50,
+    "carrier": None,
+    "vehicle": None,
+    "reason": "no vehicle is free",
+    "actor": "mes",
+    "created": "2025-12-31T23:59:11.000Z",
+    "ended": None,
+}
 STATE_AT_START = {"vehicles": {"V001": {"barcode": "1001", "activity": "idle", "job": None}}}
 
 
@@ -14,10 +29,9 @@ def recorded(directory: Path) -> Playback:
     """Return the playback of a plant whose database lies in a directory."""
     url = f"sqlite:///{directory}/plant.db"
     store = PlaybackStore(url)
-    job = {"id": "J1", "state": "queued"}
     first = [
         [NOW - 50, "vehicles", "V001", {"barcode": "1002", "activity": "moving"}],
-        [NOW - 49, "jobs", "J1", job],
+        [NOW - 49, "jobs", "J1", JOB],
     ]
     second = [[NOW - 40, "vehicles", "V001", {"barcode": "1003"}], [NOW - 39, "jobs", "J1", None]]
     store.append([Piece(STATE, NOW - 60, NOW - 60, 1, packed(STATE_AT_START))])

@@ -1,6 +1,6 @@
 """A small controller with a real read model and hub: answers requests from memory, at once. Its plant has two hoists."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from app.domain import requests as r
@@ -124,6 +124,19 @@ class MemoryReader:
 
     def first_event(self, moment: float) -> int:
         return 1
+
+    def happened(
+        self,
+        begin: float,
+        end: float,
+        *,
+        named: Collection[str] | None = None,
+        newest: bool = False,
+        limit: int = 100,
+        **_: object,
+    ) -> Sequence[HistoryEvent]:
+        found = [one for one in self.past if begin <= one.at < end and (named is None or one.event in named)]
+        return found[-limit:] if newest else found[:limit]
 
     def event_count(self, begin: float, end: float) -> int:
         return self.events_between
@@ -420,11 +433,13 @@ class Scripted:
         self.reader.asked.append(AuditRow(NOW, request.actor, type(request).__name__, "", "", accepted))
         return reply
 
-    def happen(self, event: str, job: str | None = None, vehicle: str | None = None) -> HistoryEvent:
+    def happen(
+        self, event: str, job: str | None = None, vehicle: str | None = None, at: Timestamp = NOW
+    ) -> HistoryEvent:
         """Let an event happen: kept, then published."""
         row = HistoryEvent(
             len(self.reader.past) + 1,
-            NOW,
+            at,
             event,
             7,
             JobId(job) if job else None,

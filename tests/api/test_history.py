@@ -1,5 +1,7 @@
 """Playback over REST: a moment, a period, an incident as a file, and the file opened again."""
 
+import json
+import zlib
 from pathlib import Path
 
 import httpx
@@ -10,7 +12,7 @@ from app.api.application import application
 from app.runtime.incident import NoIncident, read
 from app.runtime.recorded import Recorded
 from app.settings import Settings
-from tests.api.recordings import recorded
+from tests.api.recordings import JOB, STATE_AT_START, recorded
 from tests.api.scripted import PLANT, Scripted
 
 pytestmark = pytest.mark.anyio
@@ -37,7 +39,7 @@ async def test_a_moment_is_the_state_before_it_with_what_changed_since(client: h
     }
     moved = {"barcode": "1002", "activity": "moving", "job": None}
     assert (await at("2025-12-31T23:59:10Z"))["vehicles"] == {"V001": moved}
-    assert (await at("2025-12-31T23:59:11Z"))["jobs"] == {"J1": {"id": "J1", "state": "queued"}}
+    assert (await at("2025-12-31T23:59:11Z"))["jobs"] == {"J1": JOB}
     assert (await at("2026-01-01T00:00:00Z")) == {"vehicles": {"V001": {**moved, "barcode": "1003"}}, "jobs": {}}
     early = await client.get("/history", params={"at": "2025-12-31T23:58:00Z"})
     assert (early.status_code, early.json()["detail"]) == (404, "Nothing was recorded by then.")
@@ -53,7 +55,7 @@ async def test_changes_of_a_period_come_in_pages(client: httpx.AsyncClient) -> N
             break
         asked["after"] = page["next"]
     assert [(one["topic"], one["value"]) for one in seen] == [
-        ("jobs", {"id": "J1", "state": "queued"}),
+        ("jobs", JOB),
         ("vehicles", {"barcode": "1003"}),
     ]
 
@@ -62,6 +64,51 @@ async def test_the_span_says_from_when_to_when_there_is_playback(client: httpx.A
     span = (await client.get("/history/span")).json()
     assert (span["from"], span["to"]) == ("2025-12-31T23:59:00.000Z", "2025-12-31T23:59:21.000Z")
     assert span["bytes"] > 50
+
+
+def pieces(body: bytes) -> tuple[list[tuple[str, object]], bool]:
+    """Return kinds and contents of pieces, and whether there are more."""
+    head, _, rest = body.partition(b"\n")
+    found, told = [], json.loads(head)
+    for item in told["items"]:
+        found.append((item["kind"], json.loads(zlib.decompress(rest[: item["size"]]))))
+        rest = rest[item["size"] :]
+    assert rest == b""
+    return found, told["more"]
+
+
+async def test_a_player_reads_the_pieces_as_they_are_kept_from_the_state_before(client: httpx.AsyncClient) -> None:
+    asked = {"from": "2025-12-31T23:59:15Z", "to": "2025-12-31T23:59:30Z"}
+    answer = await client.get("/history/pieces", params=asked)
+    (state, first, second), more = pieces(answer.content)
+    assert state == ("state", STATE_AT_START)
+    assert [first[0], second[0], more] == ["changes", "changes", False]
+    assert [change[1:] for change in second[1]] == [["vehicles", "V001", {"barcode": "1003"}], ["jobs", "J1", None]]  # type: ignore[attr-defined]
+    after = json.loads(answer.content.partition(b"\n")[0])["items"][1]["id"]
+    rest, _ = pieces((await client.get("/history/pieces", params={**asked, "after": after})).content)
+    assert rest == [second]
+
+
+async def test_pieces_before_all_that_is_kept_begin_with_the_first_state(client: httpx.AsyncClient) -> None:
+    asked = {"from": "2025-12-31T23:50:00Z", "to": "2025-12-31T23:59:05Z"}
+    assert pieces((await client.get("/history/pieces", params=asked)).content) == ([("state", STATE_AT_START)], False)
+    asked["to"] = "2025-12-31T23:58:00Z"
+    assert pieces((await client.get("/history/pieces", params=asked)).content) == ([], False)
+
+
+async def test_events_of_note_of_a_period_are_listed_apart(client: httpx.AsyncClient, controller: Scripted) -> None:
+    controller.happen("AlarmSet", vehicle="V001")
+    controller.happen("VehicleArrived", vehicle="V001")
+    asked = {"from": "2025-12-31T23:00:00Z", "to": "2026-01-01T00:01:00Z"}
+
+    async def names(**more: str) -> list[str]:
+        answer = await client.get("/history/events", params={**asked, **more})
+        return [event["event"] for event in answer.json()["items"]]
+
+    assert await names() == ["VehicleDeparted", "AlarmSet", "VehicleArrived"]
+    assert await names(of_note="true") == ["AlarmSet"]
+    assert await names(newest="true", limit="1") == ["VehicleArrived"]
+    assert await names(limit="1") == ["VehicleDeparted"]
 
 
 async def test_without_a_recording_that_is_said(client: httpx.AsyncClient, controller: Scripted) -> None:
@@ -95,6 +142,8 @@ async def compare(client: httpx.AsyncClient, app: FastAPI) -> None:
     async with httpx.AsyncClient(transport=transport, base_url="http://localhost/api/v1") as other:
         for path in ("/history?at=2025-12-31T23:59:11Z", "/layout", "/history/changes?from=2025-12-31T23:00:00Z"):
             assert (await other.get(path)).json() == (await client.get(path)).json(), path
+        assert (await client.get("/history/span")).json()["incident"] is None
+        assert (await other.get("/history/span")).json()["incident"]["by"] == "kim"
         (event,) = (await other.get("/events")).json()["items"]
         assert (event["event"], event["vehicle"]) == ("VehicleDeparted", "V001")
         refused = await other.post("/controller/pause", json={"reason": "x"})

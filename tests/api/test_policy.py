@@ -188,6 +188,8 @@ MAY: dict[str, str] = {
     "GET /history": ALL,
     "GET /history/span": ALL,
     "GET /history/changes": ALL,
+    "GET /history/pieces": ALL,
+    "GET /history/events": ALL,
     "GET /history/export": PLANT,
     "POST /stations/{station}/stage": ORDERS,
     "POST /vehicles/{vehicle}/park": PLANT,

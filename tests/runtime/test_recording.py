@@ -147,3 +147,18 @@ def test_pieces_are_small(tmp_path: Path) -> None:
         scene.show(1001.0 + n / 1000, barcode=str(10_000 + n))
     scene.recorder.close()
     assert sum(len(piece.body) for piece in kept if piece.kind == "changes") < 20 * 1000
+
+
+def test_pieces_are_given_so_many_at_a_time_and_go_on_after_the_last(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    for n in range(250):
+        scene.show(1000.0 + n, barcode=str(n))
+        scene.recorder.flush()
+        scene.store.wait()
+    playback = scene.ended()
+    found, more = playback.pieces(1130, 1249)
+    assert (found[0].kind, found[0].begin <= 1130 < found[0].begin + 62, more) == ("state", True, True)
+    rest, more = playback.pieces(1130, 1249, found[-1].id)
+    assert [one.id for one in (*found, *rest)] == list(range(found[0].id, rest[-1].id + 1))
+    assert (rest[-1].end, more) == (1249.0, False)
+    playback.close()

@@ -88,3 +88,18 @@ def test_numbers_with_gaps_are_found_too(url: str, open_ledger: Open) -> None:
     ledger.commit([replace(row, seq=row.seq**3) for row in story() if isinstance(row, HistoryEvent)])
     assert reader.event_count(at(40), at(80)) > 0
     reader.close()
+
+
+def test_events_of_a_period_are_found_by_name_and_from_either_end(url: str, open_ledger: Open) -> None:
+    ledger, reader = open_ledger(url), Reader(url)
+    ledger.load()
+    assert reader.happened(at(0), at(100)) == []
+    ledger.commit(story())
+    all_of_them = [event.seq for event in reader.happened(at(0), at(100))]
+    assert len(all_of_them) == 8
+    assert [event.seq for event in reader.happened(at(0), at(100), limit=2)] == all_of_them[:2]
+    assert [event.seq for event in reader.happened(at(0), at(100), newest=True, limit=2)] == all_of_them[-2:]
+    assert len(reader.happened(at(20), at(50))) == 3
+    names = {event.event for event in reader.happened(at(0), at(100), named={"VehicleAssigned"})}
+    assert names == {"VehicleAssigned"}
+    reader.close()

@@ -6,9 +6,10 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Page, expect
 
-from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
+from tests.api.recordings import recorded
+from tests.e2e.processes import answers, free_ports, quick_plant, running, wait_until
 from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.whole import whole
@@ -18,30 +19,6 @@ pytestmark = [
     pytest.mark.browser,
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
-FLAGS = (
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--disable-background-networking",
-    "--disable-dev-shm-usage",
-)
-PATIENCE = GENEROUS * 500
-
-
-@pytest.fixture
-def page() -> Iterator[Page]:
-    with sync_playwright() as play:
-        chromium = play.chromium.launch(executable_path=installed(), args=list(FLAGS))
-        try:
-            context = chromium.new_context(
-                viewport={"width": 1440, "height": 1000}, locale="en-GB", reduced_motion="reduce"
-            )
-            page = context.new_page()
-            page.set_default_timeout(PATIENCE)
-            expect.set_options(timeout=PATIENCE)
-            yield page
-        finally:
-            chromium.close()
 
 
 @pytest.fixture
@@ -149,19 +126,23 @@ ROOMS = (
     "access",
     "audit",
     "webhooks",
+    "playback",
 )
 CHOSEN = ("", "vehicle=V001", "station=ETCH01-P1", "device=DOOR1", "drive=STK01-LIFT")
 
 
 @pytest.mark.parametrize("theme", ["dark", "light"])
-def test_every_room_and_panel_is_accessible(page: Page, theme: str) -> None:
-    with served(controller=whole()) as server:
+def test_every_room_and_panel_is_accessible(page: Page, theme: str, tmp_path: Path) -> None:
+    controller = whole()
+    controller.playback = recorded(tmp_path)
+    controller.happen("AlarmSet", vehicle="V001")
+    with served(controller=controller) as server:
         page.add_init_script(f"localStorage.setItem('hoistway.theme', '{theme}')")
         found: dict[str, list[str]] = {}
         for place in [*ROOMS, *(f"map?{chosen}" for chosen in CHOSEN if chosen)]:
             page.goto("about:blank")
             page.goto(f"{server.url}#/{place}")
-            expect(page.locator(".link.live")).to_be_visible()
+            expect(page.locator(".link.live, .then-at")).to_be_visible()
             page.evaluate("document.querySelectorAll('details').forEach((box) => { box.open = true; })")
             wrong = faults(page)
             if wrong:

@@ -54,7 +54,19 @@ export function headerText(text: string): string {
   return String.fromCharCode(...new TextEncoder().encode(text));
 }
 
+let notNow = (): string => "";
+
+/** Nothing may be asked of the plant while this says why not. */
+export function forbidWhile(why: () => string): void {
+  notNow = why;
+}
+
+/** Who is there may be said at any time, and the stream goes on. */
+const ALWAYS = /^\/(session|live)(\/|$)/;
+
 export async function call<T>(method: string, path: string, body?: unknown, extra: Record<string, string> = {}): Promise<T> {
+  const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
+  if (why) throw new Refused(0, why);
   const language = document.documentElement.lang || "en";
   const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": language, ...extra };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
@@ -91,6 +103,19 @@ export const get = <T>(path: string): Promise<T> => call<T>("GET", path);
 export const post = <T>(path: string, body?: unknown, extra?: Record<string, string>): Promise<T> =>
   call<T>("POST", path, body, extra);
 
+async function fetched(path: string): Promise<Response> {
+  const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};
+  const response = await fetch(`/api/v1${path}`, { headers, signal: AbortSignal.timeout(TIMEOUT) }).catch(() => {
+    throw new Refused(0, "The server does not answer.");
+  });
+  if (!response.ok) throw await refusal(response);
+  return response;
+}
+
+export async function bytes(path: string): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await (await fetched(path)).arrayBuffer());
+}
+
 /** Send a file as it is. */
 export async function upload<T>(path: string, text: string, kind: string): Promise<T> {
   const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": document.documentElement.lang || "en", "Content-Type": kind };
@@ -103,9 +128,7 @@ export async function upload<T>(path: string, text: string, kind: string): Promi
 
 /** Let the browser save what a path gives. A link could not carry the access key. */
 export async function download(path: string, name: string): Promise<void> {
-  const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};
-  const response = await fetch(`/api/v1${path}`, { headers, signal: AbortSignal.timeout(TIMEOUT) });
-  if (!response.ok) throw await refusal(response);
+  const response = await fetched(path);
   const link = document.createElement("a");
   link.href = URL.createObjectURL(await response.blob());
   link.download = name;

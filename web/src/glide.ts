@@ -185,7 +185,7 @@ export class Glide {
 }
 
 /** Straight back from a place, for as long as there is no track known behind it. */
-function behind(spot: Spot, mm: number): Spot {
+export function behind(spot: Spot, mm: number): Spot {
   const more = Math.max(0, mm);
   return { x: spot.x - Math.cos(spot.angle) * more, y: spot.y - Math.sin(spot.angle) * more, angle: spot.angle };
 }

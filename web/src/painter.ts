@@ -14,7 +14,9 @@ import { plan } from "./plan";
 import { clustersOf, MARK } from "./places";
 import { Sheet } from "./sheet";
 import { lookOf } from "./shows";
-import { devices, layout, lookAt, type Selection, selected, stations, track, vehicles } from "./store";
+import { moment, pace, playing, trails } from "./past/player";
+import { devices, inPast, layout, lookAt, type Selection, selected, stations, track, vehicles } from "./store";
+import type { Spot } from "./track";
 import type { LayoutVehicle, Vehicle } from "./types";
 import { type Box, View } from "./view";
 
@@ -49,7 +51,8 @@ export class Painter {
   private readonly ground: Sheet;
   private readonly over: Sheet;
   private readonly front: Sheet;
-  private readonly heat = new Heat();
+  /** Of what was seen on this page, and of what was played back. */
+  private readonly heats = { now: new Heat(), then: new Heat() };
   private stale = true;
   private overAt = Number.NEGATIVE_INFINITY;
   private frame = 0;
@@ -84,10 +87,17 @@ export class Painter {
     const doors = doorMarks(layout.value, track.value);
     this.scene = { layout: layout.value, track: track.value, marks, clusters, doors };
     this.specs = new Map(layout.value.vehicles.map((spec) => [spec.id, spec]));
+    this.forgetAll();
+    this.heats.now.clear();
+    this.fit();
+    this.redraw();
+  }
+
+  /** Another time is shown: vehicles do not drive from one into the other. */
+  forgetAll(): void {
     this.glides.clear();
     this.last.clear();
-    this.heat.clear();
-    this.fit();
+    this.heats.then.clear();
     this.redraw();
   }
 
@@ -141,12 +151,15 @@ export class Painter {
   /** Take the vehicles' newest reports. */
   report(): void {
     if (!this.scene) return;
-    const now = performance.now() / 1000;
+    const then = inPast.value;
+    const now = then ? moment.value : performance.now() / 1000;
+    const heat = then ? this.heats.then : this.heats.now;
     for (const id of this.last.keys()) if (!vehicles.has(id)) this.forget(id);
     for (const vehicle of vehicles.values()) {
       if (this.last.get(vehicle.id) === vehicle) continue;
       this.last.set(vehicle.id, vehicle);
-      this.heat.take(vehicle, now);
+      heat.take(vehicle, now);
+      if (then) continue;
       let glide = this.glides.get(vehicle.id);
       if (!glide) {
         glide = new Glide(this.scene.track, this.specs.get(vehicle.id)?.max_speed);
@@ -215,13 +228,14 @@ export class Painter {
     if (!this.front.follow(view, ms) || due) this.paintFront(ms);
     this.front.canvas.dataset["pictures"] = String(++this.count);
     const alarm = this.bodies.some((body) => body.look === "alarm");
-    const busy = !STILL.matches && (alarm || [...this.glides.values()].some((glide) => glide.busy));
+    const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
+    const busy = !STILL.matches && (alarm || drives);
     if (busy || moving || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
   }
 
   /** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
   private period(): number {
-    return Math.min(SELDOM, Math.max(PERIOD, 1000 / (FASTEST * this.view.scale)));
+    return Math.min(SELDOM, Math.max(PERIOD, 1000 / (FASTEST * (inPast.value ? pace.value : 1) * this.view.scale)));
   }
 
   private looked(body: Body): number {
@@ -262,7 +276,7 @@ export class Painter {
     const at = this.over.begin(this.view, ms);
     const { ctx } = this.over;
     const { track: drawn } = scene;
-    if (heatShown.value) paintHeat(ctx, at, drawn, this.heat, heatShown.value);
+    if (heatShown.value) paintHeat(ctx, at, drawn, inPast.value ? this.heats.then : this.heats.now, heatShown.value);
     if (layers.value.closures) {
       paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
     }
@@ -289,15 +303,21 @@ export class Painter {
     if (spot) this.view.centre(spot.x, spot.y);
   }
 
+  private spotOf({ id, activity }: Vehicle, back: number, now: number): Spot | null {
+    if (activity === "off_rail" || !this.scene) return null;
+    if (inPast.value) return trails.spot(this.scene.track, id, moment.value, back, STILL.matches);
+    return this.glides.get(id)?.drive(now, STILL.matches).middle(back) ?? null;
+  }
+
   private placed(now: number): Body[] {
     const bodies: Body[] = [];
     for (const vehicle of this.last.values()) {
       const spec = this.specs.get(vehicle.id);
       const agv = spec?.kind === "agv";
       const length = Math.min(spec?.length ?? 1000, 1200);
-      const glide = vehicle.activity === "off_rail" ? undefined : this.glides.get(vehicle.id);
       // A hoist lies behind the barcode that it reports; an AGV, which drives both ways, is drawn over its tag.
-      const spot = glide?.drive(now, STILL.matches).middle(agv ? 0 : length * 0.41);
+      const back = agv ? 0 : length * 0.41;
+      const spot = this.spotOf(vehicle, back, now);
       if (spot) bodies.push({ vehicle, look: lookOf(vehicle), agv, spot, length });
     }
     return bodies;

@@ -1,7 +1,7 @@
 /** The way that the chosen vehicle would be led to its goal now: asked of the server when it changes goal or leaves that way. */
 import { effect, signal } from "@preact/signals";
 import { get } from "./api";
-import { changes, selected, stations, vehicles } from "./store";
+import { changes, inPast, selected, stations, vehicles } from "./store";
 import type { RouteShown } from "./types";
 
 /** Barcodes from the vehicle to its goal; empty: none is known. */
@@ -24,7 +24,8 @@ async function ask(vehicle: string, from: string, to: string): Promise<void> {
 /** Keep it up to date; returns how to stop. */
 export function begin(): () => void {
   return effect(() => {
-    const pick = selected.value;
+    // The server would lead it round what is closed now, not then.
+    const pick = inPast.value ? null : selected.value;
     void changes.vehicles.value;
     const vehicle = pick?.kind === "vehicle" ? vehicles.get(pick.id) : undefined;
     const goal = vehicle?.goal ? (stations.get(vehicle.goal)?.barcode ?? vehicle.goal) : null;

@@ -2,11 +2,14 @@
 import { effect, signal } from "@preact/signals";
 import { type Selection, selected } from "./store";
 
-export const ROOMS = ["map", "vehicles", "jobs", "alarms", "closures", "stations", "walks", "teaching", "statistics", "access", "audit", "webhooks"] as const;
+export const ROOMS = ["map", "vehicles", "jobs", "alarms", "closures", "stations", "walks", "teaching", "statistics", "playback", "access", "audit", "webhooks"] as const;
 export type Room = (typeof ROOMS)[number];
 
 const KINDS = new Set(["vehicle", "station", "device", "drive", "job"]);
 export const room = signal<Room>("map");
+/** The moment of the past that the address asks for, and the one that it is to name; ISO 8601. */
+export const momentAsked = signal<string | null>(null);
+export const momentShown = signal<string | null>(null);
 
 function isRoom(name: string): name is Room {
   return (ROOMS as readonly string[]).includes(name);
@@ -15,8 +18,10 @@ function isRoom(name: string): name is Room {
 function read(): void {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
   room.value = isRoom(path) ? path : "map";
-  const [[kind, id] = []] = [...new URLSearchParams(query)];
-  if (kind && id && KINDS.has(kind)) selected.value = { kind, id } as Selection;
+  const asked = new URLSearchParams(query);
+  momentAsked.value = room.value === "playback" ? asked.get("at") : null;
+  const [kind, id] = [...asked].find(([name]) => KINDS.has(name)) ?? [];
+  if (kind && id) selected.value = { kind, id } as Selection;
 }
 
 /** Follow the address, and keep it up to date. */
@@ -25,8 +30,11 @@ export function begin(): void {
   window.addEventListener("hashchange", read);
   effect(() => {
     const pick = selected.value;
-    const query = pick ? `?${new URLSearchParams({ [pick.kind]: pick.id })}` : "";
-    const next = `#/${room.value}${query}`;
+    const asked = new URLSearchParams(pick ? { [pick.kind]: pick.id } : {});
+    const at = momentShown.value ?? momentAsked.peek();
+    if (room.value === "playback" && at) asked.set("at", at);
+    const query = String(asked).replaceAll("%3A", ":");
+    const next = `#/${room.value}${query && `?${query}`}`;
     if (location.hash !== next) history.replaceState(null, "", next);
   });
 }

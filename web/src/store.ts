@@ -5,6 +5,8 @@ import { wrongs } from "./alarms";
 import * as api from "./api";
 import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
+import type { Change } from "./past/reel";
+import { ofThen } from "./past/then";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
 import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle, Walk } from "./types";
@@ -44,7 +46,8 @@ const teaching = new Map<string, { id: number; state: string }>();
 const walks = new Map<string, Walk>();
 const controllers = new Map<string, Controller>();
 const ended = new Map<string, Job>();
-const maps: { [T in Topic]: Map<string, Objects[T]> } = {
+type Books = { [T in Topic]: Map<string, Objects[T]> };
+const maps: Books = {
   controller: controllers,
   vehicles,
   jobs,
@@ -99,12 +102,16 @@ export const machines = computed<{ id: string; kind: MachineKind }[]>(() => {
   return [...of(doors, "door"), ...of(buffers, "buffer"), ...of(places, "charger")];
 });
 
-/** What is wrong now. */
+/** What is wrong now, whatever moment is shown. */
 export const troubles = computed(() => {
   void changes.vehicles.value;
   void changes.devices.value;
   void changes.drives.value;
-  return wrongs({ controller: controller.value, vehicles: vehicles.values(), devices: devices.values(), drives: drives.values() });
+  void aside.value;
+  const now = inPast.value ? live : maps;
+  const [first = null] = now.controller.values();
+  void controller.value;
+  return wrongs({ controller: first, vehicles: now.vehicles.values(), devices: now.devices.values(), drives: now.drives.values() });
 });
 
 export const driveList = computed(() => {
@@ -137,9 +144,10 @@ export const carrierList = computed(() => {
   return [...carriers.values()].sort(byId);
 });
 
-/** Open and ended jobs, newest first. */
+/** Open and ended jobs, newest first; of the past the open ones. */
 export const jobList = computed(() => {
   void changes.jobs.value;
+  if (inPast.value) return [...jobs.values()].sort((a, b) => b.order - a.order);
   return [...jobs.values(), ...[...ended.values()].filter((job) => !jobs.has(job.id))].sort((a, b) => b.order - a.order);
 });
 
@@ -210,38 +218,101 @@ function isTopic(name: string): name is Topic {
   return name in maps;
 }
 
+/** Whether the past is shown: then the maps have what was, and the stream goes on in books kept aside. */
+export const inPast = signal(false);
+/** The server replays a recorded incident: there is no present. */
+export const recording = signal(false);
+let live: Books = maps;
+/** Rises when the books kept aside change. */
+const aside = signal(0);
+
+/** Show something other than the present. */
+export function lookBack(): void {
+  if (inPast.value) return;
+  live = Object.fromEntries(Object.entries(maps).map(([topic, map]) => [topic, new Map<string, unknown>(map)])) as unknown as Books;
+  inPast.value = true;
+  showWhole({});
+  shown();
+}
+
+/** Show the present again. */
+export function backToNow(): void {
+  if (!inPast.value) return;
+  fill(Object.fromEntries(Object.entries(live).map(([topic, map]) => [topic, Object.fromEntries(map as Map<string, unknown>)])));
+  live = maps;
+  inPast.value = false;
+  members.value++;
+  shown();
+  void refreshEnded();
+}
+
+/** Show these objects of the past and no others. */
+export function showWhole(objects: Record<string, Record<string, Record<string, unknown>>>): void {
+  const whole = { ...objects, vehicles: Object.fromEntries(Object.entries(objects["vehicles"] ?? {}).map(([id, now]) => [id, ofThen(id, now)])) };
+  fill(whole);
+  members.value++;
+}
+
+/** Show a change of the past; of a vehicle there is only what is other than before. */
+export function showChange([, topic, key, value]: Change): void {
+  if (!isTopic(topic)) return;
+  const map = maps[topic] as Map<string, unknown>;
+  const now = topic === "vehicles" && value !== null ? ofThen(key, { ...vehicles.get(key), ...value }) : value;
+  put(map, topic, key, now);
+}
+
+function put(map: Map<string, unknown>, topic: Topic, key: string, value: unknown): void {
+  if (topic === "vehicles" && map === vehicles && (value === null || !map.has(key))) members.value++;
+  if (value === null) map.delete(key);
+  else map.set(key, value);
+  touched.add(topic);
+}
+
+function fill(objects: Record<string, Record<string, unknown>>, books: Books = maps): void {
+  for (const topic of Object.keys(books) as Topic[]) {
+    const map = books[topic] as Map<string, unknown>;
+    map.clear();
+    for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
+    touched.add(topic);
+  }
+}
+
 /** One round for all that changed: what shows several topics is drawn once. */
-function flush(): void {
+export function shown(): void {
   batch(() => {
-    heardAt.value = Date.now();
     for (const topic of touched) changes[topic].value++;
     touched.clear();
   });
 }
 
+function flush(): void {
+  batch(() => {
+    heardAt.value = Date.now();
+    if (inPast.value) aside.value++;
+    else shown();
+  });
+}
+
 const sink: Sink = {
   snapshot(objects, lastEvent) {
-    for (const topic of Object.keys(maps) as Topic[]) {
-      const map = maps[topic] as Map<string, unknown>;
-      map.clear();
-      for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
-      touched.add(topic);
-    }
-    members.value++;
+    const [now] = Object.values(objects["controller"] ?? {}) as Controller[];
+    recording.value = now?.recording ?? false;
+    fill(objects, live);
+    if (!inPast.value) members.value++;
     flush();
     void refreshEnded();
     if (happenings.value.length === 0) void earlier(lastEvent);
   },
   change(topic, key, value) {
     if (!isTopic(topic)) return;
-    const map = maps[topic] as Map<string, unknown>;
-    if (topic === "vehicles" && (value === null || !map.has(key))) members.value++;
-    if (value !== null) map.set(key, value);
-    else {
-      map.delete(key);
-      if (topic === "jobs") refreshSoon();
+    if (inPast.value) {
+      const map = live[topic] as Map<string, unknown>;
+      if (value === null) map.delete(key);
+      else map.set(key, value);
+      return;
     }
-    touched.add(topic);
+    put(maps[topic] as Map<string, unknown>, topic, key, value);
+    if (value === null && topic === "jobs") refreshSoon();
   },
   changed: flush,
   events: remember,

@@ -275,6 +275,8 @@ export interface Controller {
   /** How many vehicles under way were led another way: round what is closed, and because it was quicker. */
   led_round: number;
   led_quicker: number;
+  /** A recorded incident, replayed. */
+  recording?: boolean;
   /** Pieces of track that take twice as long as usual for the traffic on them; how often ways were weighed anew by that. */
   slow_track: number;
   weighed: number;

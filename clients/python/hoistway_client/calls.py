@@ -461,6 +461,10 @@ class Calls(Synchronous):
         """
         return cast("m.Page[m.PlaybackChange]", self._call("GET", "/api/v1/history/changes", params={"from": from_, "to": to, "after": after, "limit": limit}))
 
+    def list_past_events(self, *, from_: str | None = None, to: str | None = None, of_note: bool | None = None, newest: bool | None = None, job: str | None = None, vehicle: str | None = None, limit: int | None = None) -> m.Page[m.Event]:
+        """List the events of a period (by default the last hour): the first, or the newest. All of them: `GET /events`."""
+        return cast("m.Page[m.Event]", self._call("GET", "/api/v1/history/events", params={"from": from_, "to": to, "of_note": of_note, "newest": newest, "job": job, "vehicle": vehicle, "limit": limit}))
+
     def show_statistics(self, *, from_: str | None = None, to: str | None = None, interval: int | None = None) -> m.Statistics:
         """Show what a period came to (by default the last day): delivery times by phase, throughput, queue, vehicles,
         waits.
@@ -1152,6 +1156,10 @@ class AsyncCalls(Asynchronous):
         other now.
         """
         return cast("m.Page[m.PlaybackChange]", await self._call("GET", "/api/v1/history/changes", params={"from": from_, "to": to, "after": after, "limit": limit}))
+
+    async def list_past_events(self, *, from_: str | None = None, to: str | None = None, of_note: bool | None = None, newest: bool | None = None, job: str | None = None, vehicle: str | None = None, limit: int | None = None) -> m.Page[m.Event]:
+        """List the events of a period (by default the last hour): the first, or the newest. All of them: `GET /events`."""
+        return cast("m.Page[m.Event]", await self._call("GET", "/api/v1/history/events", params={"from": from_, "to": to, "of_note": of_note, "newest": newest, "job": job, "vehicle": vehicle, "limit": limit}))
 
     async def show_statistics(self, *, from_: str | None = None, to: str | None = None, interval: int | None = None) -> m.Statistics:
         """Show what a period came to (by default the last day): delivery times by phase, throughput, queue, vehicles,

@@ -348,7 +348,8 @@ class Controller(TypedDict):
     ``cut_off``: the stations that nobody can reach for that, with the reason. How many vehicles under way were led
     another way since the start: ``led_round`` what is closed, ``led_quicker`` because another way had become
     quicker. ``slow_track``: pieces of track that take twice as long as usual for the traffic on them; ``weighed``:
-    how often ways were weighed anew by that. ``pauses``: zones that are paused or stopped.
+    how often ways were weighed anew by that. ``pauses``: zones that are paused or stopped. ``recording``: a
+    recorded incident is replayed, and nothing can be asked of it.
     """
 
     plant: str
@@ -370,6 +371,7 @@ class Controller(TypedDict):
     slow_track: int
     weighed: int
     pauses: list[Pause]
+    recording: bool
 
 
 class Device(TypedDict):
@@ -1058,6 +1060,7 @@ Span = TypedDict(
         'from': 'str | None',
         'to': 'str | None',
         'bytes': 'int',
+        'incident': 'dict[str, Any] | None',
     },
 )
 

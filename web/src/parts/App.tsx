@@ -1,6 +1,6 @@
 import { room } from "../route";
 import { asked } from "../access";
-import { controller, selected } from "../store";
+import { controller, inPast, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
 import { Audit } from "./Audit";
@@ -14,6 +14,8 @@ import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { LogIn } from "./LogIn";
+import { PastPanel } from "./PastPanels";
+import { PastEvents, Playback } from "./Playback";
 import { StationPanel } from "./StationPanel";
 import { Staff } from "./Staff";
 import { Stations } from "./Stations";
@@ -29,6 +31,7 @@ import { Webhooks } from "./Webhooks";
 
 export function App() {
   const pick = selected.value;
+  if (inPast.value || room.value === "playback") return <Past />;
   return (
     <div class="page">
       <Header />
@@ -42,6 +45,29 @@ export function App() {
           {pick?.kind === "device" && <DevicePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "drive" && <DrivePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "job" && <JobPanel key={pick.id} id={pick.id} />}
+          <Jobs />
+        </aside>
+      </main>
+      {asked.value && <LogIn />}
+      <Barred />
+    </div>
+  );
+}
+
+/** What was: nothing on it can be commanded. */
+function Past() {
+  const pick = selected.value;
+  return (
+    <div class="page past">
+      <Header />
+      <Rooms />
+      <main>
+        <section class="left">
+          <Playback />
+        </section>
+        <aside class={pick ? "telling" : ""}>
+          {pick && <PastPanel key={`${pick.kind} ${pick.id}`} pick={pick} />}
+          <PastEvents />
           <Jobs />
         </aside>
       </main>

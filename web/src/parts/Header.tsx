@@ -1,5 +1,5 @@
 /** What the plant is, how it does, whether what is shown is live, who looks at it. */
-import { controller, ENDED, heardAt, jobList, layout, link, notice, tick, troubles, vehicleList } from "../store";
+import { controller, ENDED, heardAt, inPast, jobList, layout, link, notice, recording, tick, troubles, vehicleList } from "../store";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
 import { Account } from "./Account";
@@ -21,7 +21,7 @@ export function Header() {
       <span class="plant">{layout.value?.name ?? ""}</span>
       <ControllerState />
       <KeptOff />
-      <Master />
+      {!inPast.value && <Master />}
       <span class="grow" />
       <Counts />
       <Account />
@@ -38,7 +38,7 @@ export function Rooms() {
   const grave = troubles.value.filter((wrong) => wrong.grave).length;
   return (
     <nav class="rooms" aria-label={t("rooms")}>
-      {ROOMS.map((name) => (
+      {(recording.value ? (["playback"] as const) : ROOMS).map((name) => (
         <button type="button" key={name} aria-current={room.value === name ? "page" : undefined} onClick={() => (room.value = name)}>
           {t(name)}
           {name === "alarms" && grave > 0 && <b class="badge">! {grave}</b>}
@@ -104,6 +104,14 @@ function Counts() {
 function LinkState() {
   void tick.value;
   const state = link.value;
+  if (inPast.value) {
+    return (
+      <span class="link past">
+        <i class="dot" />
+        {t("playback")}
+      </span>
+    );
+  }
   const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1000) : null;
   const text =
     state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);

@@ -1,8 +1,9 @@
 /** Jobs, newest first: what each does, or why it waits. */
 import { useSignal } from "@preact/signals";
 import { post, serverNow } from "../api";
+import { moment } from "../past/player";
 import { elapsed, TONES } from "../shows";
-import { ENDED, jobList, selected, tick, vehicles } from "../store";
+import { ENDED, inPast, jobList, selected, tick, vehicles } from "../store";
 import { said, t, tell } from "../texts";
 import type { Job } from "../types";
 import { Problem } from "./Problem";
@@ -65,15 +66,15 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
           </button>
         )}
       </span>
-      <span class="age">{elapsed(job, serverNow())}</span>
+      <span class="age">{elapsed(job, inPast.value ? moment.value * 1000 : serverNow())}</span>
       <span class="route">
         <Place id={job.source} />
         <i>→</i>
         <Place id={job.destination} />
       </span>
       <span class="act">
-        {CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => ask(job, "cancel")} />}
-        {ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => ask(job, "abort")} />}
+        {!inPast.value && CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => ask(job, "cancel")} />}
+        {!inPast.value && ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => ask(job, "abort")} />}
       </span>
       <span class="reason" title={tell(why)}>
         {tell(why)}

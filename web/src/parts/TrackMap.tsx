@@ -3,11 +3,12 @@ import { effect, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { listenTo } from "../gestures";
 import { Painter } from "../painter";
-import { changes, devices, layout, lookAt, passers, presence, type Selection, selected, stations, track, vehicles } from "../store";
+import { changes, devices, inPast, layout, lookAt, passers, presence, type Selection, selected, stations, track, vehicles } from "../store";
 import { said, t, tell } from "../texts";
 import { closedWays, previewedWays } from "../closed";
 import type { Found } from "../find";
 import { following, heatShown, layers } from "../layers";
+import { moment } from "../past/player";
 import * as planned from "../plan";
 import { theme } from "../theme";
 import { Finder } from "./Finder";
@@ -92,6 +93,15 @@ export function TrackMap() {
       effect(() => {
         void theme.value;
         paint.recolour();
+      }),
+      effect(() => {
+        void inPast.value;
+        paint.forgetAll();
+        paint.report();
+      }),
+      effect(() => {
+        void moment.value;
+        paint.wake();
       }),
       effect(() => {
         void following.value;

@@ -1096,7 +1096,16 @@ function serverNow() {
 function headerText(text) {
 	return String.fromCharCode(...new TextEncoder().encode(text));
 }
+var notNow = () => "";
+/** Nothing may be asked of the plant while this says why not. */
+function forbidWhile(why) {
+	notNow = why;
+}
+/** Who is there may be said at any time, and the stream goes on. */
+var ALWAYS = /^\/(session|live)(\/|$)/;
 async function call(method, path, body, extra = {}) {
+	const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
+	if (why) throw new Refused(0, why);
 	const headers = {
 		Accept: "application/json",
 		"Accept-Language": document.documentElement.lang || "en",
@@ -1131,6 +1140,20 @@ async function refusal$1(response) {
 }
 var get = (path) => call("GET", path);
 var post = (path, body, extra) => call("POST", path, body, extra);
+async function fetched(path) {
+	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
+	const response = await fetch(`/api/v1${path}`, {
+		headers,
+		signal: AbortSignal.timeout(TIMEOUT)
+	}).catch(() => {
+		throw new Refused(0, "The server does not answer.");
+	});
+	if (!response.ok) throw await refusal$1(response);
+	return response;
+}
+async function bytes(path) {
+	return new Uint8Array(await (await fetched(path)).arrayBuffer());
+}
 /** Send a file as it is. */
 async function upload(path, text, kind) {
 	const headers = {
@@ -1151,12 +1174,7 @@ async function upload(path, text, kind) {
 }
 /** Let the browser save what a path gives. A link could not carry the access key. */
 async function download(path, name) {
-	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
-	const response = await fetch(`/api/v1${path}`, {
-		headers,
-		signal: AbortSignal.timeout(TIMEOUT)
-	});
-	if (!response.ok) throw await refusal$1(response);
+	const response = await fetched(path);
 	const link = document.createElement("a");
 	link.href = URL.createObjectURL(await response.blob());
 	link.download = name;
@@ -1179,8 +1197,8 @@ function freshKey() {
 	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
 }
 // ../app/texts/en.json
-var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"Full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\"}");
-var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"Full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"speed\":\"Speed\",\"speed_slow\":\"slow\",\"speed_normal\":\"normal\",\"speed_fast\":\"fast\",\"at_forks\":\"At forks\",\"by_hand\":\"By hand, until it is stopped\",\"hand_forward\":\"By hand: forward\",\"hand_backward\":\"By hand: backward\",\"hand_turn_left\":\"By hand: turn left\",\"hand_turn_right\":\"By hand: turn right\",\"tape_forward\":\"Along the tape\",\"tape_backward\":\"Back along the tape\",\"agv_alias\":\"To a destination by its name\",\"stands_at_tag\":\"It stands at tag\",\"tell_it\":\"Tell it so\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\"}");
+var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"closed_by_for\":\"closed by {0}: {1} ({2})\",\"closed_for_work_by\":\"closed for people at work by {0}: {1} ({2})\",\"is_there_silent\":\"{0} is there, silent: {1}\",\"stands_before_an_obstacle\":\"{0} stands there before an obstacle\",\"stands_there_for\":\"{0} stands there, {1}\",\"nobody_of_that_name\":\"There is nobody of that name with that password.\",\"try_again\":\"Try again.\",\"no_key_or_session\":\"This is no key or session that is good now.\",\"log_in_or_send\":\"Log in (POST /api/v1/session), or send the header Authorization: Bearer KEY.\",\"wants_to_know\":\"This server wants to know who calls.\",\"too_many_attempts\":\"Too many attempts went wrong.\",\"try_again_in\":\"Try again in {0} s.\",\"not_the_old_password\":\"That is not the old password.\",\"administrator_can_give\":\"An administrator can give you a new one.\",\"logged_in_too_long_ago\":\"You logged in too long ago.\",\"session_has_ended\":\"The session has ended.\",\"log_in_again\":\"Log in again.\",\"looks_like_somebody\":\"{0} would look like somebody else in the audit.\",\"choose_another_name\":\"Choose another name.\",\"is_last_administrator\":\"{0} is the last administrator.\",\"password_must_not\":\"A password must not hold the name, and has at least five different characters.\",\"row_has_been_changed\":\"row {0} has been changed, or a row between {1} and {2} was taken out or put in\",\"needs_the_role\":\"{0} needs the role {1}; {2} has {3}.\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
 var events$1 = {
 	"TransferInitiated": "Transfer initiated",
 	"VehicleAssigned": "Vehicle assigned",
@@ -1242,8 +1260,8 @@ var events$1 = {
 	"WalkEnded": "Walk ended"
 };
 // ../app/texts/ko.json
-var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\"}");
-var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"speed\":\"속도\",\"speed_slow\":\"느리게\",\"speed_normal\":\"보통\",\"speed_fast\":\"빠르게\",\"at_forks\":\"갈림길에서\",\"by_hand\":\"수동, 정지할 때까지\",\"hand_forward\":\"수동: 앞으로\",\"hand_backward\":\"수동: 뒤로\",\"hand_turn_left\":\"수동: 왼쪽 회전\",\"hand_turn_right\":\"수동: 오른쪽 회전\",\"tape_forward\":\"테이프 따라 앞으로\",\"tape_backward\":\"테이프 따라 뒤로\",\"agv_alias\":\"이름으로 목적지 이동\",\"stands_at_tag\":\"현재 태그\",\"tell_it\":\"알리기\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\"}");
+var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"closed_by_for\":\"{0} 님이 폐쇄: {1} ({2})\",\"closed_for_work_by\":\"{0} 님이 작업을 위해 폐쇄: {1} ({2})\",\"is_there_silent\":\"{0}이(가) 그곳에 있으나 응답 없음: {1}\",\"stands_before_an_obstacle\":\"{0}이(가) 장애물 앞에 서 있음\",\"stands_there_for\":\"{0}이(가) 서 있음, {1}\",\"nobody_of_that_name\":\"그 이름과 암호를 가진 사람이 없습니다.\",\"try_again\":\"다시 시도하십시오.\",\"no_key_or_session\":\"지금 유효한 키나 세션이 아닙니다.\",\"log_in_or_send\":\"로그인하거나 유효한 키를 사용하십시오.\",\"wants_to_know\":\"이 서버는 로그인이 필요합니다.\",\"too_many_attempts\":\"잘못된 시도가 너무 많습니다.\",\"try_again_in\":\"{0}초 후 다시 시도하십시오.\",\"not_the_old_password\":\"이전 암호가 아닙니다.\",\"administrator_can_give\":\"관리자가 새 암호를 줄 수 있습니다.\",\"logged_in_too_long_ago\":\"로그인한 지 너무 오래되었습니다.\",\"session_has_ended\":\"세션이 끝났습니다.\",\"log_in_again\":\"다시 로그인하십시오.\",\"looks_like_somebody\":\"{0}은(는) 감사 기록에서 다른 사람과 혼동됩니다.\",\"choose_another_name\":\"다른 이름을 고르십시오.\",\"is_last_administrator\":\"{0}은(는) 마지막 관리자입니다.\",\"password_must_not\":\"암호에 이름을 넣을 수 없고 서로 다른 문자가 다섯 개 이상이어야 합니다.\",\"row_has_been_changed\":\"{0}행이 변경되었거나 {1}행과 {2}행 사이에 행이 빠지거나 끼어들었습니다\",\"needs_the_role\":\"{0}에는 {1} 역할이 필요합니다. {2}의 역할: {3}.\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
 var events = {
 	"TransferInitiated": "반송 시작 등록",
 	"VehicleAssigned": "차량 배정",
@@ -1355,8 +1373,8 @@ function patternOf(text) {
 * (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
 */
 var KEPT$3 = "hoistway.language";
-var kept$3 = localStorage.getItem(KEPT$3);
-var language = y$1(kept$3 === "en" || kept$3 === "ko" ? kept$3 : navigator.language.startsWith("ko") ? "ko" : "en");
+var kept$4 = localStorage.getItem(KEPT$3);
+var language = y$1(kept$4 === "en" || kept$4 === "ko" ? kept$4 : navigator.language.startsWith("ko") ? "ko" : "en");
 var sayings = new Sayings(sayings$2, sayings$1);
 function speak(next) {
 	localStorage.setItem(KEPT$3, next);
@@ -1390,14 +1408,14 @@ var LOOK = 15e3;
 var LATER = 2e3;
 var me = y$1(null);
 /** Whether somebody has to say who they are before the page can go on. */
-var asked$1 = y$1(false);
+var asked$2 = y$1(false);
 /** Rises whenever it becomes known who is there: what was refused before is read again. */
-var round$1 = y$1(0);
+var round$2 = y$1(0);
 /** Why a button that was pressed does nothing for who is here. */
 var barred$1 = y$1("");
 var rulings = y$1(/* @__PURE__ */ new Map());
-var session = y$1(kept$2());
-function kept$2() {
+var session = y$1(kept$3());
+function kept$3() {
 	try {
 		return JSON.parse(sessionStorage.getItem(KEPT$2) ?? "null");
 	} catch {
@@ -1431,7 +1449,7 @@ async function learn(anew = false) {
 	rulings.value = new Map(calls.items.map((ruling) => [ruling.call, ruling]));
 	me.value = who;
 	barred$1.value = "";
-	round$1.value++;
+	round$2.value++;
 }
 function take({ token, expires, until }) {
 	const [now, end] = [serverNow(), Date.parse(expires)];
@@ -1449,14 +1467,14 @@ async function logIn(name, password) {
 		password
 	}));
 	await learn(true);
-	asked$1.value = false;
+	asked$2.value = false;
 }
 /** Use a machine's key. Raises Refused. */
 async function useKey(key) {
 	keep(null);
 	useKey$1(key);
 	await learn(true);
-	asked$1.value = false;
+	asked$2.value = false;
 }
 /** Log out, and begin with an empty page: nothing of what was shown stays. */
 async function logOut() {
@@ -1467,7 +1485,7 @@ async function logOut() {
 }
 async function renew() {
 	const now = session.value;
-	if (!now || asked$1.value || serverNow() < now.renew) return;
+	if (!now || asked$2.value || serverNow() < now.renew) return;
 	keep({
 		...now,
 		renew: serverNow() + LOOK
@@ -1477,8 +1495,8 @@ async function renew() {
 	} catch {}
 }
 /** Ask whenever the server wants to know; `go` begins, and goes on after each log-in. */
-function begin$4(go) {
-	onKeyWanted(() => asked$1.value = true);
+function begin$5(go) {
+	onKeyWanted(() => asked$2.value = true);
 	onForbidden(() => void learn().catch(() => void 0));
 	window.setInterval(() => void renew(), LOOK);
 	const first = () => {
@@ -1488,8 +1506,8 @@ function begin$4(go) {
 	};
 	first();
 	renew();
-	let before = round$1.value;
-	round$1.subscribe((now) => {
+	let before = round$2.value;
+	round$2.subscribe((now) => {
 		if (now !== before) go();
 		before = now;
 	});
@@ -1711,6 +1729,62 @@ var Watcher = class {
 		}
 	}
 };
+// src/past/then.ts
+var LINK = {
+	up: true,
+	since: "",
+	reason: "",
+	frames_in: 0,
+	frames_out: 0,
+	garbled: 0,
+	resends: 0,
+	duplicates: 0,
+	round_trip_ms: null
+};
+var BLANK = {
+	id: "",
+	dev_id: 0,
+	dialect: "",
+	address: "",
+	state: "",
+	activity: "",
+	service: "",
+	link: LINK,
+	mode: null,
+	oper: null,
+	code: null,
+	code_name: "",
+	loaded: null,
+	carrier: null,
+	barcode: null,
+	dist: null,
+	seq: null,
+	status1: null,
+	status2: null,
+	bits: [],
+	job: null,
+	goal: null,
+	waiting: "",
+	granted: [],
+	covered: [],
+	hold: null,
+	lockout: null,
+	seen: null,
+	parked: false
+};
+var GONE = {
+	...LINK,
+	up: false
+};
+/** A vehicle as it was recorded, or one that was shown with what has changed of it. */
+function ofThen(id, now) {
+	return {
+		...BLANK,
+		...now,
+		id,
+		link: now["activity"] === "absent" ? GONE : LINK
+	};
+}
 // src/shows.ts
 /** As custom properties of the style sheet, which has them for each theme. */
 var LOOKS = {
@@ -1830,7 +1904,7 @@ function elapsed(job, now) {
 }
 /** Time of day at this place. */
 /** Day and time of day, for what may lie long ago. */
-function moment(iso) {
+function moment$1(iso) {
 	const at = new Date(iso);
 	return Number.isNaN(at.getTime()) ? "" : `${at.toLocaleDateString("sv-SE")} ${clock(iso)}`;
 }
@@ -2163,16 +2237,20 @@ var machines = O(() => {
 		...of(places, "charger")
 	];
 });
-/** What is wrong now. */
+/** What is wrong now, whatever moment is shown. */
 var troubles = O(() => {
 	changes.vehicles.value;
 	changes.devices.value;
 	changes.drives.value;
+	aside.value;
+	const now = inPast.value ? live : maps;
+	const [first = null] = now.controller.values();
+	controller.value;
 	return wrongs({
-		controller: controller.value,
-		vehicles: vehicles.values(),
-		devices: devices.values(),
-		drives: drives.values()
+		controller: first,
+		vehicles: now.vehicles.values(),
+		devices: now.devices.values(),
+		drives: now.drives.values()
 	});
 });
 var driveList = O(() => {
@@ -2199,9 +2277,10 @@ var carrierList = O(() => {
 	changes.carriers.value;
 	return [...carriers.values()].sort(byId);
 });
-/** Open and ended jobs, newest first. */
+/** Open and ended jobs, newest first; of the past the open ones. */
 var jobList = O(() => {
 	changes.jobs.value;
+	if (inPast.value) return [...jobs.values()].sort((a, b) => b.order - a.order);
 	return [...jobs.values(), ...[...ended.values()].filter((job) => !jobs.has(job.id))].sort((a, b) => b.order - a.order);
 });
 function vehicleNow(id) {
@@ -2265,37 +2344,96 @@ function orderTo(id) {
 function isTopic(name) {
 	return name in maps;
 }
+/** Whether the past is shown: then the maps have what was, and the stream goes on in books kept aside. */
+var inPast = y$1(false);
+/** The server replays a recorded incident: there is no present. */
+var recording = y$1(false);
+var live = maps;
+/** Rises when the books kept aside change. */
+var aside = y$1(0);
+/** Show something other than the present. */
+function lookBack() {
+	if (inPast.value) return;
+	live = Object.fromEntries(Object.entries(maps).map(([topic, map]) => [topic, new Map(map)]));
+	inPast.value = true;
+	showWhole({});
+	shown();
+}
+/** Show the present again. */
+function backToNow() {
+	if (!inPast.value) return;
+	fill$1(Object.fromEntries(Object.entries(live).map(([topic, map]) => [topic, Object.fromEntries(map)])));
+	live = maps;
+	inPast.value = false;
+	members.value++;
+	shown();
+	refreshEnded();
+}
+/** Show these objects of the past and no others. */
+function showWhole(objects) {
+	fill$1({
+		...objects,
+		vehicles: Object.fromEntries(Object.entries(objects["vehicles"] ?? {}).map(([id, now]) => [id, ofThen(id, now)]))
+	});
+	members.value++;
+}
+/** Show a change of the past; of a vehicle there is only what is other than before. */
+function showChange([, topic, key, value]) {
+	if (!isTopic(topic)) return;
+	const map = maps[topic];
+	put(map, topic, key, topic === "vehicles" && value !== null ? ofThen(key, {
+		...vehicles.get(key),
+		...value
+	}) : value);
+}
+function put(map, topic, key, value) {
+	if (topic === "vehicles" && map === vehicles && (value === null || !map.has(key))) members.value++;
+	if (value === null) map.delete(key);
+	else map.set(key, value);
+	touched.add(topic);
+}
+function fill$1(objects, books = maps) {
+	for (const topic of Object.keys(books)) {
+		const map = books[topic];
+		map.clear();
+		for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
+		touched.add(topic);
+	}
+}
 /** One round for all that changed: what shows several topics is drawn once. */
-function flush() {
+function shown() {
 	r(() => {
-		heardAt.value = Date.now();
 		for (const topic of touched) changes[topic].value++;
 		touched.clear();
 	});
 }
+function flush() {
+	r(() => {
+		heardAt.value = Date.now();
+		if (inPast.value) aside.value++;
+		else shown();
+	});
+}
 var sink = {
 	snapshot(objects, lastEvent) {
-		for (const topic of Object.keys(maps)) {
-			const map = maps[topic];
-			map.clear();
-			for (const [key, value] of Object.entries(objects[topic] ?? {})) map.set(key, value);
-			touched.add(topic);
-		}
-		members.value++;
+		const [now] = Object.values(objects["controller"] ?? {});
+		recording.value = now?.recording ?? false;
+		fill$1(objects, live);
+		if (!inPast.value) members.value++;
 		flush();
 		refreshEnded();
 		if (happenings.value.length === 0) earlier(lastEvent);
 	},
 	change(topic, key, value) {
 		if (!isTopic(topic)) return;
-		const map = maps[topic];
-		if (topic === "vehicles" && (value === null || !map.has(key))) members.value++;
-		if (value !== null) map.set(key, value);
-		else {
-			map.delete(key);
-			if (topic === "jobs") refreshSoon();
+		if (inPast.value) {
+			const map = live[topic];
+			if (value === null) map.delete(key);
+			else map.set(key, value);
+			return;
 		}
-		touched.add(topic);
+		put(maps[topic], topic, key, value);
+		if (value === null && topic === "jobs") refreshSoon();
 	},
 	changed: flush,
 	events: remember,
@@ -2359,8 +2497,8 @@ async function start() {
 	});
 	watcher.open();
 }
-function begin$3() {
-	begin$4(() => void (watcher ? watcher.open() : start()));
+function begin$4() {
+	begin$5(() => void (watcher ? watcher.open() : start()));
 	window.setInterval(() => tick.value++, 1e3);
 	start();
 }
@@ -2376,11 +2514,12 @@ var ROOMS = [
 	"walks",
 	"teaching",
 	"statistics",
+	"playback",
 	"access",
 	"audit",
 	"webhooks"
 ];
-var KINDS = /* @__PURE__ */ new Set([
+var KINDS$1 = /* @__PURE__ */ new Set([
 	"vehicle",
 	"station",
 	"device",
@@ -2388,26 +2527,34 @@ var KINDS = /* @__PURE__ */ new Set([
 	"job"
 ]);
 var room$1 = y$1("map");
+/** The moment of the past that the address asks for, and the one that it is to name; ISO 8601. */
+var momentAsked = y$1(null);
+var momentShown = y$1(null);
 function isRoom(name) {
 	return ROOMS.includes(name);
 }
 function read() {
 	const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
 	room$1.value = isRoom(path) ? path : "map";
-	const [[kind, id] = []] = [...new URLSearchParams(query)];
-	if (kind && id && KINDS.has(kind)) selected.value = {
+	const asked = new URLSearchParams(query);
+	momentAsked.value = room$1.value === "playback" ? asked.get("at") : null;
+	const [kind, id] = [...asked].find(([name]) => KINDS$1.has(name)) ?? [];
+	if (kind && id) selected.value = {
 		kind,
 		id
 	};
 }
 /** Follow the address, and keep it up to date. */
-function begin$2() {
+function begin$3() {
 	read();
 	window.addEventListener("hashchange", read);
 	x(() => {
 		const pick = selected.value;
-		const query = pick ? `?${new URLSearchParams({ [pick.kind]: pick.id })}` : "";
-		const next = `#/${room$1.value}${query}`;
+		const asked = new URLSearchParams(pick ? { [pick.kind]: pick.id } : {});
+		const at = momentShown.value ?? momentAsked.peek();
+		if (room$1.value === "playback" && at) asked.set("at", at);
+		const query = String(asked).replaceAll("%3A", ":");
+		const next = `#/${room$1.value}${query && `?${query}`}`;
 		if (location.hash !== next) history.replaceState(null, "", next);
 	});
 }
@@ -2497,7 +2644,7 @@ function useRead(path, ...again) {
 	}, [
 		path,
 		language.value,
-		round$1.value,
+		round$2.value,
 		...again
 	]);
 	return {
@@ -2642,14 +2789,14 @@ function Reasoned({ decisions, title, asking, hint }) {
 }
 // src/parts/Table.tsx
 /** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
-var SHOWN$2 = 200;
+var SHOWN$3 = 200;
 function compare(a, b) {
 	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
 	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
 }
 function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
 	const order = useSignal(null);
-	const shown = useSignal(SHOWN$2);
+	const shown = useSignal(SHOWN$3);
 	const by = order.value ? columns[order.value.column]?.by : void 0;
 	const sign = order.value?.down ? -1 : 1;
 	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
@@ -2714,7 +2861,7 @@ function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
 					" ",
 					/* @__PURE__ */ a("button", {
 						type: "button",
-						onClick: () => shown.value += SHOWN$2,
+						onClick: () => shown.value += SHOWN$3,
 						children: t("show_more")
 					})
 				]
@@ -2769,7 +2916,7 @@ function Present() {
 				class: "nothing",
 				children: t("no_alarms")
 			}),
-			alarmList.value.map((alarm) => /* @__PURE__ */ a(Line$2, { alarm }, alarm.id)),
+			alarmList.value.map((alarm) => /* @__PURE__ */ a(Line$4, { alarm }, alarm.id)),
 			others.map((wrong) => /* @__PURE__ */ a(Other, { wrong }, wrong.key))
 		]
 	});
@@ -2781,7 +2928,7 @@ var GRAVE = /* @__PURE__ */ new Set([
 	"traffic",
 	"plant"
 ]);
-function Line$2({ alarm }) {
+function Line$4({ alarm }) {
 	const grave = GRAVE.has(alarm.kind);
 	const known = vehicles.has(alarm.source) || devices.has(alarm.source) || drives.has(alarm.source);
 	return /* @__PURE__ */ a("li", {
@@ -3037,7 +3184,7 @@ function save(text, name, kind = "text/csv") {
 /** The audit: who asked for what, looked for by name, deed, object, outcome and time; whether its chain is whole; as a file. */
 var PAGE$1 = 100;
 /** Most rows of one file. Our choice: a browser holds them all. */
-var MOST$2 = 1e5;
+var MOST$4 = 1e5;
 var COLUMNS = [
 	"seq",
 	"at",
@@ -3124,7 +3271,7 @@ function Rows() {
 	const asking = useAsking();
 	const again = useSignal(0);
 	const after = pages.value.at(-1) ?? 0;
-	const { value } = useRead(`/audit?${query.value}&limit=${PAGE$1}${after ? `&after=${after}` : ""}`, again.value, round$1.value);
+	const { value } = useRead(`/audit?${query.value}&limit=${PAGE$1}${after ? `&after=${after}` : ""}`, again.value, round$2.value);
 	const look = (event) => {
 		event.preventDefault();
 		query.value = queryOf({
@@ -3141,7 +3288,7 @@ function Rows() {
 	const write = () => void asking.ask(async () => {
 		const rows = [];
 		let from = 0;
-		while (from !== null && rows.length < MOST$2) {
+		while (from !== null && rows.length < MOST$4) {
 			const page = await get(`/audit?${query.value}&limit=1000${from ? `&after=${from}` : ""}`);
 			rows.push(...page.items);
 			from = page.next;
@@ -3225,7 +3372,7 @@ function Rows() {
 					},
 					{
 						name: t("when"),
-						of: (row) => moment(row.at)
+						of: (row) => moment$1(row.at)
 					},
 					{
 						name: t("who"),
@@ -3290,7 +3437,7 @@ function Barred() {
 					type: "button",
 					onClick: () => {
 						barred$1.value = "";
-						asked$1.value = true;
+						asked$2.value = true;
 					},
 					children: t("log_in_as_other")
 				}),
@@ -3409,7 +3556,7 @@ function Row$2({ drive }) {
 /** What has happened, newest first. */
 var BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
 var GOOD = /TransferCompleted|AlarmCleared|VehicleReleased/;
-var SHOWN$1 = 80;
+var SHOWN$2 = 80;
 function Events() {
 	const list = happenings.value;
 	return /* @__PURE__ */ a("ol", {
@@ -3418,10 +3565,10 @@ function Events() {
 		children: [list.length === 0 && /* @__PURE__ */ a("li", {
 			class: "nothing",
 			children: t("no_events")
-		}), list.slice(0, SHOWN$1).map((event) => /* @__PURE__ */ a(Line$1, { event }, event.seq))]
+		}), list.slice(0, SHOWN$2).map((event) => /* @__PURE__ */ a(Line$3, { event }, event.seq))]
 	});
 }
-function Line$1({ event }) {
+function Line$3({ event }) {
 	const tone = BAD.test(event.event) ? "bad" : GOOD.test(event.event) ? "good" : "";
 	const where = [event.source, event.destination].filter(Boolean).join(" → ");
 	return /* @__PURE__ */ a("li", {
@@ -3703,9 +3850,9 @@ function ClosedBefore() {
 				" · ",
 				closure.owner,
 				" · ",
-				moment(closure.since),
+				moment$1(closure.since),
 				" – ",
-				moment(closure.ended ?? ""),
+				moment$1(closure.ended ?? ""),
 				" ",
 				/* @__PURE__ */ a("span", {
 					class: "calm",
@@ -3721,6 +3868,11 @@ function ClosedBefore() {
 }
 // src/parts/Kept.tsx
 /** What routes keep off, whom that cuts off, and how vehicles are led round it: in the header in few words, in full among the closures. */
+/** A line that begins with places or a station, told in the words of who reads it. */
+function retold(line) {
+	const at = line.indexOf(": ");
+	return at < 0 ? tell(line) : `${line.slice(0, at)}: ${tell(line.slice(at + 2))}`;
+}
 /** In the header, only if anything is the matter. */
 function KeptOff() {
 	const now = controller.value;
@@ -3729,7 +3881,7 @@ function KeptOff() {
 	return /* @__PURE__ */ a("button", {
 		type: "button",
 		class: `kept ${now.cut_off.length ? "bad" : "wait"}`,
-		title: now.cut_off.map(tell).join("\n"),
+		title: now.cut_off.map(retold).join("\n"),
 		onClick: () => room$1.value = "closures",
 		children: words.join(" · ")
 	});
@@ -3782,7 +3934,7 @@ function Lines({ title, lines, sign, tone }) {
 		children: lines.map((words) => /* @__PURE__ */ a("li", { children: [/* @__PURE__ */ a("span", {
 			class: `sign ${tone}`,
 			children: sign
-		}), /* @__PURE__ */ a("span", { children: tell(words) })] }, words))
+		}), /* @__PURE__ */ a("span", { children: retold(words) })] }, words))
 	})] });
 }
 /** Why a station cannot be reached now; null: nothing says so. */
@@ -3797,7 +3949,7 @@ function CutOff({ id }) {
 		children: [
 			/* @__PURE__ */ a("b", { children: t("not_reachable") }),
 			" ",
-			tell(words)
+			tell(words.slice(id.length + 2))
 		]
 	});
 }
@@ -3829,7 +3981,7 @@ function Closures() {
 					}),
 					/* @__PURE__ */ a("ul", {
 						class: "alarms",
-						children: closureList.value.map((closure) => /* @__PURE__ */ a(Line, { closure }, closure.id))
+						children: closureList.value.map((closure) => /* @__PURE__ */ a(Line$2, { closure }, closure.id))
 					}),
 					/* @__PURE__ */ a(KeptList, {}),
 					/* @__PURE__ */ a(Zones, {}),
@@ -3839,7 +3991,7 @@ function Closures() {
 		})
 	});
 }
-function Line({ closure }) {
+function Line$2({ closure }) {
 	const left = closure.expires ? Date.parse(closure.expires) - serverNow() : null;
 	return /* @__PURE__ */ a("li", {
 		"data-closure": closure.id,
@@ -4197,9 +4349,9 @@ function DeviceDecisions({ device }) {
 /** What was asked of a door or buffer lately and what became of it, and the packets on its line. */
 function DeviceMore({ device }) {
 	const path = `/devices/${encodeURIComponent(device.id)}`;
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$1, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$2, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
 }
-function Past$1({ path }) {
+function Past$2({ path }) {
 	const open = useSignal(false);
 	const { value } = useRead(open.value ? `${path}/commands?limit=12` : null, changes.devices.value);
 	return /* @__PURE__ */ a("details", {
@@ -4698,7 +4850,7 @@ function Operations({ path, drive }) {
 							" · ",
 							one.actor,
 							" · ",
-							moment(one.opened),
+							moment$1(one.opened),
 							" ",
 							one.reason && ` · ${tell(one.reason)}`,
 							one.state === "running" && /* @__PURE__ */ a(Sure, {
@@ -5009,7 +5161,7 @@ var M = Math;
 var PI = M.PI;
 var abs = M.abs;
 var floor = M.floor;
-var round = M.round;
+var round$1 = M.round;
 var ceil = M.ceil;
 var min = M.min;
 var max = M.max;
@@ -5063,7 +5215,7 @@ function incrRoundDn(num, incr) {
 function roundDec(val, dec = 0) {
 	if (isInt(val)) return val;
 	let p = 10 ** dec;
-	return round(val * p * (1 + Number.EPSILON)) / p;
+	return round$1(val * p * (1 + Number.EPSILON)) / p;
 }
 var fixedDec = /* @__PURE__ */ new Map();
 function guessDec(num) {
@@ -5479,7 +5631,7 @@ function genTimeStuffs(ms) {
 				let moIncr = isMo ? foundIncr / mo : 0;
 				let yrIncr = isYr ? foundIncr / y : 0;
 				let split = minDateTs == minMinTs ? minDateTs : roundDec(mkDate(minMin.getFullYear() + yrIncr, minMin.getMonth() + moIncr, 1) * ms, 3);
-				let splitDate = new Date(round(split / ms));
+				let splitDate = new Date(round$1(split / ms));
 				let baseYear = splitDate.getFullYear();
 				let baseMonth = splitDate.getMonth();
 				for (let i = 0; split <= scaleMax; i++) {
@@ -5993,7 +6145,7 @@ function findGaps(xs, ys, idx0, idx1, dir, pixelForX, align) {
 	return gaps;
 }
 function pxRoundGen(pxAlign) {
-	return pxAlign == 0 ? retArg0 : pxAlign == 1 ? round : (v) => incrRound(v, pxAlign);
+	return pxAlign == 0 ? retArg0 : pxAlign == 1 ? round$1 : (v) => incrRound(v, pxAlign);
 }
 function rect(ori) {
 	let moveTo = ori == 0 ? moveToH : moveToV;
@@ -6184,7 +6336,7 @@ function linear(opts) {
 		});
 	};
 }
-function stepped(opts) {
+function stepped$1(opts) {
 	const align = ifNull(opts.align, 1);
 	const ascDesc = ifNull(opts.ascDesc, false);
 	const alignGaps = ifNull(opts.alignGaps, 0);
@@ -6541,7 +6693,7 @@ function findIncr(minVal, maxVal, incrs, dim, minSpace) {
 }
 function pxRatioFont(font) {
 	let fontSize, fontSizeCss;
-	font = font.replace(/(\d+)px/, (m, p1) => (fontSize = round((fontSizeCss = +p1) * pxRatio)) + "px");
+	font = font.replace(/(\d+)px/, (m, p1) => (fontSize = round$1((fontSizeCss = +p1) * pxRatio)) + "px");
 	return [
 		font,
 		fontSize,
@@ -6695,7 +6847,7 @@ function uPlot(opts, data, then) {
 			sc.min = sc.max = null;
 		}
 	}
-	const _tzDate = opts.tzDate || ((ts) => new Date(round(ts / ms)));
+	const _tzDate = opts.tzDate || ((ts) => new Date(round$1(ts / ms)));
 	const _fmtDate = opts.fmtDate || fmtDate;
 	const _timeAxisSplits = ms == 1 ? timeAxisSplitsMs(_tzDate) : timeAxisSplitsS(_tzDate);
 	const _timeAxisVals = timeAxisVals(_tzDate, timeAxisStamps(ms == 1 ? _timeAxisStampsMs : _timeAxisStampsS, _fmtDate));
@@ -7117,8 +7269,8 @@ function uPlot(opts, data, then) {
 		let [hasTopAxis, hasRgtAxis, hasBtmAxis, hasLftAxis] = sidesWithAxes;
 		let ori = side % 2;
 		let size = 0;
-		if (ori == 0 && (hasLftAxis || hasRgtAxis)) size = side == 0 && !hasTopAxis || side == 2 && !hasBtmAxis ? round(xAxisOpts.size / 3) : 0;
-		if (ori == 1 && (hasTopAxis || hasBtmAxis)) size = side == 1 && !hasRgtAxis || side == 3 && !hasLftAxis ? round(yAxisOpts.size / 2) : 0;
+		if (ori == 0 && (hasLftAxis || hasRgtAxis)) size = side == 0 && !hasTopAxis || side == 2 && !hasBtmAxis ? round$1(xAxisOpts.size / 3) : 0;
+		if (ori == 1 && (hasTopAxis || hasBtmAxis)) size = side == 1 && !hasRgtAxis || side == 3 && !hasLftAxis ? round$1(yAxisOpts.size / 2) : 0;
 		return size;
 	}
 	const padding = self.padding = (opts.padding || [
@@ -7180,7 +7332,7 @@ function uPlot(opts, data, then) {
 				} else if (_min == _max) {
 					if (xScaleDistr == 3) [_min, _max] = rangeLog(_min, _min, scaleX.log, false);
 					else if (xScaleDistr == 4) [_min, _max] = rangeAsinh(_min, _min, scaleX.log, false);
-					else if (scaleX.time) _max = _min + round(86400 / ms);
+					else if (scaleX.time) _max = _min + round$1(86400 / ms);
 					else [_min, _max] = rangeNum(_min, _max, rangePad, true);
 				}
 			} else {
@@ -7562,15 +7714,15 @@ function uPlot(opts, data, then) {
 			let [_incr, _space] = axis._found;
 			if (axis.label != null) {
 				let shiftAmt = axis.labelGap * shiftDir;
-				let baseLpos = round((axis._lpos + shiftAmt) * pxRatio);
+				let baseLpos = round$1((axis._lpos + shiftAmt) * pxRatio);
 				setFontStyle(axis.labelFont[0], fillStyle, "center", side == 2 ? TOP : BOTTOM);
 				ctx.save();
 				if (ori == 1) {
 					x = y = 0;
-					ctx.translate(baseLpos, round(plotTop + plotHgt / 2));
+					ctx.translate(baseLpos, round$1(plotTop + plotHgt / 2));
 					ctx.rotate((side == 3 ? -PI : PI) / 2);
 				} else {
-					x = round(plotLft + plotWid / 2);
+					x = round$1(plotLft + plotWid / 2);
 					y = baseLpos;
 				}
 				let _label = isFn(axis.label) ? axis.label(self, i, _incr, _space) : axis.label;
@@ -7587,8 +7739,8 @@ function uPlot(opts, data, then) {
 			let ticks = axis.ticks;
 			let border = axis.border;
 			let _tickSize = ticks.show ? ticks.size : 0;
-			let tickSize = round(_tickSize * pxRatio);
-			let axisGap = round((axis.alignTo == 2 ? axis._size - _tickSize - axis.gap : axis.gap) * pxRatio);
+			let tickSize = round$1(_tickSize * pxRatio);
+			let axisGap = round$1((axis.alignTo == 2 ? axis._size - _tickSize - axis.gap : axis.gap) * pxRatio);
 			let angle = axis._rotate * -PI / 180;
 			let basePos = pxRound(axis._pos * pxRatio);
 			let finalPos = basePos + (tickSize + axisGap) * shiftDir;
@@ -7683,8 +7835,8 @@ function uPlot(opts, data, then) {
 			setStylePx(over, HEIGHT$2, plotHgtCss);
 			setStylePx(wrap, WIDTH, fullWidCss);
 			setStylePx(wrap, HEIGHT$2, fullHgtCss);
-			can.width = round(fullWidCss * pxRatio);
-			can.height = round(fullHgtCss * pxRatio);
+			can.width = round$1(fullWidCss * pxRatio);
+			can.height = round$1(fullHgtCss * pxRatio);
 			axes.forEach(({ _el, _show, _size, _pos, side }) => {
 				if (_el != null) {
 					if (_show) {
@@ -7708,8 +7860,8 @@ function uPlot(opts, data, then) {
 				if (showCursor && !shouldSetCursor && cursor.left >= 0) {
 					cursor.left *= pctWid;
 					cursor.top *= pctHgt;
-					vCursor && elTrans(vCursor, round(cursor.left), 0, plotWidCss, plotHgtCss);
-					hCursor && elTrans(hCursor, 0, round(cursor.top), plotWidCss, plotHgtCss);
+					vCursor && elTrans(vCursor, round$1(cursor.left), 0, plotWidCss, plotHgtCss);
+					hCursor && elTrans(hCursor, 0, round$1(cursor.top), plotWidCss, plotHgtCss);
 					for (let i = 0; i < cursorPts.length; i++) {
 						let pt = cursorPts[i];
 						if (pt != null) {
@@ -7996,8 +8148,8 @@ function uPlot(opts, data, then) {
 		cursor.left = mouseLeft1;
 		cursor.top = mouseTop1;
 		if (showCursor) {
-			vCursor && elTrans(vCursor, round(mouseLeft1), 0, plotWidCss, plotHgtCss);
-			hCursor && elTrans(hCursor, 0, round(mouseTop1), plotWidCss, plotHgtCss);
+			vCursor && elTrans(vCursor, round$1(mouseLeft1), 0, plotWidCss, plotHgtCss);
+			hCursor && elTrans(hCursor, 0, round$1(mouseTop1), plotWidCss, plotHgtCss);
 		}
 		let idx;
 		let noDataInRange = i0 > i1;
@@ -8505,16 +8657,16 @@ uPlot.sync = _sync;
 	uPlot.clipGaps = clipGaps;
 	let paths = uPlot.paths = { points };
 	paths.linear = linear;
-	paths.stepped = stepped;
+	paths.stepped = stepped$1;
 	paths.bars = bars;
 	paths.spline = monotoneCubic;
 }
 // src/theme.ts
 /** Light or dark: the colours themselves are custom properties of the style sheet, which the map reads too. */
 var KEPT$1 = "hoistway.theme";
-var kept$1 = localStorage.getItem(KEPT$1);
+var kept$2 = localStorage.getItem(KEPT$1);
 var LIGHT = matchMedia("(prefers-color-scheme: light)");
-var theme = y$1(kept$1 === "dark" || kept$1 === "light" ? kept$1 : LIGHT.matches ? "light" : "dark");
+var theme = y$1(kept$2 === "dark" || kept$2 === "light" ? kept$2 : LIGHT.matches ? "light" : "dark");
 /** Show it, without choosing it for good. */
 function wear(next) {
 	document.documentElement.dataset["theme"] = next;
@@ -8524,7 +8676,7 @@ function choose$1(next) {
 	localStorage.setItem(KEPT$1, next);
 	wear(next);
 }
-function begin$1() {
+function begin$2() {
 	wear(theme.value);
 	LIGHT.addEventListener("change", () => {
 		if (!localStorage.getItem(KEPT$1)) wear(LIGHT.matches ? "light" : "dark");
@@ -8533,7 +8685,7 @@ function begin$1() {
 // src/parts/LiveChart.tsx
 /** A chart that grows at its right end: each unit has a scale of its own, the first two an axis. */
 var HEIGHT$1 = 200;
-var COLOURS$2 = [
+var COLOURS$3 = [
 	"--look-moving",
 	"--look-held",
 	"--look-charging",
@@ -8569,7 +8721,7 @@ function LiveChart({ label, times, lines }) {
 			series: [{}, ...lines.map(({ label: name, unit }, i) => ({
 				label: unit ? `${name} (${unit})` : name,
 				scale: `of ${unit}`,
-				stroke: of(COLOURS$2[i % COLOURS$2.length]),
+				stroke: of(COLOURS$3[i % COLOURS$3.length]),
 				width: 2,
 				spanGaps: true
 			}))],
@@ -8612,10 +8764,10 @@ function LiveChart({ label, times, lines }) {
 /** Asked so often, ms; the server is told again in time that somebody still looks, s. */
 var EVERY$3 = 500;
 var GOOD_FOR = 20;
-var AGAIN = 8;
+var AGAIN$1 = 8;
 /** So much is shown, s, and at most so many lines. */
 var SPAN = 180;
-var MOST$1 = 6;
+var MOST$3 = 6;
 /** One name for each page, so that two people may watch the same drive. */
 var NAME = `page-${Math.random().toString(36).slice(2, 10)}`;
 function DriveWatch({ path }) {
@@ -8655,7 +8807,7 @@ function DriveWatch({ path }) {
 			values: {}
 		};
 		tell();
-		const timers = [window.setInterval(tell, AGAIN * 1e3), window.setInterval(() => void look(), EVERY$3)];
+		const timers = [window.setInterval(tell, AGAIN$1 * 1e3), window.setInterval(() => void look(), EVERY$3)];
 		return () => {
 			here = false;
 			timers.forEach(window.clearInterval);
@@ -8691,7 +8843,7 @@ function DriveWatch({ path }) {
 							/* @__PURE__ */ a("input", {
 								type: "checkbox",
 								checked: chosen.value.includes(number),
-								disabled: !chosen.value.includes(number) && chosen.value.length >= MOST$1,
+								disabled: !chosen.value.includes(number) && chosen.value.length >= MOST$3,
 								onChange: (event) => turn(number, event.currentTarget.checked)
 							}),
 							" ",
@@ -8715,7 +8867,7 @@ function DriveWatch({ path }) {
 						children: t(on.value ? "watch_end" : "watch_begin")
 					}), refusal("PUT /drives/{drive}/watches/{watch}") === "" && /* @__PURE__ */ a("small", {
 						class: "calm",
-						children: t("watch_hint", MOST$1)
+						children: t("watch_hint", MOST$3)
 					})]
 				}),
 				/* @__PURE__ */ a(Problem, { error: error.value }),
@@ -8973,7 +9125,7 @@ function Differences({ rows }) {
 }
 // src/parts/DrivePanel.tsx
 /** One axis drive: what it says of itself, and what is wrong. */
-var COLOURS$1 = {
+var COLOURS$2 = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -8988,7 +9140,7 @@ function DrivePanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: now.id,
 		tag: now.name,
-		colour: COLOURS$1[tone],
+		colour: COLOURS$2[tone],
 		children: [
 			/* @__PURE__ */ a(Notes$1, { drive: now }),
 			/* @__PURE__ */ a("dl", { children: [
@@ -9168,7 +9320,7 @@ function Menu({ name, roles, person }) {
 					class: "acts-row",
 					children: [/* @__PURE__ */ a("button", {
 						type: "button",
-						onClick: () => asked$1.value = true,
+						onClick: () => asked$2.value = true,
 						children: t("log_in_as_other")
 					}), /* @__PURE__ */ a("button", {
 						type: "button",
@@ -9315,7 +9467,7 @@ function Header() {
 		}),
 		/* @__PURE__ */ a(ControllerState, {}),
 		/* @__PURE__ */ a(KeptOff, {}),
-		/* @__PURE__ */ a(Master, {}),
+		!inPast.value && /* @__PURE__ */ a(Master, {}),
 		/* @__PURE__ */ a("span", { class: "grow" }),
 		/* @__PURE__ */ a(Counts, {}),
 		/* @__PURE__ */ a(Account, {}),
@@ -9334,7 +9486,7 @@ function Rooms() {
 	return /* @__PURE__ */ a("nav", {
 		class: "rooms",
 		"aria-label": t("rooms"),
-		children: ROOMS.map((name) => /* @__PURE__ */ a("button", {
+		children: (recording.value ? ["playback"] : ROOMS).map((name) => /* @__PURE__ */ a("button", {
 			type: "button",
 			"aria-current": room$1.value === name ? "page" : void 0,
 			onClick: () => room$1.value = name,
@@ -9410,6 +9562,10 @@ function Counts() {
 function LinkState() {
 	tick.value;
 	const state = link.value;
+	if (inPast.value) return /* @__PURE__ */ a("span", {
+		class: "link past",
+		children: [/* @__PURE__ */ a("i", { class: "dot" }), t("playback")]
+	});
 	const age = heardAt.value ? Math.round((Date.now() - heardAt.value) / 1e3) : null;
 	const text = state === "live" ? t("live") : state === "connecting" ? t("connecting") : age === null ? t("lost_none") : t("lost_age", age);
 	return /* @__PURE__ */ a("span", {
@@ -9421,7 +9577,7 @@ function LinkState() {
 }
 // src/parts/JobPanel.tsx
 /** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
-var COLOURS = {
+var COLOURS$1 = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -9456,7 +9612,7 @@ function JobPanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: job.id,
 		tag: said(job.state),
-		colour: COLOURS[tone],
+		colour: COLOURS$1[tone],
 		children: [
 			job.reason && !over && /* @__PURE__ */ a("p", {
 				class: "note waits",
@@ -9896,6 +10052,662 @@ function JobRoom() {
 function took(job) {
 	return (job.ended ? Date.parse(job.ended) : serverNow()) - Date.parse(job.created);
 }
+// src/past/reel.ts
+/** Where what is listed in the first line of an answer begins, and the line itself. */
+function headOf(body) {
+	const end = body.indexOf(10);
+	return {
+		head: JSON.parse(new TextDecoder().decode(body.subarray(0, end))),
+		from: end + 1
+	};
+}
+async function unpacked(body) {
+	const plain = new Blob([body]).stream().pipeThrough(new DecompressionStream("deflate"));
+	return await new Response(plain).json();
+}
+/** Give the pieces of an answer one after the other, so that nothing else has to wait for all of them. */
+async function* piecesOf(body) {
+	const { head, from } = headOf(body);
+	let at = from;
+	for (const { id, kind, begin, end, size } of head.items) {
+		const content = await unpacked(body.subarray(at, at + size));
+		at += size;
+		yield kind === "state" ? {
+			id,
+			begin,
+			end,
+			state: content
+		} : {
+			id,
+			begin,
+			end,
+			changes: content
+		};
+	}
+}
+/** So many changes are kept before those that are furthest back go. */
+var MOST$2 = 25e4;
+var Reel = class {
+	pieces = [];
+	count = 0;
+	/** What comes next: the piece, and the change in it. */
+	index = 0;
+	within = 0;
+	/** All that happened before this moment is here, s. */
+	until = Number.NEGATIVE_INFINITY;
+	clear() {
+		this.pieces = [];
+		this.count = this.index = this.within = 0;
+		this.until = Number.NEGATIVE_INFINITY;
+	}
+	/** Put a piece behind the others. */
+	add(piece) {
+		this.pieces.push(piece);
+		this.count += piece.changes?.length ?? 0;
+		this.until = Math.max(this.until, piece.end);
+	}
+	get last() {
+		return this.pieces.at(-1)?.id ?? null;
+	}
+	/** The first moment that can be shown. */
+	get begin() {
+		return this.pieces[0]?.begin ?? Number.POSITIVE_INFINITY;
+	}
+	holds(at) {
+		return this.begin <= at && at <= this.until;
+	}
+	/** Show a moment, from the whole state before it. */
+	seek(at, screen) {
+		let from = 0;
+		this.pieces.forEach((piece, i) => {
+			if (piece.state && piece.begin <= at) from = i;
+		});
+		this.index = from;
+		this.within = 0;
+		this.forward(at, screen);
+	}
+	/** Go on to a moment that is not before the present one. */
+	forward(at, screen) {
+		for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
+			if (piece.state) {
+				if (piece.begin > at && this.index > 0) return;
+				screen.whole(piece.state);
+			} else {
+				const changes = piece.changes ?? [];
+				for (; this.within < changes.length; this.within++) {
+					const change = changes[this.within];
+					if (change[0] > at) return;
+					screen.change(change);
+				}
+			}
+			this.index++;
+			this.within = 0;
+		}
+	}
+	/** Let go of what lies furthest back if there is very much of it, up to a whole state; returns from when on there is something. */
+	trim() {
+		while (this.count > MOST$2) {
+			const next = this.pieces.findIndex((piece, i) => i > 0 && piece.state);
+			if (next < 0 || next >= this.index) break;
+			for (const piece of this.pieces.splice(0, next)) this.count -= piece.changes?.length ?? 0;
+			this.index -= next;
+		}
+		return this.begin;
+	}
+};
+// src/glide.ts
+/** The drawn one runs on at its last pace for so long when no report comes, s. */
+var RUN_ON = 1.2;
+/** Reports lag and jump: share of the gap to make good per second. */
+var CATCH_UP = 2.5;
+/** A gap longer than this is not driven but jumped, mm. */
+var JUMP = 12e3;
+/** Track kept behind the front, so that the hull bends with the rail, mm. */
+var TAIL$1 = 1500;
+var Glide = class {
+	track;
+	topSpeed;
+	path = [];
+	/** The ways between the barcodes of the path: `ways[i]` leads from `path[i]` on. */
+	ways = [];
+	s = 0;
+	reported = 0;
+	/** Index in the path of the barcode that was reported last: track driven both ways may have it twice. */
+	here = 0;
+	pace = 0;
+	since = 0;
+	moving = false;
+	last = 0;
+	constructor(track, topSpeed = 3e3) {
+		this.track = track;
+		this.topSpeed = topSpeed;
+	}
+	/** Take a report at `now` (s). */
+	report(report, now) {
+		const { barcode } = report;
+		if (barcode === null || !this.track.points.has(barcode)) {
+			this.lay([]);
+			return;
+		}
+		const ahead = this.connected(barcode, report.granted);
+		const reached = this.reach(barcode, ahead);
+		let offset = this.lengthTo(reached ?? 0);
+		this.here = reached ?? 0;
+		if (reached === null) {
+			const tail = this.tail(barcode);
+			this.lay([...tail, ...ahead]);
+			this.here = tail.length;
+			offset = this.lengthTo(tail.length);
+		}
+		const at = offset + Math.max(0, report.dist ?? 0);
+		if (reached === null) this.s = Math.min(at, this.lengthTo(this.path.length - 1));
+		const travelled = reached === null ? 0 : at - this.reported;
+		this.moving = report.moving;
+		if (!report.moving || reached === null) this.pace = 0;
+		else if (travelled < 1) return;
+		else this.learn(travelled, now - this.since);
+		this.reported = at;
+		this.since = now;
+	}
+	/** Drive on to `now` (s). `still`: jump to where the report says. */
+	drive(now, still = false) {
+		const dt = Math.min(Math.max(now - this.last, 0), .25);
+		this.last = now;
+		const end = this.lengthTo(this.path.length - 1);
+		const run = this.moving && !still ? this.pace * Math.min(now - this.since, RUN_ON) : 0;
+		const goal = Math.min(this.reported + run, Math.max(end, this.s));
+		const gap = goal - this.s;
+		if (still || Math.abs(gap) > JUMP) this.s = goal;
+		else if (gap > 0) {
+			const pace = Math.min(this.topSpeed * 1.3, (this.moving ? this.pace : 0) + gap * CATCH_UP);
+			this.s = Math.min(goal, this.s + Math.max(pace, 150) * dt);
+		} else if (!this.moving) this.s = Math.max(goal, this.s + Math.min(-150, gap * CATCH_UP) * dt);
+		this.trim();
+		return this;
+	}
+	/** Where the point lies that is `back` mm behind its front; null while its place is not known. */
+	middle(back = 0) {
+		let rest = this.s - back;
+		for (let i = 0; i + 1 < this.path.length; i++) {
+			const way = this.ways[i];
+			if (!way) break;
+			if (rest <= way.edge.length || i + 2 === this.path.length) return behind(this.track.along(way, rest), -rest);
+			rest -= way.edge.length;
+		}
+		const first = this.path[0];
+		const spot = first === void 0 ? void 0 : this.track.spot(first);
+		return spot ? behind(spot, back - this.s) : null;
+	}
+	/** Whether the drawn place still differs from the reported one. */
+	get busy() {
+		return this.moving || Math.abs(this.reported - this.s) > 5;
+	}
+	/** The report's own path, as far as edges join it; at least one edge on, to have a heading and room for `dist`. */
+	connected(barcode, granted) {
+		const path = [barcode];
+		for (const step of granted) {
+			const here = path[path.length - 1];
+			if (step === here) continue;
+			if (!this.track.way(here, step)) break;
+			path.push(step);
+		}
+		const only = this.track.next.get(barcode);
+		if (path.length === 1 && only?.length === 1) path.push(only[0].end);
+		return path;
+	}
+	/** Lay the report's path behind the drawn place; returns the index of its barcode, or null if it is elsewhere. */
+	reach(barcode, ahead) {
+		if (this.path.length === 0) return null;
+		const onward = this.path.indexOf(barcode, this.here);
+		const known = onward >= 0 ? onward : this.path.lastIndexOf(barcode);
+		if (known >= 0) {
+			this.lay([...this.path.slice(0, known), ...ahead]);
+			return known;
+		}
+		const from = this.index();
+		const way = this.track.path(this.path[from], barcode);
+		if (!way) return null;
+		const path = [...this.path.slice(0, from), ...way];
+		this.lay([...path.slice(0, -1), ...ahead]);
+		return this.lengthTo(path.length - 1) - this.s > JUMP ? null : path.length - 1;
+	}
+	learn(travelled, took) {
+		if (took < .02) return;
+		const measured = Math.min(travelled / took, this.topSpeed);
+		this.pace = this.pace === 0 ? measured : this.pace * .5 + measured * .5;
+	}
+	/** The barcodes before one, as long as there is only one way to have come. */
+	tail(barcode) {
+		const path = [];
+		for (let length = 0, here = barcode; length < TAIL$1;) {
+			const [edge, other] = this.track.before.get(here) ?? [];
+			if (!edge || other || path.includes(edge.start)) break;
+			path.unshift(edge.start);
+			length += edge.length;
+			here = edge.start;
+		}
+		return path;
+	}
+	lay(path) {
+		this.path = path;
+		this.ways = path.slice(1).map((end, i) => this.track.way(path[i], end));
+	}
+	lengthTo(index) {
+		let sum = 0;
+		for (let i = 0; i < index; i++) sum += this.ways[i]?.edge.length ?? 0;
+		return sum;
+	}
+	/** Which edge of the path the drawn front is on. */
+	index() {
+		let i = 0;
+		while (i + 2 < this.path.length && this.lengthTo(i + 1) <= this.s) i++;
+		return i;
+	}
+	trim() {
+		while (this.path.length > 2) {
+			const length = this.ways[0]?.edge.length ?? 0;
+			if (this.s < length + TAIL$1 || this.reported < length) return;
+			this.path.shift();
+			this.ways.shift();
+			this.here = Math.max(0, this.here - 1);
+			this.s -= length;
+			this.reported -= length;
+		}
+	}
+};
+/** Straight back from a place, for as long as there is no track known behind it. */
+function behind(spot, mm) {
+	const more = Math.max(0, mm);
+	return {
+		x: spot.x - Math.cos(spot.angle) * more,
+		y: spot.y - Math.sin(spot.angle) * more,
+		angle: spot.angle
+	};
+}
+// src/past/trails.ts
+/**
+* Where to draw a vehicle at a moment of the past: it is known when it came by one barcode and when by the next, and it is drawn
+* between them by the time. Pure.
+*/
+/** One that was not said to drive gets to its next barcode in the last so many seconds before it is there. */
+var LEAP = 1;
+/** Nothing drives faster; whatever would have is not drawn on its way, mm/s. */
+var FASTEST$1 = 6e3;
+/** Track known behind the barcode, so that the hull bends with the rail, mm. */
+var TAIL = 1500;
+var Course = class {
+	marks = [];
+	/** The mark at or before the moment asked about last, and the ways about it. */
+	index = 0;
+	drawn = -1;
+	ways = [];
+	/** Where on those ways the barcode of the mark lies, and how far it is to the next, mm. */
+	offset = 0;
+	length = 0;
+	add(mark) {
+		const last = this.marks.at(-1);
+		if (last?.barcode === mark.barcode && last.moves === mark.moves) return;
+		if (this.drawn === this.marks.length - 1) this.drawn = -1;
+		this.marks.push(mark);
+	}
+	trim(before) {
+		let count = 0;
+		while (count + 4 < this.marks.length && this.marks[count + 3].at < before) count++;
+		if (count < 500) return;
+		this.marks.splice(0, count);
+		this.index = Math.max(0, this.index - count);
+		this.drawn = -1;
+	}
+	spot(track, at, back, still) {
+		const mark = this.find(at);
+		if (!mark?.barcode || mark.at > at) return null;
+		if (this.drawn !== this.index) this.draw(track, mark);
+		const next = this.marks[this.index + 1];
+		const s = this.offset + (still || !next ? 0 : this.length * share(mark, next, at));
+		return place(track, this.ways, s - back) ?? rest(track, mark.barcode, back);
+	}
+	find(at) {
+		const { marks } = this;
+		let low = this.index;
+		if ((marks[low]?.at ?? Number.POSITIVE_INFINITY) > at) low = 0;
+		let step = 1;
+		while ((marks[low + step]?.at ?? Number.POSITIVE_INFINITY) <= at) {
+			low += step;
+			step *= 2;
+		}
+		while (step >= 1) {
+			if ((marks[low + step]?.at ?? Number.POSITIVE_INFINITY) <= at) low += step;
+			step >>= 1;
+		}
+		this.index = low;
+		return marks[low];
+	}
+	/** Lay out the ways by which it came, and the one that leads on. */
+	draw(track, mark) {
+		this.drawn = this.index;
+		const behindIt = [];
+		let length = 0;
+		for (let i = this.index; i > 0 && length < TAIL; i--) {
+			const [from, to] = [this.marks[i - 1]?.barcode, this.marks[i]?.barcode];
+			if (from === to) continue;
+			const ways = waysOf(track, from, to);
+			if (ways.length === 0) break;
+			behindIt.unshift(...ways);
+			length += sum(ways);
+		}
+		if (length < TAIL) {
+			const more = only(track, behindIt[0]?.edge.start ?? mark.barcode, TAIL - length);
+			behindIt.unshift(...more);
+			length += sum(more);
+		}
+		const next = this.marks[this.index + 1];
+		let on = next && next.barcode !== mark.barcode ? waysOf(track, mark.barcode, next.barcode) : [];
+		if (next && sum(on) > FASTEST$1 * Math.max(next.at - mark.at, LEAP)) on = [];
+		this.ways = [...behindIt, ...on];
+		this.offset = length;
+		this.length = sum(on);
+	}
+};
+/** How much of the way to the next mark was behind it. */
+function share(mark, next, at) {
+	const left = mark.moves ? mark.at : Math.max(mark.at, next.at - LEAP);
+	return Math.min(Math.max((at - left) / Math.max(next.at - left, .001), 0), 1);
+}
+function sum(ways) {
+	return ways.reduce((length, way) => length + way.edge.length, 0);
+}
+function waysOf(track, from, to) {
+	if (!from || !to) return [];
+	const direct = track.way(from, to);
+	if (direct) return [direct];
+	const path = track.path(from, to, 12) ?? [];
+	return path.slice(1).flatMap((end, i) => track.way(path[i], end) ?? []);
+}
+/** The ways to a barcode for so many mm, as long as there is only one to have come. */
+function only(track, barcode, mm) {
+	const ways = [];
+	for (let here = barcode, length = 0; length < mm;) {
+		const [edge, other] = track.before.get(here) ?? [];
+		const way = edge && !other ? track.way(edge.start, here) : void 0;
+		if (!edge || !way || ways.includes(way)) break;
+		ways.unshift(way);
+		length += edge.length;
+		here = edge.start;
+	}
+	return ways;
+}
+function place(track, ways, mm) {
+	const first = ways[0];
+	if (!first) return null;
+	if (mm < 0) return behind(track.along(first, 0), -mm);
+	let left = mm;
+	for (const way of ways) {
+		if (left <= way.edge.length) return track.along(way, left);
+		left -= way.edge.length;
+	}
+	return track.along(ways.at(-1), Number.POSITIVE_INFINITY);
+}
+function rest(track, barcode, back) {
+	const spot = track.spot(barcode);
+	return spot ? behind(spot, back) : null;
+}
+/** The courses of all vehicles, as far as the recording was fetched. */
+var Trails = class {
+	courses = /* @__PURE__ */ new Map();
+	seen = /* @__PURE__ */ new Map();
+	clear() {
+		this.courses.clear();
+		this.seen.clear();
+	}
+	whole(at, state) {
+		for (const [id, vehicle] of Object.entries(state["vehicles"] ?? {})) this.take(at, id, vehicle);
+	}
+	change([at, topic, key, value]) {
+		if (topic === "vehicles") this.take(at, key, value ?? { barcode: null });
+	}
+	trim(before) {
+		for (const course of this.courses.values()) course.trim(before);
+	}
+	/** Where the point lies that is `back` mm behind a vehicle's front at a moment; `still`: at its barcode. */
+	spot(track, id, at, back, still = false) {
+		return this.courses.get(id)?.spot(track, at, back, still) ?? null;
+	}
+	take(at, id, value) {
+		if (!("barcode" in value) && !("activity" in value)) return;
+		const seen = {
+			...this.seen.get(id) ?? {
+				barcode: null,
+				activity: ""
+			},
+			...value
+		};
+		this.seen.set(id, {
+			barcode: seen.barcode,
+			activity: seen.activity
+		});
+		let course = this.courses.get(id);
+		if (!course) this.courses.set(id, course = new Course());
+		course.add({
+			at,
+			barcode: seen.barcode,
+			moves: seen.activity === "moving"
+		});
+	}
+};
+// src/past/player.ts
+/** Plays back what was recorded: which moment is shown, how fast it goes on, and that the pieces ahead are there in time. */
+var PACES = [
+	1,
+	2,
+	4,
+	8,
+	16
+];
+/** The moment that is shown, UTC seconds; 0: none yet. */
+var moment = y$1(0);
+var playing = y$1(false);
+var pace = y$1(1);
+/** From when to when something was recorded; null: that is not known yet, or nothing was. */
+var kept$1 = y$1(null);
+/** The recording of the moment is being fetched. */
+var loading = y$1(false);
+var error = y$1(null);
+var trails = new Trails();
+/** Pieces are fetched so far ahead: seconds of the viewer's time. */
+var AHEAD = 12;
+/** So much is fetched at once, seconds of the viewer's time. */
+var PORTION = 10;
+/** What the lists and panels show follows so often, ms. */
+var SHOWN$1 = 100;
+/** Nobody looks at a page that was not painted for longer, ms. */
+var LONGEST = 250;
+/** Whether more was recorded is asked so often, ms. */
+var AGAIN = 5e3;
+/** Who opens the room without naming a moment sees what was so long ago, s. */
+var AT_FIRST = 60;
+var reel = new Reel();
+var screen = {
+	whole: showWhole,
+	change: showChange
+};
+var round = 0;
+var fetching = false;
+var wanted = null;
+var frame = 0;
+var last = 0;
+var flushed = 0;
+var timer = 0;
+var iso$1 = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
+/** Ask from when to when there is something. */
+async function look() {
+	try {
+		const span = await get("/history/span");
+		const found = span.from && span.to ? {
+			from: Date.parse(span.from) / 1e3,
+			to: Date.parse(span.to) / 1e3,
+			incident: span.incident
+		} : null;
+		if (JSON.stringify(found) !== JSON.stringify(kept$1.value)) kept$1.value = found;
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+/** Fetch pieces from a moment on, or those after the last one. */
+async function fetchOn(from, to, mine) {
+	const query = new URLSearchParams({
+		from: iso$1(from),
+		to: iso$1(Math.max(to, from + .001))
+	});
+	if (reel.last !== null) query.set("after", String(reel.last));
+	const body = await bytes(`/history/pieces?${query}`);
+	if (mine !== round) return;
+	for await (const piece of piecesOf(body)) {
+		if (mine !== round) return;
+		if (piece.state) trails.whole(piece.begin, piece.state);
+		for (const change of piece.changes ?? []) trails.change(change);
+		reel.add(piece);
+	}
+	if (!headOf(body).head.more) reel.until = Math.max(reel.until, to);
+	trails.trim(reel.trim());
+}
+/** Fetch what will be shown soon, if it is not here. */
+async function feed() {
+	const span = kept$1.value;
+	if (fetching || !span || wanted !== null || reel.last === null) return;
+	const need = Math.min(moment.value + AHEAD * pace.value, span.to);
+	if (reel.until >= need) return;
+	fetching = true;
+	try {
+		await fetchOn(reel.until, Math.min(Math.max(need, reel.until + PORTION * pace.value), span.to), round);
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+		pause();
+	} finally {
+		fetching = false;
+	}
+}
+/** Show a moment. While it is being fetched another may be asked for: then that one is shown next. */
+async function seek(at) {
+	const span = kept$1.value;
+	if (!span) return;
+	const goal = Math.min(Math.max(at, span.from), span.to);
+	moment.value = goal;
+	if (reel.holds(goal) && wanted === null) {
+		reel.seek(goal, screen);
+		shown();
+		settle();
+		feed();
+		return;
+	}
+	const busy = wanted !== null;
+	wanted = goal;
+	if (!busy) await load$1();
+}
+async function load$1() {
+	loading.value = true;
+	try {
+		for (let at = wanted; at !== null; at = wanted === at ? null : wanted) {
+			const mine = ++round;
+			reel.clear();
+			trails.clear();
+			const end = Math.min(at + PORTION * pace.value, kept$1.value?.to ?? at);
+			for (let first = true; first || reel.last !== null && reel.until < at; first = false) await fetchOn(at, end, mine);
+			if (mine !== round) return;
+			if (reel.begin > at) moment.value = Math.min(reel.begin, kept$1.value?.to ?? reel.begin);
+			reel.seek(moment.value, screen);
+			shown();
+		}
+		error.value = null;
+	} catch (failure) {
+		error.value = failure;
+		playing.value = false;
+	} finally {
+		wanted = null;
+		loading.value = false;
+		settle();
+	}
+}
+/** Where it stands still, the address names the moment. */
+function settle() {
+	if (!playing.value && room$1.value === "playback" && moment.value > 0) momentShown.value = iso$1(moment.value);
+}
+function pause() {
+	playing.value = false;
+	cancelAnimationFrame(frame);
+	if (reel.last !== null) {
+		reel.forward(moment.value, screen);
+		shown();
+	}
+	settle();
+}
+function play() {
+	const span = kept$1.value;
+	if (!span || playing.value) return;
+	if (moment.value >= span.to) seek(span.from);
+	playing.value = true;
+	last = performance.now();
+	frame = requestAnimationFrame(turn);
+}
+function turn(now) {
+	if (!playing.value) return;
+	frame = requestAnimationFrame(turn);
+	const took = Math.min(now - last, LONGEST) / 1e3;
+	last = now;
+	feed();
+	if (loading.value || reel.last === null) return;
+	const end = kept$1.value?.to ?? 0;
+	const next = moment.value + took * pace.value;
+	moment.value = Math.min(next, reel.until, end);
+	if (now - flushed >= SHOWN$1) {
+		flushed = now;
+		reel.forward(moment.value, screen);
+		shown();
+	}
+	if (moment.value >= end) pause();
+}
+async function enter() {
+	lookBack();
+	const mine = ++round;
+	await look();
+	if (mine !== round || room$1.value !== "playback") return;
+	window.clearInterval(timer);
+	if (!kept$1.value?.incident) timer = window.setInterval(() => void look(), AGAIN);
+	if (!kept$1.value) return;
+	const asked = momentAsked.value === null ? NaN : Date.parse(momentAsked.value) / 1e3;
+	const first = kept$1.value.incident ? kept$1.value.from : kept$1.value.to - AT_FIRST;
+	await seek(Number.isNaN(asked) ? first : asked);
+}
+function leave() {
+	round++;
+	window.clearInterval(timer);
+	cancelAnimationFrame(frame);
+	playing.value = false;
+	wanted = null;
+	moment.value = 0;
+	momentShown.value = momentAsked.value = null;
+	reel.clear();
+	trails.clear();
+	backToNow();
+}
+/** Follow the room: whoever opens playback sees the past, whoever leaves it the present. A recorded incident has nothing else. */
+function begin$1() {
+	forbidWhile(() => inPast.value ? t("past_no_commands") : "");
+	let inside = false;
+	x(() => {
+		const now = room$1.value === "playback";
+		if (now === inside) return;
+		inside = now;
+		queueMicrotask(() => now ? void enter() : leave());
+	});
+	x(() => {
+		if (recording.value) room$1.value = "playback";
+	});
+	momentAsked.subscribe((asked) => {
+		if (asked !== null && inside && kept$1.value && asked !== momentShown.peek()) seek(Date.parse(asked) / 1e3);
+	});
+}
 // src/parts/Jobs.tsx
 /** Jobs, newest first: what each does, or why it waits. */
 var SHOWN = 100;
@@ -9984,7 +10796,7 @@ function Row({ job, ask }) {
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "age",
-				children: elapsed(job, serverNow())
+				children: elapsed(job, inPast.value ? moment.value * 1e3 : serverNow())
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "route",
@@ -9996,11 +10808,11 @@ function Row({ job, ask }) {
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "act",
-				children: [CANCELLABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+				children: [!inPast.value && CANCELLABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
 					needs: "POST /jobs/{job}/cancel",
 					label: t("cancel"),
 					does: () => ask(job, "cancel")
-				}), ABORTABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
+				}), !inPast.value && ABORTABLE.has(job.state) && /* @__PURE__ */ a(Sure, {
 					needs: "POST /jobs/{job}/abort",
 					label: t("abort"),
 					does: () => ask(job, "abort")
@@ -10098,854 +10910,52 @@ function LogIn() {
 		})
 	});
 }
-// src/parts/Stage.tsx
-/** Sends a vehicle to a station before its lot is ready; it stays idle there. */
-function Stage({ id }) {
-	const vehicle = useSignal("");
-	const asking = useAsking();
-	const send = () => void asking.ask(async () => {
-		const body = vehicle.value.trim() ? { vehicle: vehicle.value.trim() } : {};
-		const sent = await post(`/stations/${encodeURIComponent(id)}/stage`, body);
-		vehicle.value = sent.id;
-	}, t("staged"));
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		children: [
-			/* @__PURE__ */ a("summary", { children: t("stage") }),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("vehicle"),
-					name: "stage",
-					value: vehicle,
-					list: "stage-vehicles",
-					hint: t("nearest_free")
-				}), /* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: "POST /stations/{station}/stage",
-						label: t("stage"),
-						does: send
-					})
-				})]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "stage-vehicles",
-				children: layout.value?.vehicles.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-// src/parts/StationWrite.tsx
-/** A person writes down what is at a station, or that it is not to be used. */
-function StationWrite({ station }) {
-	const present = useSignal(station.present ? "yes" : "no");
-	const carrier = useSignal(station.carrier ?? "");
-	const reserved = useSignal(station.reserved);
-	const closed = useSignal(station.out_of_service);
-	const asking = useAsking();
-	const send = (event) => {
-		event.preventDefault();
-		const there = present.value === "yes";
-		const body = {
-			present: there,
-			carrier: there ? carrier.value.trim() : "",
-			reserved: reserved.value.trim(),
-			out_of_service: closed.value.trim(),
-			by_person: true
-		};
-		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
-	};
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
-			class: "stack",
-			onSubmit: send,
-			children: [
-				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [
-						/* @__PURE__ */ a(Choice$1, {
-							label: t("present"),
-							value: present,
-							of: [["yes", t("yes")], ["no", t("no")]]
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("carrier"),
-							name: "carrier",
-							value: carrier,
-							hint: t("unknown")
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("reserved"),
-							name: "reserved",
-							value: reserved,
-							hint: t("no")
-						}),
-						/* @__PURE__ */ a(Field, {
-							label: t("out_of_service"),
-							name: "out_of_service",
-							value: closed,
-							hint: t("no")
-						})
-					]
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Button, {
-						needs: "PATCH /stations/{station}",
-						type: "submit",
-						children: t("write_down")
-					})
-				}),
-				/* @__PURE__ */ a(Told, { asking })
-			]
-		})]
-	});
-}
-// src/parts/ByHand.tsx
-/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
-var AXES$1 = [
-	"shft",
-	"rota",
-	"lift"
+// src/parts/Vehicles.tsx
+/** All vehicles in a table: what each does, and why one waits. */
+var GROUPS = [
+	"all",
+	"alarm",
+	"held",
+	"waiting",
+	"moving",
+	"handling",
+	"charging",
+	"idle",
+	"gone"
 ];
-function ByHand({ kind, path, newest, after }) {
-	const values = {
-		shft: useSignal(String(newest?.shft ?? "")),
-		rota: useSignal(String(newest?.rota ?? "")),
-		lift: useSignal(String(newest?.lift ?? ""))
-	};
-	const asking = useAsking();
-	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
-	const write = async () => {
-		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
-		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
-		if (await asking.ask(() => call("PUT", path, body, match))) after();
-	};
-	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("div", {
-				class: "fields three",
-				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
-					label: axis.toUpperCase(),
-					name: axis,
-					type: "number",
-					value: values[axis]
-				}, axis))
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
-					label: t("write"),
-					disabled: !whole,
-					does: () => void write()
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	})] });
+/** Idle at a parking place is said so: else one would look for why it does not move. */
+function doing(vehicle) {
+	return vehicle.parked && vehicle.activity === "idle" ? t("idle_parked") : said(vehicle.activity);
 }
-// src/parts/Pulses.tsx
-/** Positions of the three taught axes, and what changes for whom. */
-var AXES = [
-	"shft",
-	"rota",
-	"lift"
-];
-function Pulses({ axes, signed, before }) {
-	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
-	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
-	return /* @__PURE__ */ a("span", {
-		class: "pulses",
-		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
-			class: before && before[axis] !== axes[axis] ? "changed" : "",
-			title: axis.toUpperCase(),
-			children: text(axes[axis])
-		}, axis))
-	});
-}
-function Changes({ changes }) {
-	if (changes.length === 0) return /* @__PURE__ */ a("p", {
-		class: "calm",
-		children: t("changes_nothing")
-	});
-	return /* @__PURE__ */ a("table", {
-		class: "list changes",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
-			t("at_station"),
-			t("vehicle"),
-			t("old"),
-			t("new"),
-			""
-		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
-				axes: change.new,
-				before: change.old
-			}) }),
-			/* @__PURE__ */ a("td", {
-				class: "bad",
-				children: change.beyond
-			})
-		] }, change.station + change.vehicle)) })]
-	});
-}
-// src/parts/Taught.tsx
-/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
-function Taught({ kind, id }) {
-	const open = useSignal(false);
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		open: open.value,
-		onToggle: (event) => open.value = event.currentTarget.open,
-		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
-			kind,
-			id
-		})]
-	});
-}
-function Versions({ kind, id }) {
-	const name = encodeURIComponent(id);
-	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
-	const again = useSignal(0);
-	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
-	const old = useSignal(null);
-	const asking = useAsking();
-	const list = [...value?.items ?? []].reverse();
-	const newest = list[0];
-	if (!value) return null;
-	const byHand = /* @__PURE__ */ a(ByHand, {
-		kind,
-		path,
-		newest,
-		after: () => again.value++
-	}, newest?.version);
-	if (!newest) return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", {
-			class: "nothing",
-			children: t("never_taught")
-		}), byHand]
-	});
-	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("table", {
-				class: "bits versions",
-				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
-					"data-version": version.version,
-					children: [
-						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
-						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
-						/* @__PURE__ */ a("td", { children: [
-							said(version.source),
-							" · ",
-							version.actor,
-							" · ",
-							clock(version.at),
-							version.restores !== null && ` · = v${version.restores}`,
-							version.reason && ` · ${version.reason}`,
-							version.basis.map((basis) => /* @__PURE__ */ a("small", {
-								class: "basis",
-								children: [
-									basis.axis.toUpperCase(),
-									" ",
-									basis.raw,
-									" − ",
-									basis.less ?? 0,
-									" (",
-									basis.vehicle,
-									" @ ",
-									basis.barcode,
-									")"
-								]
-							}, basis.axis)),
-							version !== newest && /* @__PURE__ */ a("button", {
-								type: "button",
-								class: "text",
-								onClick: () => old.value = version.version,
-								children: t("compare")
-							})
-						] })
-					]
-				}, version.version)) })
-			}),
-			compare && /* @__PURE__ */ a(Compared, { path: compare }),
-			compare && /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t("roll_back", old.value ?? 0),
-					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
-					grave: true,
-					does: async (reason) => {
-						await post(`${path}/rollback`, {
-							version: old.value,
-							reason
-						}, { "If-Match": `"${newest.version}"` });
-						old.value = null;
-						again.value++;
-					}
-				}]
-			}),
-			!compare && /* @__PURE__ */ a(Told, { asking }),
-			byHand
-		]
-	});
-}
-function Compared({ path }) {
-	const { value } = useRead(path);
-	if (!value) return null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", { children: [
-			/* @__PURE__ */ a("b", { children: [
-				"v",
-				value.old.version,
-				" → v",
-				value.new.version
-			] }),
-			" ",
-			/* @__PURE__ */ a(Pulses, {
-				axes: value.differences,
-				signed: true
-			})
-		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
-	});
-}
-// src/parts/StationPanel.tsx
-function StationPanel({ id }) {
-	const now = stationNow(id);
-	tick.value;
-	if (!now) return null;
-	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
-	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
-	return /* @__PURE__ */ a(Panel, {
-		title: now.id,
-		tag: said(now.kind),
-		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
-		children: [
-			/* @__PURE__ */ a(CutOff, { id }),
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("present"),
-					children: [
-						occupied,
-						" ",
-						/* @__PURE__ */ a("small", { children: [
-							"(",
-							now.verified ? t("verified") : t("believed"),
-							")"
-						] })
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("carrier"),
-					children: now.carrier ?? t("none")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("provenance"),
-					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("reserved"),
-					children: now.reserved || t("no")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("out_of_service"),
-					children: now.out_of_service || t("no")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("barcode"),
-					children: now.barcode
-				}),
-				now.target && /* @__PURE__ */ a(Fact, {
-					name: t("target"),
-					children: [
-						"SHFT ",
-						now.target[0],
-						" · ROTA ",
-						now.target[1],
-						" · LIFT ",
-						now.target[2],
-						" ",
-						/* @__PURE__ */ a("small", { children: ["v", now.target_version] })
-					]
-				})
-			] }),
-			/* @__PURE__ */ a("div", {
-				class: "buttons",
-				children: [/* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => orderFrom(id),
-					children: t("use_source")
-				}), /* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => orderTo(id),
-					children: t("use_destination")
-				})]
-			}),
-			/* @__PURE__ */ a(Stage, { id }),
-			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
-			now.kind === "port" && /* @__PURE__ */ a(Taught, {
-				kind: "station",
-				id
-			}),
-			buffer && /* @__PURE__ */ a("section", {
-				class: "part",
-				children: [/* @__PURE__ */ a("h3", { children: [
-					t("buffer"),
-					" ",
-					buffer
-				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
-			})
-		]
-	});
-}
-// src/parts/Once.tsx
-/** Something that is shown once and never again: a key, a secret; it is copied and put away. */
-function Once({ label, value }) {
-	const box = T(null);
-	const copied = useSignal(false);
-	if (!value.value) return null;
-	const copy = async () => {
-		box.current?.select();
-		try {
-			await navigator.clipboard.writeText(value.value);
-		} catch {
-			document.execCommand("copy");
-		}
-		copied.value = true;
-	};
-	return /* @__PURE__ */ a("div", {
-		class: "note waits stack",
-		"data-once": true,
-		children: [
-			/* @__PURE__ */ a("b", { children: label }),
-			/* @__PURE__ */ a("span", { children: t("shown_once") }),
-			/* @__PURE__ */ a("input", {
-				ref: box,
-				readOnly: true,
-				class: "hex",
-				"aria-label": label,
-				value: value.value,
-				onFocus: (event) => event.currentTarget.select()
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [/* @__PURE__ */ a("button", {
-					type: "button",
-					class: "primary",
-					onClick: () => void copy(),
-					children: t(copied.value ? "copied" : "copy")
-				}), /* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => {
-						value.value = "";
-						copied.value = false;
-					},
-					children: t("put_away")
-				})]
-			})
-		]
-	});
-}
-// src/parts/Staff.tsx
-/** Users and keys: who may log in, which machines may call, with which roles; for administrators. */
-function Staff() {
-	const tab = useSignal("users");
-	const why = refusal("GET /users");
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("access"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: [/* @__PURE__ */ a("h2", { children: t("access") }), /* @__PURE__ */ a("span", {
-				class: "tabs",
-				children: ["users", "keys"].map((name) => /* @__PURE__ */ a("button", {
-					type: "button",
-					"aria-pressed": tab.value === name,
-					onClick: () => tab.value = name,
-					children: t(name === "users" ? "users" : "machine_keys")
-				}, name))
-			})]
-		}), why ? /* @__PURE__ */ a("p", {
-			class: "nothing",
-			children: why
-		}) : tab.value === "users" ? /* @__PURE__ */ a(Users, {}) : /* @__PURE__ */ a(Keys$1, {})]
-	});
-}
-function Roles({ value }) {
-	const turn = (role, on) => {
-		value.value = allRoles.value.filter((one) => one === role ? on : value.value.includes(one));
-	};
-	return /* @__PURE__ */ a("fieldset", {
-		class: "roles",
-		children: [/* @__PURE__ */ a("legend", { children: t("roles") }), allRoles.value.map((role) => /* @__PURE__ */ a("label", { children: [
-			/* @__PURE__ */ a("input", {
-				type: "checkbox",
-				checked: value.value.includes(role),
-				onChange: (event) => turn(role, event.currentTarget.checked)
-			}),
-			" ",
-			said(`role_${role}`)
-		] }, role))]
-	});
-}
-function Users() {
-	const again = useSignal(0);
-	const chosen = useSignal(null);
-	const { value } = useRead("/users", again.value);
-	const user = value?.items.find(({ name }) => name === chosen.value);
-	return /* @__PURE__ */ a("div", {
-		class: "split",
-		children: [/* @__PURE__ */ a(Table, {
-			label: t("users"),
-			rows: value?.items ?? [],
-			keyOf: (row) => row.name,
-			pick: (row) => chosen.value = row.name,
-			chosen: chosen.value,
-			none: t("no_users"),
-			columns: [
-				{
-					name: t("name"),
-					by: (row) => row.name,
-					of: (row) => /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => chosen.value = row.name,
-						children: row.name
-					})
-				},
-				{
-					name: t("roles"),
-					by: (row) => row.roles.join(),
-					of: (row) => inWords(row.roles)
-				},
-				{
-					name: t("state"),
-					by: (row) => Number(row.disabled),
-					of: (row) => /* @__PURE__ */ a("span", {
-						class: row.disabled ? "bad" : "good",
-						children: t(row.disabled ? "disabled" : "enabled")
-					})
-				},
-				{
-					name: t("logged_in"),
-					by: (row) => row.logged_in,
-					of: (row) => row.logged_in ? moment(row.logged_in) : t("never")
-				},
-				{
-					name: t("added"),
-					by: (row) => row.created,
-					of: (row) => `${moment(row.created)} · ${row.created_by}`
-				}
-			]
-		}), /* @__PURE__ */ a("div", { children: [user && /* @__PURE__ */ a(Change, {
-			user,
-			after: () => again.value++
-		}, user.name), /* @__PURE__ */ a(Add, { after: () => again.value++ })] })]
-	});
-}
-function Change({ user, after }) {
-	const roles = useSignal(user.roles);
-	const password = useSignal("");
-	const asking = useAsking();
-	const path = `/users/${encodeURIComponent(user.name)}`;
-	const change = async (body, words) => {
-		if (await asking.ask(() => call("PATCH", path, body), words)) {
-			password.value = "";
-			after();
-		}
-	};
-	const same = roles.value.join() === user.roles.join();
-	return /* @__PURE__ */ a("section", {
-		class: "stack padded",
-		"data-user": user.name,
-		"aria-label": user.name,
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: user.name
-			}),
-			/* @__PURE__ */ a(Roles, { value: roles }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [/* @__PURE__ */ a(Sure, {
-					needs: "PATCH /users/{user}",
-					label: t("change_roles"),
-					disabled: same || roles.value.length === 0,
-					does: () => void change({ roles: roles.value }, t("taken"))
-				}), /* @__PURE__ */ a(Sure, {
-					needs: "PATCH /users/{user}",
-					label: t(user.disabled ? "enable" : "disable"),
-					does: () => void change({ disabled: !user.disabled }, t("taken"))
-				})]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("new_password"),
-					name: "password",
-					value: password,
-					hint: t("password_rule")
-				}), /* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: "PATCH /users/{user}",
-						label: t("reset_password"),
-						disabled: !password.value,
-						does: () => void change({ password: password.value }, t("password_reset", user.name))
-					})
-				})]
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Add({ after }) {
-	const [name, password] = [useSignal(""), useSignal("")];
-	const roles = useSignal([]);
-	const asking = useAsking();
-	const send = async (event) => {
-		event.preventDefault();
-		const body = {
-			name: name.value.trim(),
-			roles: roles.value,
-			password: password.value
-		};
-		if (!await asking.ask(() => post("/users", body), t("user_added", body.name))) return;
-		name.value = password.value = "";
-		roles.value = [];
-		after();
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "stack padded",
-		"aria-label": t("add_user"),
-		onSubmit: (event) => void send(event),
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: t("add_user")
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("name"),
-					name: "name",
-					value: name,
-					required: true
-				}), /* @__PURE__ */ a(Field, {
-					label: t("password"),
-					name: "password",
-					value: password,
-					hint: t("password_rule"),
-					required: true
-				})]
-			}),
-			/* @__PURE__ */ a(Roles, { value: roles }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Button, {
-					needs: "POST /users",
-					type: "submit",
-					disabled: roles.value.length === 0 || asking.busy.value,
-					children: t("add_user")
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Keys$1() {
-	const again = useSignal(0);
-	const { value } = useRead("/keys", again.value);
-	const asking = useAsking();
-	const revoke = async (name) => {
-		await asking.ask(() => call("DELETE", `/keys/${encodeURIComponent(name)}`), t("key_revoked", name));
-		again.value++;
-	};
-	return /* @__PURE__ */ a("div", {
-		class: "split",
-		children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Told, { asking }), /* @__PURE__ */ a(Table, {
-			label: t("machine_keys"),
-			rows: value?.items ?? [],
-			keyOf: (row) => row.name,
-			none: t("no_keys"),
-			columns: [
-				{
-					name: t("name"),
-					by: (row) => row.name,
-					of: (row) => row.name
-				},
-				{
-					name: t("roles"),
-					by: (row) => row.roles.join(),
-					of: (row) => inWords(row.roles)
-				},
-				{
-					name: t("state"),
-					by: (row) => row.state,
-					of: (row) => /* @__PURE__ */ a("span", {
-						class: row.state === "active" ? "good" : "bad",
-						children: said(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
-					})
-				},
-				{
-					name: t("expires"),
-					by: (row) => row.expires,
-					of: (row) => row.expires ? moment(row.expires) : t("never")
-				},
-				{
-					name: t("last_used"),
-					by: (row) => row.used,
-					of: (row) => row.used ? moment(row.used) : t("never")
-				},
-				{
-					name: t("added"),
-					by: (row) => row.created,
-					of: (row) => `${moment(row.created)} · ${row.created_by}`
-				},
-				{
-					name: "",
-					of: (row) => row.state === "active" && /* @__PURE__ */ a(Sure, {
-						needs: "DELETE /keys/{key}",
-						label: t("revoke"),
-						does: () => void revoke(row.name)
-					})
-				}
-			]
-		})] }), /* @__PURE__ */ a(Issue, { after: () => again.value++ })]
-	});
-}
-function Issue({ after }) {
-	const [name, days] = [useSignal(""), useSignal("365")];
-	const roles = useSignal([]);
-	const made = useSignal("");
-	const asking = useAsking();
-	const send = async (event) => {
-		event.preventDefault();
-		const body = {
-			name: name.value.trim(),
-			roles: roles.value,
-			...days.value ? { days: Number(days.value) } : {}
-		};
-		if (!await asking.ask(async () => {
-			made.value = (await post("/keys", body)).key;
-		}, "")) return;
-		name.value = "";
-		roles.value = [];
-		after();
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "stack padded",
-		"aria-label": t("issue_key"),
-		onSubmit: (event) => void send(event),
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: t("issue_key")
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("name"),
-					name: "name",
-					value: name,
-					required: true
-				}), /* @__PURE__ */ a(Field, {
-					label: t("days_good"),
-					name: "days",
-					type: "number",
-					min: 1,
-					max: 3660,
-					value: days,
-					hint: t("until_revoked")
-				})]
-			}),
-			/* @__PURE__ */ a(Roles, { value: roles }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Button, {
-					needs: "POST /keys",
-					type: "submit",
-					disabled: roles.value.length === 0 || asking.busy.value,
-					children: t("issue_key")
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking }),
-			/* @__PURE__ */ a(Once, {
-				label: t("new_key"),
-				value: made
-			})
-		]
-	});
-}
-// src/parts/Stations.tsx
-/** Stations and carriers: where everything is believed to be, and how well that is known. */
-function Stations() {
-	const tab = useSignal("stations");
+function Vehicles() {
 	const letters = useSignal("");
 	const group = useSignal("all");
-	tick.value;
 	const wanted = letters.value.trim().toLowerCase();
-	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
-	const groups = {
-		all: () => true,
-		present: (station) => station.present === true,
-		free: (station) => station.present === false,
-		unknown: (station) => station.present === null,
-		believed: (station) => !station.verified,
-		out_of_service: (station) => station.out_of_service !== "",
-		reserved: (station) => station.reserved !== ""
-	};
-	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
-	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
-	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
+	const rows = vehicleList.value.filter((vehicle) => (group.value === "all" || lookOf(vehicle) === group.value) && [
+		vehicle.id,
+		vehicle.job,
+		vehicle.carrier,
+		vehicle.goal,
+		vehicle.barcode
+	].some((name) => name?.toLowerCase().includes(wanted) ?? !wanted));
 	return /* @__PURE__ */ a("section", {
 		class: "room",
-		"aria-label": t("stations"),
+		"aria-label": t("vehicles"),
 		children: [/* @__PURE__ */ a("div", {
 			class: "head",
 			children: [
-				/* @__PURE__ */ a("h2", {
-					class: "tabs-head",
-					children: /* @__PURE__ */ a("span", {
-						class: "tabs",
-						children: [/* @__PURE__ */ a("button", {
-							type: "button",
-							"aria-pressed": tab.value === "stations",
-							onClick: () => tab.value = "stations",
-							children: [
-								t("stations"),
-								" ",
-								stationList.value.length
-							]
-						}), /* @__PURE__ */ a("button", {
-							type: "button",
-							"aria-pressed": tab.value === "carriers",
-							onClick: () => tab.value = "carriers",
-							children: [
-								t("carriers"),
-								" ",
-								carrierList.value.length
-							]
-						})]
-					})
-				}),
-				tab.value === "stations" && /* @__PURE__ */ a("select", {
-					"aria-label": t("state"),
+				/* @__PURE__ */ a("h2", { children: [
+					t("vehicles"),
+					" ",
+					rows.length
+				] }),
+				/* @__PURE__ */ a("select", {
+					"aria-label": t("activity"),
 					value: group.value,
 					onChange: (event) => group.value = event.currentTarget.value,
-					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
+					children: GROUPS.map((name) => /* @__PURE__ */ a("option", {
 						value: name,
-						children: name === "free" ? t("empty") : said(name)
+						children: name === "all" ? t("all") : t(`look_${name}`)
 					}, name))
 				}),
 				/* @__PURE__ */ a("input", {
@@ -10956,1220 +10966,610 @@ function Stations() {
 					onInput: (event) => letters.value = event.currentTarget.value
 				})
 			]
-		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
-			label: t("stations"),
-			rows: stations,
-			keyOf: ({ id }) => id,
+		}), /* @__PURE__ */ a(Table, {
+			label: t("vehicles"),
+			rows,
+			keyOf: (vehicle) => vehicle.id,
 			pick: ({ id }) => selected.value = {
-				kind: "station",
+				kind: "vehicle",
 				id
 			},
-			chosen: selected.value?.kind === "station" ? selected.value.id : null,
+			chosen: selected.value?.kind === "vehicle" ? selected.value.id : null,
 			none: t("nothing_found"),
 			columns: [
 				{
-					name: t("at_station"),
+					name: t("vehicle"),
 					by: ({ id }) => id,
-					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
+					of: (vehicle) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "vehicle",
+							id: vehicle.id
+						},
+						children: [
+							/* @__PURE__ */ a("i", {
+								class: "dot",
+								style: { background: LOOKS[lookOf(vehicle)] }
+							}),
+							" ",
+							vehicle.id
+						]
+					})
 				},
 				{
-					name: t("kind"),
-					by: ({ kind }) => kind,
-					of: ({ kind }) => said(kind)
+					name: t("activity"),
+					by: doing,
+					of: (vehicle) => /* @__PURE__ */ a("span", {
+						style: { color: LOOKS[lookOf(vehicle)] },
+						children: doing(vehicle)
+					})
 				},
 				{
-					name: t("barcode"),
+					name: t("place"),
 					by: ({ barcode }) => barcode,
-					of: ({ barcode }) => barcode
-				},
-				{
-					name: t("present"),
-					by: ({ present }) => present === null ? null : Number(present),
-					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
+					of: ({ barcode }) => barcode ?? t("unknown")
 				},
 				{
 					name: t("carrier"),
-					by: ({ carrier }) => carrier,
-					of: ({ carrier }) => carrier ?? ""
+					by: ({ carrier, loaded }) => carrier ?? (loaded ? "~" : null),
+					of: ({ carrier, loaded }) => loaded ? carrier ?? t("loaded") : ""
 				},
 				{
-					name: t("provenance"),
-					by: ({ provenance }) => provenance,
-					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					name: t("job"),
+					by: ({ job }) => job,
+					of: ({ job }) => /* @__PURE__ */ a(Name, { id: job })
 				},
 				{
-					name: t("age"),
-					by: ({ at }) => at,
-					of: ({ at }) => since(at)
+					name: t("goal"),
+					by: ({ goal }) => goal,
+					of: ({ goal }) => /* @__PURE__ */ a(Name, { id: goal })
 				},
 				{
-					name: t("reserved"),
-					by: ({ reserved }) => reserved || null,
-					of: ({ reserved }) => reserved
-				},
-				{
-					name: t("out_of_service"),
-					by: (station) => station.out_of_service || null,
-					of: (station) => station.out_of_service
+					name: t("why"),
+					of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting)
 				}
 			]
-		}) : /* @__PURE__ */ a("div", {
-			class: "split",
-			children: [/* @__PURE__ */ a(Table, {
-				label: t("carriers"),
-				rows: carriers,
-				keyOf: ({ id }) => id,
-				none: t("nothing_found"),
-				columns: [
-					{
-						name: t("carrier"),
-						by: ({ id }) => id,
-						of: ({ id }) => id
-					},
-					{
-						name: t("place"),
-						by: ({ place }) => place,
-						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
-					},
-					{
-						name: t("provenance"),
-						by: ({ provenance }) => provenance,
-						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
-					},
-					{
-						name: t("age"),
-						by: ({ at }) => at,
-						of: ({ at }) => since(at)
-					},
-					{
-						name: "",
-						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
-					}
-				]
-			}), /* @__PURE__ */ a(Install, {})]
 		})]
 	});
 }
-function Remove({ id }) {
-	const asking = useAsking();
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
-		needs: "DELETE /carriers/{carrier}",
-		label: t("remove"),
-		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
-	}), /* @__PURE__ */ a(Told, { asking })] });
+// src/parts/PastPanels.tsx
+/** What was recorded of the chosen thing at the moment that is shown: to be read, nothing can be done about it any more. */
+function PastPanel({ pick }) {
+	switch (pick.kind) {
+		case "vehicle": return /* @__PURE__ */ a(PastVehicle, { id: pick.id });
+		case "station": return /* @__PURE__ */ a(PastStation, { id: pick.id });
+		case "job": return /* @__PURE__ */ a(PastJob, { id: pick.id });
+		case "device": return /* @__PURE__ */ a(PastDevice, { id: pick.id });
+		default: return driveNow(pick.id) ? null : /* @__PURE__ */ a(Unknown, { id: pick.id });
+	}
 }
-/** A person says where a carrier is. */
-function Install() {
-	const carrier = useSignal("");
-	const place = useSignal("");
-	const asking = useAsking();
-	const send = (event) => {
-		event.preventDefault();
-		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
-		asking.ask(() => call("PUT", path, {
-			place: place.value.trim(),
-			by_person: true
-		}));
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "stack padded",
-		onSubmit: send,
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: t("carrier_is")
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("carrier"),
-					name: "carrier",
-					value: carrier,
-					required: true
-				}), /* @__PURE__ */ a(Field, {
-					label: t("place"),
-					name: "place",
-					value: place,
-					required: true
-				})]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Button, {
-					needs: "PUT /carriers/{carrier}",
-					type: "submit",
-					children: t("write_down")
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-// src/parts/Chart.tsx
-/** A chart over time. */
-var HEIGHT = 190;
-/** `times` in seconds since 1970, one for each value. */
-function Chart({ label, times, lines, unit }) {
-	const box = T(null);
-	const wears = theme.value;
-	A$1(() => {
-		const parent = box.current;
-		const style = getComputedStyle(document.documentElement);
-		const of = (name) => style.getPropertyValue(name).trim();
-		const axis = {
-			stroke: of("--dim"),
-			grid: {
-				stroke: of("--line"),
-				width: 1
-			},
-			ticks: {
-				stroke: of("--line"),
-				width: 1
-			}
-		};
-		const chart = new uPlot({
-			width: parent.clientWidth,
-			height: HEIGHT,
-			series: [{}, ...lines.map((line) => ({
-				label: line.label,
-				stroke: of(line.colour),
-				width: 2,
-				...line.bars ? {
-					fill: `${of(line.colour)}66`,
-					paths: uPlot.paths.bars?.({ size: [.8, 40] })
-				} : {}
-			}))],
-			axes: [axis, {
-				...axis,
-				label: unit,
-				labelSize: 16,
-				stroke: of("--dim")
-			}],
-			cursor: { drag: {
-				x: true,
-				y: false
-			} }
-		}, [times, ...lines.map(({ values }) => values)], parent);
-		const size = new ResizeObserver(() => chart.setSize({
-			width: parent.clientWidth,
-			height: HEIGHT
-		}));
-		size.observe(parent);
-		return () => {
-			size.disconnect();
-			chart.destroy();
-		};
-	}, [
-		wears,
-		times,
-		lines
-	]);
-	return /* @__PURE__ */ a("figure", {
-		class: "chart",
-		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
-			ref: box,
-			role: "img",
-			"aria-label": label
-		})]
-	});
-}
-// src/parts/Statistics.tsx
-/** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
-var PERIODS = {
-	hour: [3600, 60],
-	shift: [28800, 900],
-	day: [86400, 3600],
-	week: [604800, 21600]
-};
-var PHASES = [
-	"queued",
-	"fetching",
-	"acquiring",
-	"carrying",
-	"depositing",
-	"total"
-];
-var TABLES = [
-	"phases",
-	"intervals",
-	"vehicles",
-	"waits",
-	"transfers"
-];
-/** Read anew so often, s. */
-var EVERY$1 = 60;
-function Statistics() {
-	const period = useSignal("hour");
-	const round = Math.floor(tick.value / EVERY$1);
-	const query = w$2(() => {
-		const [length, interval] = PERIODS[period.value];
-		const end = Date.now();
-		return new URLSearchParams({
-			from: (/* @__PURE__ */ new Date(end - length * 1e3)).toISOString(),
-			to: new Date(end).toISOString(),
-			interval: String(interval)
-		});
-	}, [period.value, round]);
-	const { value, error } = useRead(`/statistics?${query}`);
-	const asking = useAsking();
-	const save = (path, name) => void asking.ask(() => download(path, name), "");
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("statistics"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: [
-				/* @__PURE__ */ a("h2", { children: t("statistics") }),
-				/* @__PURE__ */ a("span", {
-					class: "tabs",
-					children: Object.keys(PERIODS).map((name) => /* @__PURE__ */ a("button", {
-						type: "button",
-						"aria-pressed": period.value === name,
-						onClick: () => period.value = name,
-						children: t(`period_${name}`)
-					}, name))
-				}),
-				TABLES.map((table) => /* @__PURE__ */ a("button", {
-					type: "button",
-					title: t("save_csv"),
-					onClick: () => save(`/statistics/${table}.csv?${query}`, `${table}.csv`),
-					children: [t(`table_${table}`), " ⤓"]
-				}, table)),
-				/* @__PURE__ */ a("button", {
-					type: "button",
-					onClick: () => save(`/statistics/report?${query}&lang=${language.value}`, "report.html"),
-					children: [t("report"), " ⤓"]
-				}),
-				/* @__PURE__ */ a(Told, { asking }),
-				/* @__PURE__ */ a(Problem, { error })
-			]
-		}), /* @__PURE__ */ a("div", {
-			class: "scroll figures",
-			tabIndex: 0,
-			role: "group",
-			"aria-label": t("statistics"),
-			children: value && /* @__PURE__ */ a(Shown, { found: value })
-		})]
-	});
-}
-var seconds = (value) => value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1e3);
-function Shown({ found }) {
-	const times = w$2(() => found.intervals.map((one) => Date.parse(one.begin) / 1e3), [found]);
-	const through = w$2(() => [
-		{
-			label: t("completed"),
-			colour: "--look-charging",
-			values: found.intervals.map((one) => one.completed),
-			bars: true
-		},
-		{
-			label: t("ordered_at"),
-			colour: "--look-moving",
-			values: found.intervals.map((one) => one.ordered)
-		},
-		{
-			label: t("queue"),
-			colour: "--look-waiting",
-			values: found.intervals.map((one) => one.queue)
-		}
-	], [found, language.value]);
-	const delivery = w$2(() => [{
-		label: "p50",
-		colour: "--look-moving",
-		values: found.intervals.map((one) => one.delivery.p50)
-	}, {
-		label: "p95",
-		colour: "--look-held",
-		values: found.intervals.map((one) => one.delivery.p95)
-	}], [found]);
-	const most = Math.max(1, ...found.waits.map((one) => one.seconds));
-	return /* @__PURE__ */ a($, { children: [
-		/* @__PURE__ */ a("p", {
-			class: "tiles",
-			children: [Object.entries(found.jobs).map(([state, count]) => /* @__PURE__ */ a("span", { children: [
-				/* @__PURE__ */ a("b", { children: count }),
-				" ",
-				said(state)
-			] }, state)), /* @__PURE__ */ a("span", { children: [
-				/* @__PURE__ */ a("b", { children: found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %` }),
-				" ",
-				t("empty_travel")
-			] })]
-		}),
-		/* @__PURE__ */ a(Chart, {
-			label: t("throughput"),
-			times,
-			lines: through,
-			unit: t("jobs")
-		}),
-		/* @__PURE__ */ a(Chart, {
-			label: t("delivery_time"),
-			times,
-			lines: delivery,
-			unit: "s"
-		}),
-		/* @__PURE__ */ a(Phases, { phases: found.phases }),
-		/* @__PURE__ */ a("h3", { children: t("waits_by_cause") }),
-		/* @__PURE__ */ a("table", {
-			class: "list",
-			children: /* @__PURE__ */ a("tbody", { children: found.waits.map((one) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("td", { children: tell(said(one.cause)) }),
-				/* @__PURE__ */ a("td", {
-					class: "number",
-					children: one.times
-				}),
-				/* @__PURE__ */ a("td", {
-					class: "number",
-					children: span(one.seconds * 1e3)
-				}),
-				/* @__PURE__ */ a("td", {
-					class: "bar",
-					children: /* @__PURE__ */ a("i", { style: { width: `${100 * one.seconds / most}%` } })
-				})
-			] }, one.cause)) })
-		}),
-		found.waits.length === 0 && /* @__PURE__ */ a("p", {
+function Unknown({ id }) {
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t("unknown"),
+		colour: "var(--dim)",
+		children: /* @__PURE__ */ a("p", {
 			class: "nothing",
-			children: t("never_waited")
-		}),
-		/* @__PURE__ */ a("h3", { children: t("vehicles") }),
-		/* @__PURE__ */ a(Table, {
-			label: t("vehicles"),
-			rows: found.vehicles,
-			keyOf: (row) => row.vehicle,
-			none: t("nothing_found"),
-			columns: [
-				{
-					name: t("vehicle"),
-					by: (row) => row.vehicle,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
-				},
-				{
-					name: t("completed"),
-					by: (row) => row.completed,
-					of: (row) => row.completed,
-					number: true
-				},
-				{
-					name: t("utilisation"),
-					by: (row) => row.busy_share,
-					of: (row) => `${(row.busy_share * 100).toFixed(1)} %`,
-					number: true
-				},
-				{
-					name: t("failures"),
-					by: (row) => row.failures,
-					of: (row) => row.failures,
-					number: true
-				},
-				{
-					name: "MTBF (h)",
-					by: (row) => row.mtbf_hours,
-					of: (row) => row.mtbf_hours ?? "–",
-					number: true
-				},
-				{
-					name: "MTTR (min)",
-					by: (row) => row.mttr_minutes,
-					of: (row) => row.mttr_minutes ?? "–",
-					number: true
-				},
-				{
-					name: t("availability"),
-					by: (row) => row.availability,
-					of: (row) => `${(row.availability * 100).toFixed(2)} %`,
-					number: true
-				}
+			children: t("not_then")
+		})
+	});
+}
+var upper$1 = (word) => word?.toUpperCase() ?? "–";
+function PastVehicle({ id }) {
+	const then = vehicleNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const load = then.loaded === null ? t("unknown") : then.loaded ? then.carrier ?? t("loaded") : t("empty");
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: doing(then),
+		colour: LOOKS[lookOf(then)],
+		children: [then.waiting && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(then.waiting)
 			]
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("state"),
+				children: [
+					said(then.state),
+					" · ",
+					said(then.service)
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("mode"),
+				children: [
+					upper$1(then.mode),
+					" · ",
+					upper$1(then.oper),
+					then.code ? ` · 0x${then.code.toString(16).toUpperCase().padStart(4, "0")}` : ""
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: load
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("place"),
+				children: then.barcode ?? t("unknown")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("job"),
+				children: then.job ? /* @__PURE__ */ a(Name, { id: then.job }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("goal"),
+				children: then.goal ? /* @__PURE__ */ a(Name, { id: then.goal }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("granted"),
+				children: then.granted.length > 0 ? then.granted.join(" ") : t("none")
+			})
+		] })]
+	});
+}
+function PastStation({ id }) {
+	const then = stationNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const occupied = then.present === null ? t("unknown") : then.present ? t("yes") : t("no");
+	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: said(then.kind),
+		colour: then.present ? "var(--ink-carrier)" : "var(--ink-mark)",
+		children: /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("present"),
+				children: [
+					occupied,
+					" ",
+					/* @__PURE__ */ a("small", { children: [
+						"(",
+						then.verified ? t("verified") : t("believed"),
+						")"
+					] })
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: then.carrier ?? t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("reserved"),
+				children: then.reserved || t("no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("out_of_service"),
+				children: then.out_of_service || t("no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("barcode"),
+				children: then.barcode
+			}),
+			buffer && /* @__PURE__ */ a(Fact, {
+				name: t("buffer"),
+				children: t(`device_${lookAt(buffer)}`)
+			})
+		] })
+	});
+}
+var COLOURS = {
+	calm: "var(--dim)",
+	go: "var(--accent)",
+	wait: "var(--wait)",
+	good: "var(--good)",
+	bad: "var(--bad)"
+};
+function PastJob({ id }) {
+	const then = jobList.value.find((job) => job.id === id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: said(then.state),
+		colour: COLOURS[TONES$2[then.state] ?? "calm"],
+		children: [then.reason && !ENDED.has(then.state) && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(then.reason)
+			]
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("source"),
+				children: /* @__PURE__ */ a(Name, { id: then.source })
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("destination"),
+				children: /* @__PURE__ */ a(Name, { id: then.destination })
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("carrier"),
+				children: then.carrier ?? t("unknown")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("vehicle"),
+				children: then.vehicle ? /* @__PURE__ */ a(Name, { id: then.vehicle }) : t("none")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("priority"),
+				children: then.priority
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("ordered_by"),
+				children: [
+					then.actor,
+					" ",
+					/* @__PURE__ */ a("small", { children: ["· ", clock(then.created)] })
+				]
+			})
+		] })]
+	});
+}
+function PastDevice({ id }) {
+	const then = deviceNow(id);
+	const look = lookAt(id);
+	const charger = layout.value?.chargers.some((one) => one.id === id);
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: t(`device_${look}`),
+		colour: colourOfDevice(then, look),
+		children: [(then?.alarm || then?.reason) && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: tell(then.alarm || then.reason)
+		}), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("kind"),
+				children: t(charger ? "charger" : "door")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("vehicles"),
+				children: then?.vehicles.join(", ") || t("none")
+			}),
+			then?.out_of_service && /* @__PURE__ */ a(Fact, {
+				name: t("out_of_service"),
+				children: then.out_of_service
+			})
+		] })]
+	});
+}
+// src/past/marks.ts
+/** What to look for in the past: the stretch of time that is drawn, the events of note in it, and the next one. */
+var STRETCHES = {
+	minutes: 600,
+	hour: 3600,
+	shift: 28800,
+	day: 86400,
+	all: Number.POSITIVE_INFINITY
+};
+var stretch = y$1("hour");
+/** What the scrubber reaches over, UTC seconds. */
+var reach = y$1({
+	from: 0,
+	to: 1
+});
+var marks = y$1([]);
+/** The event that was stepped to last. */
+var stepped = y$1(null);
+/** Shown so long after an event: what it changed is published with it, not before. */
+var AFTER = .05;
+var MOST$1 = 1e3;
+var iso = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
+var asked$1 = "";
+/** Read the events of note in what the scrubber reaches over. */
+async function readMarks() {
+	const { from, to } = reach.value;
+	const query = new URLSearchParams({
+		from: iso(from),
+		to: iso(to + 1),
+		of_note: "true",
+		newest: "true",
+		limit: String(MOST$1)
+	});
+	asked$1 = String(query);
+	try {
+		const { items } = await get(`/history/events?${query}`);
+		if (asked$1 === String(query)) marks.value = items;
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+/** Go to the next (1) or the one before (-1): of what is chosen, any event; else those of note. */
+async function step(way) {
+	const span = kept$1.value;
+	if (!span) return;
+	pause();
+	const at = moment.value;
+	const [from, to] = way > 0 ? [at + .001, span.to + 1] : [span.from, at - AFTER - .001];
+	if (from >= to) return;
+	const pick = selected.value;
+	const query = new URLSearchParams({
+		from: iso(from),
+		to: iso(to),
+		limit: "1",
+		newest: String(way < 0)
+	});
+	if (pick?.kind === "vehicle" || pick?.kind === "job") query.set(pick.kind, pick.id);
+	else query.set("of_note", "true");
+	try {
+		const { items } = await get(`/history/events?${query}`);
+		stepped.value = items[0] ?? null;
+		if (items[0]) await goTo(items[0]);
+	} catch (failure) {
+		error.value = failure;
+	}
+}
+async function goTo(event) {
+	pause();
+	stepped.value = event;
+	await seek(Date.parse(event.ts) / 1e3 + AFTER);
+}
+// src/past/reach.ts
+var KINDS = [
+	[/^(AlarmSet|VehicleBrokenDown|DriveErrorSet|DriveOffline|.*Abort.*|.*Failed)$/, "alarm"],
+	[/^(AlarmCleared|VehicleMended|DriveErrorCleared|VehicleReleased|EmergencyReleased|ControllerAuto|ZoneResumed|VehicleInstalled)$/, "over"],
+	[/^Place/, "closure"],
+	[/^(Emergency|Controller|Zone|VehicleHeld|VehicleRemoved)/, "halt"]
+];
+function kindOf(event) {
+	return KINDS.find(([pattern]) => pattern.test(event))?.[1] ?? "other";
+}
+/** What the scrubber should reach over to show a moment: what it does now, if that is in it. Pure. */
+function reachOf(at, span, length, now) {
+	const whole = Math.max(span.to - span.from, 1);
+	if (length >= whole) return {
+		from: span.from,
+		to: span.from + whole
+	};
+	if (Math.abs(now.to - now.from - length) < 1 && now.from <= at && at <= now.to && now.from >= span.from - 1) return now;
+	const from = Math.min(Math.max(at - length / 2, span.from), span.to - length);
+	return {
+		from,
+		to: from + length
+	};
+}
+// src/parts/Scrubber.tsx
+/** Moves through the time that was recorded: play, steps from event to event, a moment by its time, and an incident as a file. */
+function Scrubber() {
+	A$1(() => follow(), []);
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: [
+				/* @__PURE__ */ a(Buttons, {}),
+				/* @__PURE__ */ a("span", { class: "grow" }),
+				/* @__PURE__ */ a(Jump, {}),
+				/* @__PURE__ */ a(CopyLink, {})
+			]
+		}),
+		/* @__PURE__ */ a(Line$1, {}),
+		/* @__PURE__ */ a(Export, {})
+	] });
+}
+/** Keep the moment within what is drawn, and the marks up to date. */
+function follow() {
+	const stops = [x(() => {
+		const span = kept$1.value;
+		if (!span || moment.value === 0) return;
+		const next = reachOf(moment.value, span, STRETCHES[stretch.value], reach.peek());
+		const { from, to } = reach.peek();
+		if (next.from !== from || next.to !== to) reach.value = next;
+	}), x(() => {
+		if (reach.value.from > 0) readMarks();
+	})];
+	const key = (event) => {
+		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input:not([type=range]), select, textarea")) return;
+		const does = {
+			",": () => void step(-1),
+			".": () => void step(1),
+			k: toggle
+		};
+		if (event.key === " " && !event.target.closest("button, a, summary")) does[" "] = toggle;
+		if (!does[event.key]) return;
+		event.preventDefault();
+		does[event.key]?.();
+	};
+	document.addEventListener("keydown", key);
+	return () => {
+		for (const stop of stops) stop();
+		document.removeEventListener("keydown", key);
+	};
+}
+var toggle = () => playing.value ? pause() : play();
+function Buttons() {
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			title: `${t("event_before")} (,)`,
+			"aria-label": t("event_before"),
+			onClick: () => void step(-1),
+			children: "|◀"
+		}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			class: "primary play",
+			title: `${t(playing.value ? "stop_playing" : "play")} (k)`,
+			"aria-label": t(playing.value ? "stop_playing" : "play"),
+			onClick: toggle,
+			children: playing.value ? "❚❚" : "▶"
+		}),
+		/* @__PURE__ */ a("button", {
+			type: "button",
+			title: `${t("event_next")} (.)`,
+			"aria-label": t("event_next"),
+			onClick: () => void step(1),
+			children: "▶|"
+		}),
+		/* @__PURE__ */ a("span", {
+			class: "tabs",
+			role: "group",
+			"aria-label": t("pace"),
+			children: PACES.map((times) => /* @__PURE__ */ a("button", {
+				type: "button",
+				"aria-pressed": pace.value === times,
+				onClick: () => pace.value = times,
+				children: ["×", times]
+			}, times))
+		}),
+		/* @__PURE__ */ a("select", {
+			"aria-label": t("stretch"),
+			class: "narrow",
+			value: stretch.value,
+			onChange: (event) => stretch.value = event.currentTarget.value,
+			children: Object.keys(STRETCHES).map((name) => /* @__PURE__ */ a("option", {
+				value: name,
+				children: t(`stretch_${name}`)
+			}, name))
 		})
 	] });
 }
-function Phases({ phases }) {
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h3", { children: t("phases") }), /* @__PURE__ */ a("table", {
-		class: "list",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
-			t("phase"),
-			t("count"),
-			t("mean"),
-			"p50",
-			"p95",
-			t("longest")
-		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: PHASES.filter((name) => phases[name]).map((name) => {
-			const { count, mean, p50, p95, longest } = phases[name];
-			return /* @__PURE__ */ a("tr", {
-				"data-phase": name,
-				children: [
-					/* @__PURE__ */ a("td", { children: t(`phase_${name}`) }),
-					/* @__PURE__ */ a("td", { children: count }),
-					[
-						mean,
-						p50,
-						p95,
-						longest
-					].map((value, i) => /* @__PURE__ */ a("td", { children: seconds(value) }, i))
-				]
-			}, name);
-		}) })]
-	})] });
+/** The moment as a field for day and time has it. */
+function local(seconds) {
+	return dated(seconds).replace(" ", "T");
 }
-// src/parts/TeachingFiles.tsx
-/** Taught values as files: saved, and read back after a look at what each row would come to. */
-var TONES$1 = {
-	new: "good",
-	changed: "wait",
-	same: "calm",
-	error: "bad"
-};
-function TeachingFiles() {
-	const side = useSignal("dests");
-	const file = useSignal(null);
-	const report = useSignal(null);
-	const asking = useAsking();
-	const ask = (dry) => void asking.ask(async () => {
-		const given = file.value;
-		report.value = null;
-		report.value = await upload(`/teaching/${side.value}/import?dry_run=${dry}`, await given.text(), given.name.endsWith(".json") ? "application/json" : "text/csv");
-		if (!dry) file.value = null;
-	}, dry ? "" : t("imported"));
-	const choose = (chosen) => {
-		file.value = chosen ?? null;
-		if (chosen) ask(true);
-	};
-	const save = (kind, history) => void asking.ask(() => download(`/teaching/${side.value}?format=${kind}&history=${history}`, `${side.value}.${kind}`), "");
-	const found = report.value;
-	const wrong = found?.counts["error"] ?? 0;
-	return /* @__PURE__ */ a("div", {
-		class: "filtered",
-		children: [/* @__PURE__ */ a("div", {
-			class: "stack padded",
-			children: [
-				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [/* @__PURE__ */ a(Choice$1, {
-						label: t("kind"),
-						value: side,
-						of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
-					}), /* @__PURE__ */ a("div", {
-						class: "acts-row",
-						children: [
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("csv", false),
-								children: t("save_csv")
-							}),
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("json", false),
-								children: t("save_json")
-							}),
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("csv", true),
-								children: t("save_history")
-							}),
-							/* @__PURE__ */ a("label", {
-								class: "file",
-								children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
-									type: "file",
-									accept: ".csv,.json,text/csv,application/json",
-									"aria-label": t("read_file"),
-									onChange: (event) => {
-										choose(event.currentTarget.files?.[0]);
-										event.currentTarget.value = "";
-									}
-								})]
-							})
-						]
-					})]
-				}),
-				found && /* @__PURE__ */ a("p", {
-					role: "status",
-					"data-import": found.dry_run ? "tried" : "done",
-					children: [
-						"new",
-						"changed",
-						"same",
-						"error"
-					].map((fate) => /* @__PURE__ */ a("span", {
-						class: TONES$1[fate] ?? "",
-						children: [
-							/* @__PURE__ */ a("b", { children: found.counts[fate] }),
-							" ",
-							t(`fate_${fate}`),
-							" "
-						]
-					}, fate))
-				}),
-				found?.dry_run && file.value && /* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
-						needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
-						label: t("import"),
-						disabled: wrong > 0,
-						does: () => ask(false)
-					})]
-				}),
-				/* @__PURE__ */ a(Told, { asking })
-			]
-		}), /* @__PURE__ */ a(Table, {
-			label: t("import"),
-			rows: found?.items ?? [],
-			keyOf: (row) => String(row.line),
-			none: t("import_none"),
-			columns: [
-				{
-					name: t("line_of_file"),
-					by: (row) => row.line,
-					of: (row) => row.line,
-					number: true
-				},
-				{
-					name: t("name"),
-					by: (row) => row.name,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
-				},
-				{
-					name: t("result"),
-					by: (row) => row.fate,
-					of: (row) => /* @__PURE__ */ a("b", {
-						class: TONES$1[row.fate] ?? "",
-						children: t(`fate_${row.fate}`)
-					})
-				},
-				{
-					name: t("in_words"),
-					of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
-				}
-			]
+function Jump() {
+	const span = kept$1.value;
+	return /* @__PURE__ */ a("label", {
+		class: "jump",
+		children: [/* @__PURE__ */ a("span", { children: t("moment") }), /* @__PURE__ */ a("input", {
+			type: "datetime-local",
+			step: "1",
+			min: span ? local(span.from) : void 0,
+			max: span ? local(span.to) : void 0,
+			value: moment.value ? local(Math.floor(moment.value)) : "",
+			onChange: (event) => {
+				const at = Date.parse(event.currentTarget.value) / 1e3;
+				if (!Number.isNaN(at)) seek(at);
+			}
 		})]
 	});
 }
-// src/parts/TeachingRaw.tsx
-/** What vehicles sent while they were taught, as they sent it; and the offsets of two vehicles side by side. */
-function TeachingRaw() {
-	const after = useSignal(0);
-	const { value } = useRead(`/teaching/events?limit=200&after=${after.value}`, changes.teaching.value);
-	return /* @__PURE__ */ a("div", {
-		class: "filtered",
-		children: [
-			/* @__PURE__ */ a(TwoOffsets, {}),
-			/* @__PURE__ */ a(Table, {
-				label: t("teaching_events"),
-				rows: [...value?.items ?? []].reverse(),
-				keyOf: (row) => String(row.number),
-				none: t("no_proposals"),
-				columns: [
-					{
-						name: "#",
-						by: (row) => row.number,
-						of: (row) => row.number,
-						number: true
-					},
-					{
-						name: t("when"),
-						by: (row) => row.at,
-						of: (row) => moment(row.at)
-					},
-					{
-						name: t("vehicle"),
-						by: (row) => row.vehicle,
-						of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
-					},
-					{
-						name: t("barcode"),
-						by: (row) => row.barcode,
-						of: (row) => row.barcode
-					},
-					{
-						name: t("what"),
-						by: (row) => row.code,
-						of: (row) => `${row.axis?.toUpperCase() ?? "–"} · 0x${row.code}`
-					},
-					{
-						name: t("position"),
-						by: (row) => row.position,
-						of: (row) => row.position ?? "–",
-						number: true
-					},
-					{
-						name: t("asked_by"),
-						by: (row) => row.asked_by,
-						of: (row) => row.asked_by ?? ""
-					}
-				]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "padded acts-row",
-				children: [/* @__PURE__ */ a("button", {
-					type: "button",
-					disabled: after.value === 0,
-					onClick: () => after.value = 0,
-					children: t("from_start")
-				}), /* @__PURE__ */ a("button", {
-					type: "button",
-					disabled: !value?.next,
-					onClick: () => after.value = value?.next ?? 0,
-					children: [t("newer"), " ▶"]
-				})]
-			})
-		]
-	});
-}
-function TwoOffsets() {
-	const [one, other] = [useSignal(""), useSignal("")];
-	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
-	const known = (id) => hoists.some((vehicle) => vehicle.id === id);
-	const ready = known(one.value) && known(other.value) && one.value !== other.value;
-	const path = `/teaching/compare/offsets/${encodeURIComponent(one.value)}/${encodeURIComponent(other.value)}`;
-	const { value, error } = useRead(ready ? path : null, changes.teaching.value);
-	return /* @__PURE__ */ a("div", {
-		class: "stack padded",
-		role: "group",
-		"aria-label": t("compare_offsets"),
-		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: t("compare_offsets")
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("vehicle"),
-					name: "one",
-					value: one,
-					list: "offset-hoists"
-				}), /* @__PURE__ */ a(Field, {
-					label: t("vehicle_other"),
-					name: "other",
-					value: other,
-					list: "offset-hoists"
-				})]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "offset-hoists",
-				children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			}),
-			ready && /* @__PURE__ */ a(Problem, { error }),
-			ready && value && /* @__PURE__ */ a("dl", {
-				class: "facts",
-				children: [
-					/* @__PURE__ */ a(Fact, {
-						name: one.value,
-						children: /* @__PURE__ */ a(Pulses, { axes: value.one })
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: other.value,
-						children: /* @__PURE__ */ a(Pulses, { axes: value.other })
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: t("difference"),
-						children: /* @__PURE__ */ a(Pulses, {
-							axes: value.differences,
-							signed: true
-						})
-					})
-				]
-			})
-		]
-	});
-}
-// src/parts/Teaching.tsx
-/** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
-var TABS = [
-	"proposals",
-	"sessions",
-	"drift",
-	"dry_run",
-	"files",
-	"raw"
-];
-function Teaching() {
-	const tab = useSignal("proposals");
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("teaching"),
-		children: [
-			/* @__PURE__ */ a("div", {
-				class: "head",
-				children: [/* @__PURE__ */ a("h2", { children: t("teaching") }), /* @__PURE__ */ a("span", {
-					class: "tabs",
-					children: TABS.map((name) => /* @__PURE__ */ a("button", {
-						type: "button",
-						"aria-pressed": tab.value === name,
-						onClick: () => tab.value = name,
-						children: t(name === "files" || name === "raw" ? `teaching_${name}` : name)
-					}, name))
-				})]
-			}),
-			tab.value === "proposals" && /* @__PURE__ */ a(Proposals, {}),
-			tab.value === "sessions" && /* @__PURE__ */ a(Sessions, {}),
-			tab.value === "drift" && /* @__PURE__ */ a(Drift, {}),
-			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {}),
-			tab.value === "files" && /* @__PURE__ */ a(TeachingFiles, {}),
-			tab.value === "raw" && /* @__PURE__ */ a(TeachingRaw, {})
-		]
-	});
-}
-var OPEN = /* @__PURE__ */ new Set([
-	"collecting",
-	"ready",
-	"incomplete",
-	"out_of_range",
-	"wrong_mode",
-	"pending",
-	"ambiguous"
-]);
-var tone$1 = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
-function Proposals() {
-	const chosen = useSignal(null);
-	const { value } = useRead("/teaching/proposals?limit=200", changes.teaching.value);
-	const id = chosen.value ?? value?.items[0]?.id ?? null;
-	return /* @__PURE__ */ a("div", {
-		class: "split",
-		children: [/* @__PURE__ */ a(Table, {
-			label: t("proposals"),
-			rows: value?.items ?? [],
-			keyOf: (row) => String(row.id),
-			pick: (row) => chosen.value = row.id,
-			chosen: String(id),
-			none: t("no_proposals"),
-			columns: [
-				{
-					name: "#",
-					by: (row) => row.id,
-					of: (row) => row.id,
-					number: true
-				},
-				{
-					name: t("state"),
-					by: (row) => row.state,
-					of: (row) => /* @__PURE__ */ a("span", {
-						class: `state ${tone$1(row.state)}`,
-						children: said(row.state)
-					})
-				},
-				{
-					name: t("kind"),
-					by: (row) => row.side,
-					of: (row) => t(row.side)
-				},
-				{
-					name: t("at_station"),
-					by: (row) => row.station,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
-				},
-				{
-					name: t("vehicle"),
-					by: (row) => row.vehicle,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
-				},
-				{
-					name: t("new"),
-					of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.result })
-				},
-				{
-					name: t("when"),
-					by: (row) => row.at,
-					of: (row) => clock(row.at)
-				}
-			]
-		}), id !== null && /* @__PURE__ */ a(Detail$1, { id }, id)]
-	});
-}
-/** A proposal: what was sent, what it would make, for whom that changes anything; and the decision. */
-function Detail$1({ id }) {
-	const again = useSignal(0);
-	const { value: proposal } = useRead(`/teaching/proposals/${id}`, changes.teaching.value, again.value);
-	const station = useSignal("");
-	const asking = useAsking();
-	if (!proposal) return /* @__PURE__ */ a("div", {});
-	const path = `/teaching/proposals/${id}`;
-	const match = { "If-Match": `"${proposal.revision}"` };
-	const over = proposal.closed !== null;
-	const against = [
-		"incomplete",
-		"wrong_mode",
-		"out_of_range"
-	].includes(proposal.state) ? [proposal.state] : [];
-	const decide = (verb, body) => async (reason) => {
-		await post(`${path}/${verb}`, {
-			...body,
-			reason
-		}, match);
-		again.value++;
+function CopyLink() {
+	const done = useSignal(false);
+	const copy = async () => {
+		pause();
+		await navigator.clipboard?.writeText(location.href).catch(() => void 0);
+		done.value = true;
+		window.setTimeout(() => done.value = false, 2e3);
 	};
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		title: t("link_hint"),
+		onClick: () => void copy(),
+		children: t(done.value ? "link_copied" : "link_copy")
+	});
+}
+var cut = {
+	from: 0,
+	to: 0
+};
+function Line$1() {
+	const { from, to } = reach.value;
+	const share = (at) => `${100 * (at - from) / (to - from)}%`;
 	return /* @__PURE__ */ a("div", {
-		class: "stack padded",
-		"data-proposal": id,
+		class: "scrubber",
 		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: [
-					t(proposal.side),
-					" · ",
-					proposal.station ?? "?",
-					" · ",
-					proposal.vehicle
-				]
+			/* @__PURE__ */ a(Marks, {}),
+			/* @__PURE__ */ a("input", {
+				type: "range",
+				min: Math.floor(from),
+				max: Math.ceil(to),
+				step: "1",
+				value: moment.value,
+				"aria-label": t("moment"),
+				"aria-valuetext": dated(moment.value),
+				onInput: (event) => void seek(Number(event.currentTarget.value))
 			}),
-			proposal.why && /* @__PURE__ */ a("p", {
-				class: "note waits",
+			/* @__PURE__ */ a("div", {
+				class: "ends",
+				"aria-hidden": "true",
 				children: [
-					tell(proposal.why),
-					" ",
-					/* @__PURE__ */ a("em", { children: tell(proposal.remedy) })
+					/* @__PURE__ */ a("span", { children: dated(from) }),
+					/* @__PURE__ */ a("span", {
+						class: "here",
+						style: { left: share(moment.value) },
+						children: clock(iso(moment.value))
+					}),
+					/* @__PURE__ */ a("span", { children: dated(to) })
 				]
-			}),
-			[...proposal.warnings, proposal.drift].filter(Boolean).map((words) => /* @__PURE__ */ a("p", {
-				class: "note held",
-				children: tell(words)
-			}, words)),
-			/* @__PURE__ */ a("dl", {
-				class: "facts",
-				children: [
-					/* @__PURE__ */ a(Fact, {
-						name: t("sent_positions"),
-						children: /* @__PURE__ */ a(Pulses, { axes: proposal.raw })
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: t("old"),
-						children: [
-							/* @__PURE__ */ a(Pulses, { axes: proposal.present }),
-							" ",
-							proposal.present && /* @__PURE__ */ a("small", { children: ["v", proposal.present.version] })
-						]
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: t("new"),
-						children: /* @__PURE__ */ a(Pulses, {
-							axes: proposal.result,
-							before: proposal.present
-						})
-					}),
-					proposal.asked_by && /* @__PURE__ */ a(Fact, {
-						name: t("asked_by"),
-						children: proposal.asked_by
-					}),
-					over && /* @__PURE__ */ a(Fact, {
-						name: said(proposal.state),
-						children: [
-							proposal.closed_by,
-							" · ",
-							clock(proposal.closed ?? ""),
-							" ",
-							proposal.reason
-						]
-					})
-				]
-			}),
-			/* @__PURE__ */ a(Changes, { changes: proposal.changes }),
-			!over && proposal.state === "ambiguous" && /* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [
-					/* @__PURE__ */ a(Field, {
-						label: t("at_station"),
-						value: station,
-						list: "station-names"
-					}),
-					/* @__PURE__ */ a("div", {
-						class: "acts-row",
-						children: /* @__PURE__ */ a(Button, {
-							needs: "POST /teaching/proposals/{proposal}/assign",
-							disabled: !station.value,
-							onClick: () => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match)),
-							children: t("assign")
-						})
-					}),
-					/* @__PURE__ */ a("datalist", {
-						id: "station-names",
-						children: layout.value?.stations.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
-					})
-				]
-			}),
-			!over && /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t(against.length ? "approve_anyway" : "approve"),
-					needs: "POST /teaching/proposals/{proposal}/approve",
-					bare: against.length === 0,
-					grave: true,
-					does: decide("approve", { accept: against })
-				}, {
-					label: t("reject"),
-					needs: "POST /teaching/proposals/{proposal}/reject",
-					does: decide("reject", {})
-				}]
 			})
 		]
 	});
 }
-function Sessions() {
-	const chosen = useSignal(null);
-	const station = useSignal("");
-	const vehicle = useSignal("");
+/** Where something happened, by form and colour; the list beside the map says the same in words. */
+function Marks() {
+	const { from, to } = reach.value;
+	return /* @__PURE__ */ a("div", {
+		class: "marks",
+		"aria-hidden": "true",
+		children: marks.value.map((event) => {
+			const at = (Date.parse(event.ts) / 1e3 - from) / (to - from);
+			const title = `${clock(event.ts)} ${happening(event.event)} ${event.vehicle ?? event.source ?? ""}`;
+			return /* @__PURE__ */ a("i", {
+				class: `mark ${kindOf(event.event)}`,
+				style: { left: `${100 * at}%` },
+				title,
+				onClick: () => void goTo(event)
+			}, event.seq);
+		})
+	});
+}
+/** From when to when, and the file that `hoistway replay` opens. */
+function Export() {
+	const from = useSignal(cut.from);
+	const to = useSignal(cut.to);
 	const asking = useAsking();
-	const { value } = useRead("/teaching/sessions?limit=100", changes.teaching.value);
-	const open = (event) => {
-		event.preventDefault();
-		asking.ask(async () => {
-			const made = await post("/teaching/sessions", {
-				station: station.value.trim(),
-				vehicle: vehicle.value.trim()
-			});
-			chosen.value = made.id;
+	const span = kept$1.value;
+	if (recording.value || !span) return null;
+	const begin = from.value || Math.max(span.from, moment.value - 300);
+	const end = to.value || Math.min(span.to, moment.value + 300);
+	const field = (label, value, set) => /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("label", {
+		class: "jump",
+		children: [/* @__PURE__ */ a("span", { children: t(label) }), /* @__PURE__ */ a("input", {
+			type: "datetime-local",
+			step: "1",
+			value: local(Math.floor(value)),
+			onChange: (event) => set(Date.parse(event.currentTarget.value) / 1e3 || 0)
+		})]
+	}), /* @__PURE__ */ a("button", {
+		type: "button",
+		class: "plain",
+		title: t("take_moment"),
+		"aria-label": `${t(label)} ${t("here")}`,
+		onClick: () => set(moment.value),
+		children: t("here")
+	})] });
+	const save = () => {
+		const query = new URLSearchParams({
+			from: iso(begin),
+			to: iso(end)
 		});
+		const name = `incident-${iso(begin).slice(0, 19).replaceAll(":", "")}Z.hoistway.gz`;
+		asking.ask(() => download(`/history/export?${query}`, name), t("saved_as", name));
 	};
-	const ports = layout.value?.stations.filter(({ kind }) => kind === "port") ?? [];
-	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
 	return /* @__PURE__ */ a("div", {
-		class: "split",
-		children: [/* @__PURE__ */ a(Table, {
-			label: t("sessions"),
-			rows: value?.items ?? [],
-			keyOf: (row) => String(row.id),
-			pick: (row) => chosen.value = row.id,
-			chosen: String(chosen.value),
-			none: t("no_sessions"),
-			columns: [
-				{
-					name: "#",
-					by: (row) => row.id,
-					of: (row) => row.id,
-					number: true
-				},
-				{
-					name: t("state"),
-					by: (row) => row.state,
-					of: (row) => said(row.state)
-				},
-				{
-					name: t("at_station"),
-					by: (row) => row.station,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
-				},
-				{
-					name: t("vehicle"),
-					by: (row) => row.vehicle,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
-				},
-				{
-					name: t("who"),
-					by: (row) => row.actor,
-					of: (row) => row.actor
-				},
-				{
-					name: t("when"),
-					by: (row) => row.opened,
-					of: (row) => clock(row.opened)
-				}
-			]
-		}), /* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("form", {
-			class: "stack padded",
-			onSubmit: open,
-			children: [
-				/* @__PURE__ */ a("h2", {
-					class: "sub",
-					children: t("teach_port")
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [/* @__PURE__ */ a(Field, {
-						label: t("port"),
-						name: "station",
-						value: station,
-						list: "port-names",
-						required: true
-					}), /* @__PURE__ */ a(Field, {
-						label: t("vehicle"),
-						name: "vehicle",
-						value: vehicle,
-						list: "hoist-names",
-						required: true
-					})]
-				}),
-				/* @__PURE__ */ a("datalist", {
-					id: "port-names",
-					children: ports.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-				}),
-				/* @__PURE__ */ a("datalist", {
-					id: "hoist-names",
-					children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Button, {
-						needs: "POST /teaching/sessions",
-						type: "submit",
-						children: t("open_session")
-					})
-				}),
-				/* @__PURE__ */ a(Told, { asking })
-			]
-		}), chosen.value !== null && /* @__PURE__ */ a(Session, { id: chosen.value }, chosen.value)] })]
-	});
-}
-function Session({ id }) {
-	const { value: session } = useRead(`/teaching/sessions/${id}`, changes.teaching.value, Math.floor(changes.vehicles.value / 20));
-	const asking = useAsking();
-	if (!session) return null;
-	const path = `/teaching/sessions/${id}`;
-	return /* @__PURE__ */ a("div", {
-		class: "stack padded",
-		"data-session": id,
+		class: "acts-row export",
+		role: "group",
+		"aria-label": t("incident"),
 		children: [
-			/* @__PURE__ */ a("h2", {
-				class: "sub",
-				children: [
-					"#",
-					id,
-					" ",
-					session.station,
-					" · ",
-					session.vehicle,
-					" · ",
-					said(session.state)
-				]
+			/* @__PURE__ */ a("b", { children: t("incident") }),
+			field("from_moment", begin, (at) => from.value = cut.from = at),
+			field("to_moment", end, (at) => to.value = cut.to = at),
+			/* @__PURE__ */ a(Button, {
+				needs: "GET /history/export",
+				disabled: end <= begin || asking.busy.value,
+				onClick: save,
+				children: [t("incident_save"), " ⤓"]
 			}),
-			/* @__PURE__ */ a("p", {
-				class: "note waits",
-				children: tell(session.advice)
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: t("incident_hint")
 			}),
-			session.state === "open" && /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a(Button, {
-					needs: "POST /teaching/sessions/{session}/start",
-					onClick: () => void asking.ask(() => post(`${path}/start`, { what }), t("sent")),
-					children: t(what === "dest" ? "teach_dest" : "teach_offset")
-				}, what))
-			}), /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t("close_session"),
-					needs: "POST /teaching/sessions/{session}/close",
-					bare: true,
-					does: (reason) => post(`${path}/close`, { reason })
-				}, {
-					label: t("abandon"),
-					needs: "POST /teaching/sessions/{session}/close",
-					bare: true,
-					grave: true,
-					does: (reason) => post(`${path}/close`, {
-						reason,
-						abandon: true
-					})
-				}]
-			})] }),
-			session.proposals.map((proposal) => /* @__PURE__ */ a("p", { children: [
-				"#",
-				proposal.id,
-				" ",
-				said(proposal.state),
-				" ",
-				/* @__PURE__ */ a(Pulses, { axes: proposal.result })
-			] }, proposal.id))
-		]
-	});
-}
-function Drift() {
-	const { value } = useRead("/teaching/drift", changes.teaching.value);
-	return /* @__PURE__ */ a(Table, {
-		label: t("drift"),
-		rows: value?.items ?? [],
-		keyOf: (row) => row.side + row.name,
-		none: t("no_drift"),
-		columns: [
-			{
-				name: t("kind"),
-				by: (row) => row.side,
-				of: (row) => t(row.side)
-			},
-			{
-				name: t("name"),
-				by: (row) => row.name,
-				of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
-			},
-			{
-				name: t("old"),
-				of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.old })
-			},
-			{
-				name: t("new"),
-				of: (row) => /* @__PURE__ */ a(Pulses, {
-					axes: row.new,
-					before: row.old
-				})
-			},
-			{
-				name: t("drift"),
-				of: (row) => tell(row.drift)
-			}
-		]
-	});
-}
-/** What a vehicle would be sent at a port, and from which rows; nothing is sent. */
-function DryRun() {
-	const station = useSignal("");
-	const vehicle = useSignal("");
-	const ready = layout.value?.stations.some(({ id }) => id === station.value) && layout.value.vehicles.some(({ id }) => id === vehicle.value);
-	const path = `/teaching/targets/${encodeURIComponent(station.value)}/${encodeURIComponent(vehicle.value)}`;
-	const { value } = useRead(ready ? path : null, changes.teaching.value);
-	return /* @__PURE__ */ a("div", {
-		class: "stack padded",
-		children: [
-			/* @__PURE__ */ a("div", {
-				class: "fields",
-				children: [/* @__PURE__ */ a(Field, {
-					label: t("port"),
-					name: "station",
-					value: station,
-					list: "dry-ports"
-				}), /* @__PURE__ */ a(Field, {
-					label: t("vehicle"),
-					name: "vehicle",
-					value: vehicle,
-					list: "dry-hoists"
-				})]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "dry-ports",
-				children: layout.value?.stations.filter(({ kind }) => kind === "port").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "dry-hoists",
-				children: layout.value?.vehicles.filter(({ kind }) => kind !== "agv").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			}),
-			ready && value && /* @__PURE__ */ a("dl", {
-				class: "facts",
-				children: [
-					/* @__PURE__ */ a(Fact, {
-						name: t("target"),
-						children: /* @__PURE__ */ a(Pulses, { axes: value })
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: t("dest"),
-						children: [
-							/* @__PURE__ */ a(Pulses, { axes: value.dest }),
-							" ",
-							value.dest && /* @__PURE__ */ a("small", { children: ["v", value.dest.version] })
-						]
-					}),
-					/* @__PURE__ */ a(Fact, {
-						name: t("offset"),
-						children: [
-							value.reference ? t("reference_vehicle") : /* @__PURE__ */ a(Pulses, { axes: value.offset }),
-							" ",
-							value.offset && /* @__PURE__ */ a("small", { children: ["v", value.offset.version] })
-						]
-					}),
-					value.refusal && /* @__PURE__ */ a(Fact, {
-						name: t("refused"),
-						children: /* @__PURE__ */ a("span", {
-							class: "bad",
-							children: tell(value.refusal)
-						})
-					})
-				]
-			})
+			/* @__PURE__ */ a(Told, { asking })
 		]
 	});
 }
@@ -12290,175 +11690,6 @@ function doorMarks(layout, track) {
 			named: i === 0
 		}));
 	});
-}
-// src/glide.ts
-/** The drawn one runs on at its last pace for so long when no report comes, s. */
-var RUN_ON = 1.2;
-/** Reports lag and jump: share of the gap to make good per second. */
-var CATCH_UP = 2.5;
-/** A gap longer than this is not driven but jumped, mm. */
-var JUMP = 12e3;
-/** Track kept behind the front, so that the hull bends with the rail, mm. */
-var TAIL = 1500;
-var Glide = class {
-	track;
-	topSpeed;
-	path = [];
-	/** The ways between the barcodes of the path: `ways[i]` leads from `path[i]` on. */
-	ways = [];
-	s = 0;
-	reported = 0;
-	/** Index in the path of the barcode that was reported last: track driven both ways may have it twice. */
-	here = 0;
-	pace = 0;
-	since = 0;
-	moving = false;
-	last = 0;
-	constructor(track, topSpeed = 3e3) {
-		this.track = track;
-		this.topSpeed = topSpeed;
-	}
-	/** Take a report at `now` (s). */
-	report(report, now) {
-		const { barcode } = report;
-		if (barcode === null || !this.track.points.has(barcode)) {
-			this.lay([]);
-			return;
-		}
-		const ahead = this.connected(barcode, report.granted);
-		const reached = this.reach(barcode, ahead);
-		let offset = this.lengthTo(reached ?? 0);
-		this.here = reached ?? 0;
-		if (reached === null) {
-			const tail = this.tail(barcode);
-			this.lay([...tail, ...ahead]);
-			this.here = tail.length;
-			offset = this.lengthTo(tail.length);
-		}
-		const at = offset + Math.max(0, report.dist ?? 0);
-		if (reached === null) this.s = Math.min(at, this.lengthTo(this.path.length - 1));
-		const travelled = reached === null ? 0 : at - this.reported;
-		this.moving = report.moving;
-		if (!report.moving || reached === null) this.pace = 0;
-		else if (travelled < 1) return;
-		else this.learn(travelled, now - this.since);
-		this.reported = at;
-		this.since = now;
-	}
-	/** Drive on to `now` (s). `still`: jump to where the report says. */
-	drive(now, still = false) {
-		const dt = Math.min(Math.max(now - this.last, 0), .25);
-		this.last = now;
-		const end = this.lengthTo(this.path.length - 1);
-		const run = this.moving && !still ? this.pace * Math.min(now - this.since, RUN_ON) : 0;
-		const goal = Math.min(this.reported + run, Math.max(end, this.s));
-		const gap = goal - this.s;
-		if (still || Math.abs(gap) > JUMP) this.s = goal;
-		else if (gap > 0) {
-			const pace = Math.min(this.topSpeed * 1.3, (this.moving ? this.pace : 0) + gap * CATCH_UP);
-			this.s = Math.min(goal, this.s + Math.max(pace, 150) * dt);
-		} else if (!this.moving) this.s = Math.max(goal, this.s + Math.min(-150, gap * CATCH_UP) * dt);
-		this.trim();
-		return this;
-	}
-	/** Where the point lies that is `back` mm behind its front; null while its place is not known. */
-	middle(back = 0) {
-		let rest = this.s - back;
-		for (let i = 0; i + 1 < this.path.length; i++) {
-			const way = this.ways[i];
-			if (!way) break;
-			if (rest <= way.edge.length || i + 2 === this.path.length) return behind(this.track.along(way, rest), -rest);
-			rest -= way.edge.length;
-		}
-		const first = this.path[0];
-		const spot = first === void 0 ? void 0 : this.track.spot(first);
-		return spot ? behind(spot, back - this.s) : null;
-	}
-	/** Whether the drawn place still differs from the reported one. */
-	get busy() {
-		return this.moving || Math.abs(this.reported - this.s) > 5;
-	}
-	/** The report's own path, as far as edges join it; at least one edge on, to have a heading and room for `dist`. */
-	connected(barcode, granted) {
-		const path = [barcode];
-		for (const step of granted) {
-			const here = path[path.length - 1];
-			if (step === here) continue;
-			if (!this.track.way(here, step)) break;
-			path.push(step);
-		}
-		const only = this.track.next.get(barcode);
-		if (path.length === 1 && only?.length === 1) path.push(only[0].end);
-		return path;
-	}
-	/** Lay the report's path behind the drawn place; returns the index of its barcode, or null if it is elsewhere. */
-	reach(barcode, ahead) {
-		if (this.path.length === 0) return null;
-		const onward = this.path.indexOf(barcode, this.here);
-		const known = onward >= 0 ? onward : this.path.lastIndexOf(barcode);
-		if (known >= 0) {
-			this.lay([...this.path.slice(0, known), ...ahead]);
-			return known;
-		}
-		const from = this.index();
-		const way = this.track.path(this.path[from], barcode);
-		if (!way) return null;
-		const path = [...this.path.slice(0, from), ...way];
-		this.lay([...path.slice(0, -1), ...ahead]);
-		return this.lengthTo(path.length - 1) - this.s > JUMP ? null : path.length - 1;
-	}
-	learn(travelled, took) {
-		if (took < .02) return;
-		const measured = Math.min(travelled / took, this.topSpeed);
-		this.pace = this.pace === 0 ? measured : this.pace * .5 + measured * .5;
-	}
-	/** The barcodes before one, as long as there is only one way to have come. */
-	tail(barcode) {
-		const path = [];
-		for (let length = 0, here = barcode; length < TAIL;) {
-			const [edge, other] = this.track.before.get(here) ?? [];
-			if (!edge || other || path.includes(edge.start)) break;
-			path.unshift(edge.start);
-			length += edge.length;
-			here = edge.start;
-		}
-		return path;
-	}
-	lay(path) {
-		this.path = path;
-		this.ways = path.slice(1).map((end, i) => this.track.way(path[i], end));
-	}
-	lengthTo(index) {
-		let sum = 0;
-		for (let i = 0; i < index; i++) sum += this.ways[i]?.edge.length ?? 0;
-		return sum;
-	}
-	/** Which edge of the path the drawn front is on. */
-	index() {
-		let i = 0;
-		while (i + 2 < this.path.length && this.lengthTo(i + 1) <= this.s) i++;
-		return i;
-	}
-	trim() {
-		while (this.path.length > 2) {
-			const length = this.ways[0]?.edge.length ?? 0;
-			if (this.s < length + TAIL || this.reported < length) return;
-			this.path.shift();
-			this.ways.shift();
-			this.here = Math.max(0, this.here - 1);
-			this.s -= length;
-			this.reported -= length;
-		}
-	}
-};
-/** Straight back from a place, for as long as there is no track known behind it. */
-function behind(spot, mm) {
-	const more = Math.max(0, mm);
-	return {
-		x: spot.x - Math.cos(spot.angle) * more,
-		y: spot.y - Math.sin(spot.angle) * more,
-		angle: spot.angle
-	};
 }
 // src/heat.ts
 /** A longer gap between two reports is not counted as a wait, s. */
@@ -13643,7 +12874,7 @@ async function ask(vehicle, from, to) {
 /** Keep it up to date; returns how to stop. */
 function begin() {
 	return x(() => {
-		const pick = selected.value;
+		const pick = inPast.value ? null : selected.value;
 		changes.vehicles.value;
 		const vehicle = pick?.kind === "vehicle" ? vehicles.get(pick.id) : void 0;
 		const goal = vehicle?.goal ? stations.get(vehicle.goal)?.barcode ?? vehicle.goal : null;
@@ -13804,7 +13035,11 @@ var Painter = class {
 	ground;
 	over;
 	front;
-	heat = new Heat();
+	/** Of what was seen on this page, and of what was played back. */
+	heats = {
+		now: new Heat(),
+		then: new Heat()
+	};
 	stale = true;
 	overAt = Number.NEGATIVE_INFINITY;
 	frame = 0;
@@ -13846,10 +13081,16 @@ var Painter = class {
 			doors
 		};
 		this.specs = new Map(layout.value.vehicles.map((spec) => [spec.id, spec]));
+		this.forgetAll();
+		this.heats.now.clear();
+		this.fit();
+		this.redraw();
+	}
+	/** Another time is shown: vehicles do not drive from one into the other. */
+	forgetAll() {
 		this.glides.clear();
 		this.last.clear();
-		this.heat.clear();
-		this.fit();
+		this.heats.then.clear();
 		this.redraw();
 	}
 	fit() {
@@ -13893,12 +13134,15 @@ var Painter = class {
 	/** Take the vehicles' newest reports. */
 	report() {
 		if (!this.scene) return;
-		const now = performance.now() / 1e3;
+		const then = inPast.value;
+		const now = then ? moment.value : performance.now() / 1e3;
+		const heat = then ? this.heats.then : this.heats.now;
 		for (const id of this.last.keys()) if (!vehicles.has(id)) this.forget(id);
 		for (const vehicle of vehicles.values()) {
 			if (this.last.get(vehicle.id) === vehicle) continue;
 			this.last.set(vehicle.id, vehicle);
-			this.heat.take(vehicle, now);
+			heat.take(vehicle, now);
+			if (then) continue;
 			let glide = this.glides.get(vehicle.id);
 			if (!glide) {
 				glide = new Glide(this.scene.track, this.specs.get(vehicle.id)?.max_speed);
@@ -13976,7 +13220,8 @@ var Painter = class {
 		if (!this.front.follow(view, ms) || due) this.paintFront(ms);
 		this.front.canvas.dataset["pictures"] = String(++this.count);
 		const alarm = this.bodies.some((body) => body.look === "alarm");
-		if (!STILL.matches && (alarm || [...this.glides.values()].some((glide) => glide.busy)) || moving || [
+		const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
+		if (!STILL.matches && (alarm || drives) || moving || [
 			this.ground,
 			this.over,
 			this.front
@@ -13984,7 +13229,7 @@ var Painter = class {
 	}
 	/** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
 	period() {
-		return Math.min(SELDOM, Math.max(PERIOD, 1e3 / (FASTEST * this.view.scale)));
+		return Math.min(SELDOM, Math.max(PERIOD, 1e3 / (FASTEST * (inPast.value ? pace.value : 1) * this.view.scale)));
 	}
 	looked(body) {
 		const pick = selected.value;
@@ -14024,7 +13269,7 @@ var Painter = class {
 		const at = this.over.begin(this.view, ms);
 		const { ctx } = this.over;
 		const { track: drawn } = scene;
-		if (heatShown.value) paintHeat(ctx, at, drawn, this.heat, heatShown.value);
+		if (heatShown.value) paintHeat(ctx, at, drawn, inPast.value ? this.heats.then : this.heats.now, heatShown.value);
 		if (layers.value.closures) paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
 		if (previewedWays.value.length > 0) paintPreviewed(ctx, at, previewedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
 		if (plan.value.length > 0) paintPlan(ctx, at, drawn, plan.value);
@@ -14049,13 +13294,19 @@ var Painter = class {
 		const spot = this.bodies.find((body) => body.vehicle.id === id)?.spot;
 		if (spot) this.view.centre(spot.x, spot.y);
 	}
+	spotOf({ id, activity }, back, now) {
+		if (activity === "off_rail" || !this.scene) return null;
+		if (inPast.value) return trails.spot(this.scene.track, id, moment.value, back, STILL.matches);
+		return this.glides.get(id)?.drive(now, STILL.matches).middle(back) ?? null;
+	}
 	placed(now) {
 		const bodies = [];
 		for (const vehicle of this.last.values()) {
 			const spec = this.specs.get(vehicle.id);
 			const agv = spec?.kind === "agv";
 			const length = Math.min(spec?.length ?? 1e3, 1200);
-			const spot = (vehicle.activity === "off_rail" ? void 0 : this.glides.get(vehicle.id))?.drive(now, STILL.matches).middle(agv ? 0 : length * .41);
+			const back = agv ? 0 : length * .41;
+			const spot = this.spotOf(vehicle, back, now);
 			if (spot) bodies.push({
 				vehicle,
 				look: lookOf(vehicle),
@@ -14204,7 +13455,7 @@ var KEYS = [
 	["F", "key_follow"],
 	["Esc", "key_none"]
 ];
-function Keys() {
+function Keys$1() {
 	const open = useSignal(false);
 	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("button", {
 		type: "button",
@@ -14410,6 +13661,15 @@ function TrackMap() {
 				paint.recolour();
 			}),
 			x(() => {
+				inPast.value;
+				paint.forgetAll();
+				paint.report();
+			}),
+			x(() => {
+				moment.value;
+				paint.wake();
+			}),
+			x(() => {
 				following.value;
 				paint.move();
 			}),
@@ -14493,7 +13753,7 @@ function TrackMap() {
 					}),
 					/* @__PURE__ */ a(Layers, {}),
 					/* @__PURE__ */ a(Finder, { go }),
-					/* @__PURE__ */ a(Keys, {})
+					/* @__PURE__ */ a(Keys$1, {})
 				]
 			}),
 			/* @__PURE__ */ a(Legend, {}),
@@ -14504,6 +13764,2260 @@ function TrackMap() {
 					top: `${tip.value.y}px`
 				},
 				children: [/* @__PURE__ */ a("b", { children: tip.value.title }), tip.value.lines.map((line) => /* @__PURE__ */ a("div", { children: line }, line))]
+			})
+		]
+	});
+}
+// src/parts/VehicleStrip.tsx
+/** All vehicles at a glance, reachable by key; how many do what where there are too many. */
+var CHIPS = 40;
+function VehicleStrip() {
+	const list = vehicleList.value;
+	const pick = selected.value?.kind === "vehicle" ? selected.value.id : "";
+	if (list.length > CHIPS) return /* @__PURE__ */ a(Groups, {});
+	return /* @__PURE__ */ a("nav", {
+		class: "strip",
+		"aria-label": t("vehicles"),
+		children: list.map((vehicle) => {
+			const look = lookOf(vehicle);
+			return /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "chip",
+				"aria-pressed": pick === vehicle.id,
+				style: { "--look": LOOKS[look] },
+				title: tell(vehicle.waiting || vehicle.hold?.reason || ""),
+				onClick: () => choose(pick === vehicle.id ? "" : vehicle.id),
+				children: [/* @__PURE__ */ a("b", { children: [vehicle.id, vehicle.loaded && /* @__PURE__ */ a("i", { class: "box" })] }), /* @__PURE__ */ a("small", { children: look === "gone" ? t("look_gone") : doing(vehicle) })]
+			}, vehicle.id);
+		})
+	});
+}
+/** A fleet too large for a chip each: how many look how; the rest is in the room of vehicles. */
+function Groups() {
+	const counts = /* @__PURE__ */ new Map();
+	for (const vehicle of vehicleList.value) counts.set(lookOf(vehicle), (counts.get(lookOf(vehicle)) ?? 0) + 1);
+	return /* @__PURE__ */ a("nav", {
+		class: "strip",
+		"aria-label": t("vehicles"),
+		children: Object.keys(LOOKS).map((look) => counts.has(look) && /* @__PURE__ */ a("button", {
+			type: "button",
+			class: "chip",
+			style: { "--look": LOOKS[look] },
+			onClick: () => room$1.value = "vehicles",
+			children: [/* @__PURE__ */ a("b", { children: counts.get(look) }), /* @__PURE__ */ a("small", { children: t(`look_${look}`) })]
+		}, look))
+	});
+}
+function choose(id) {
+	selected.value = id ? {
+		kind: "vehicle",
+		id
+	} : null;
+}
+// src/parts/Playback.tsx
+/** The plant as it was: the same map at a moment of the past, and how to move through the time that was recorded. */
+function Playback() {
+	return /* @__PURE__ */ a("div", {
+		class: "plan then",
+		children: [
+			/* @__PURE__ */ a(VehicleStrip, {}),
+			/* @__PURE__ */ a("div", {
+				class: "stage",
+				children: [/* @__PURE__ */ a(PastBanner, {}), /* @__PURE__ */ a(TrackMap, {})]
+			}),
+			/* @__PURE__ */ a("section", {
+				class: "card transport",
+				"aria-label": t("playback"),
+				children: [/* @__PURE__ */ a(Problem, { error: error.value }), kept$1.value ? /* @__PURE__ */ a(Scrubber, {}) : /* @__PURE__ */ a("p", {
+					class: "nothing",
+					children: loading.value ? t("loading") : t("nothing_recorded")
+				})]
+			})
+		]
+	});
+}
+/** Day and time of day at this place. */
+function dated(seconds) {
+	const at = /* @__PURE__ */ new Date(seconds * 1e3);
+	return `${[
+		at.getFullYear(),
+		at.getMonth() + 1,
+		at.getDate()
+	].map((part) => String(part).padStart(2, "0")).join("-")} ${clock(at.toISOString())}`;
+}
+/** Says that this is the past, for as long as it is, and leads back. */
+function PastBanner() {
+	tick.value;
+	const incident = kept$1.value?.incident;
+	const ago = Math.max(0, serverNow() / 1e3 - moment.value);
+	const grave = troubles.value.filter((wrong) => wrong.grave).length;
+	return /* @__PURE__ */ a("div", {
+		class: "past-banner",
+		role: "status",
+		"aria-live": "off",
+		children: [
+			/* @__PURE__ */ a("b", { children: t(recording.value ? "past_recording" : "past_here") }),
+			moment.value > 0 && /* @__PURE__ */ a("time", {
+				class: "then-at",
+				children: dated(moment.value)
+			}),
+			moment.value > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
+			incident && /* @__PURE__ */ a("span", { children: t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`) }),
+			/* @__PURE__ */ a("span", { children: t("past_no_commands") }),
+			loading.value && /* @__PURE__ */ a("span", { children: t("loading") }),
+			/* @__PURE__ */ a("span", { class: "grow" }),
+			grave > 0 && !recording.value && /* @__PURE__ */ a("b", {
+				class: "bad",
+				children: ["! ", t("past_alarms_now", grave)]
+			}),
+			!recording.value && /* @__PURE__ */ a("button", {
+				type: "button",
+				class: "primary",
+				onClick: () => room$1.value = "map",
+				children: t("back_to_live")
+			})
+		]
+	});
+}
+/** What to look for in the stretch of time that is drawn; each leads to its moment. */
+function PastEvents() {
+	const list = marks.value.toReversed();
+	const at = moment.value;
+	A$1(() => {
+		document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
+	}, [stepped.value]);
+	return /* @__PURE__ */ a("section", {
+		class: "card past-events",
+		"aria-label": t("events_of_note"),
+		children: [/* @__PURE__ */ a("h2", { children: [
+			t("events_of_note"),
+			" ",
+			/* @__PURE__ */ a("small", {
+				class: "calm",
+				children: list.length
+			})
+		] }), /* @__PURE__ */ a("ol", {
+			class: "scroll",
+			reversed: true,
+			tabIndex: 0,
+			"aria-label": t("events_of_note"),
+			children: [list.length === 0 && /* @__PURE__ */ a("li", {
+				class: "nothing",
+				children: t("no_events")
+			}), list.map((event) => /* @__PURE__ */ a(Line, {
+				event,
+				past: Date.parse(event.ts) / 1e3 <= at
+			}, event.seq))]
+		})]
+	});
+}
+function Line({ event, past }) {
+	const kind = kindOf(event.event);
+	const go = () => {
+		if (event.vehicle) selected.value = {
+			kind: "vehicle",
+			id: event.vehicle
+		};
+		goTo(event);
+	};
+	return /* @__PURE__ */ a("li", {
+		"data-mark": event.seq,
+		class: past ? "" : "ahead",
+		"aria-current": stepped.value?.seq === event.seq ? "true" : void 0,
+		children: /* @__PURE__ */ a("button", {
+			type: "button",
+			class: "text",
+			onClick: go,
+			children: [
+				/* @__PURE__ */ a("i", {
+					class: `mark ${kind}`,
+					"aria-hidden": "true"
+				}),
+				" ",
+				/* @__PURE__ */ a("time", { children: clock(event.ts) }),
+				" ",
+				/* @__PURE__ */ a("b", { children: happening(event.event) }),
+				" ",
+				[
+					event.vehicle,
+					event.source,
+					tell(event.detail || event.result)
+				].filter(Boolean).join(" · ")
+			]
+		})
+	});
+}
+// src/parts/Stage.tsx
+/** Sends a vehicle to a station before its lot is ready; it stays idle there. */
+function Stage({ id }) {
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const send = () => void asking.ask(async () => {
+		const body = vehicle.value.trim() ? { vehicle: vehicle.value.trim() } : {};
+		const sent = await post(`/stations/${encodeURIComponent(id)}/stage`, body);
+		vehicle.value = sent.id;
+	}, t("staged"));
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("stage") }),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "stage",
+					value: vehicle,
+					list: "stage-vehicles",
+					hint: t("nearest_free")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /stations/{station}/stage",
+						label: t("stage"),
+						does: send
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "stage-vehicles",
+				children: layout.value?.vehicles.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/StationWrite.tsx
+/** A person writes down what is at a station, or that it is not to be used. */
+function StationWrite({ station }) {
+	const present = useSignal(station.present ? "yes" : "no");
+	const carrier = useSignal(station.carrier ?? "");
+	const reserved = useSignal(station.reserved);
+	const closed = useSignal(station.out_of_service);
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const there = present.value === "yes";
+		const body = {
+			present: there,
+			carrier: there ? carrier.value.trim() : "",
+			reserved: reserved.value.trim(),
+			out_of_service: closed.value.trim(),
+			by_person: true
+		};
+		asking.ask(() => call("PATCH", `/stations/${encodeURIComponent(station.id)}`, body));
+	};
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("write_down") }), /* @__PURE__ */ a("form", {
+			class: "stack",
+			onSubmit: send,
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [
+						/* @__PURE__ */ a(Choice$1, {
+							label: t("present"),
+							value: present,
+							of: [["yes", t("yes")], ["no", t("no")]]
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("carrier"),
+							name: "carrier",
+							value: carrier,
+							hint: t("unknown")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("reserved"),
+							name: "reserved",
+							value: reserved,
+							hint: t("no")
+						}),
+						/* @__PURE__ */ a(Field, {
+							label: t("out_of_service"),
+							name: "out_of_service",
+							value: closed,
+							hint: t("no")
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Button, {
+						needs: "PATCH /stations/{station}",
+						type: "submit",
+						children: t("write_down")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		})]
+	});
+}
+// src/parts/ByHand.tsx
+/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
+var AXES$1 = [
+	"shft",
+	"rota",
+	"lift"
+];
+function ByHand({ kind, path, newest, after }) {
+	const values = {
+		shft: useSignal(String(newest?.shft ?? "")),
+		rota: useSignal(String(newest?.rota ?? "")),
+		lift: useSignal(String(newest?.lift ?? ""))
+	};
+	const asking = useAsking();
+	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
+	const write = async () => {
+		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
+		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
+		if (await asking.ask(() => call("PUT", path, body, match))) after();
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields three",
+				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
+					label: axis.toUpperCase(),
+					name: axis,
+					type: "number",
+					value: values[axis]
+				}, axis))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
+					label: t("write"),
+					disabled: !whole,
+					does: () => void write()
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
+];
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
+}
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
+}
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
+}
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	const byHand = /* @__PURE__ */ a(ByHand, {
+		kind,
+		path,
+		newest,
+		after: () => again.value++
+	}, newest?.version);
+	if (!newest) return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_taught")
+		}), byHand]
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							said(version.source),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking }),
+			byHand
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
+	});
+}
+// src/parts/StationPanel.tsx
+function StationPanel({ id }) {
+	const now = stationNow(id);
+	tick.value;
+	if (!now) return null;
+	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
+	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: said(now.kind),
+		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
+		children: [
+			/* @__PURE__ */ a(CutOff, { id }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("present"),
+					children: [
+						occupied,
+						" ",
+						/* @__PURE__ */ a("small", { children: [
+							"(",
+							now.verified ? t("verified") : t("believed"),
+							")"
+						] })
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: now.carrier ?? t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("provenance"),
+					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("reserved"),
+					children: now.reserved || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("out_of_service"),
+					children: now.out_of_service || t("no")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("barcode"),
+					children: now.barcode
+				}),
+				now.target && /* @__PURE__ */ a(Fact, {
+					name: t("target"),
+					children: [
+						"SHFT ",
+						now.target[0],
+						" · ROTA ",
+						now.target[1],
+						" · LIFT ",
+						now.target[2],
+						" ",
+						/* @__PURE__ */ a("small", { children: ["v", now.target_version] })
+					]
+				})
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "buttons",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderFrom(id),
+					children: t("use_source")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => orderTo(id),
+					children: t("use_destination")
+				})]
+			}),
+			/* @__PURE__ */ a(Stage, { id }),
+			/* @__PURE__ */ a(StationWrite, { station: now }, `${now.id} ${now.at}`),
+			now.kind === "port" && /* @__PURE__ */ a(Taught, {
+				kind: "station",
+				id
+			}),
+			buffer && /* @__PURE__ */ a("section", {
+				class: "part",
+				children: [/* @__PURE__ */ a("h3", { children: [
+					t("buffer"),
+					" ",
+					buffer
+				] }), /* @__PURE__ */ a(DeviceBody, { id: buffer })]
+			})
+		]
+	});
+}
+// src/parts/Once.tsx
+/** Something that is shown once and never again: a key, a secret; it is copied and put away. */
+function Once({ label, value }) {
+	const box = T(null);
+	const copied = useSignal(false);
+	if (!value.value) return null;
+	const copy = async () => {
+		box.current?.select();
+		try {
+			await navigator.clipboard.writeText(value.value);
+		} catch {
+			document.execCommand("copy");
+		}
+		copied.value = true;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "note waits stack",
+		"data-once": true,
+		children: [
+			/* @__PURE__ */ a("b", { children: label }),
+			/* @__PURE__ */ a("span", { children: t("shown_once") }),
+			/* @__PURE__ */ a("input", {
+				ref: box,
+				readOnly: true,
+				class: "hex",
+				"aria-label": label,
+				value: value.value,
+				onFocus: (event) => event.currentTarget.select()
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					class: "primary",
+					onClick: () => void copy(),
+					children: t(copied.value ? "copied" : "copy")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => {
+						value.value = "";
+						copied.value = false;
+					},
+					children: t("put_away")
+				})]
+			})
+		]
+	});
+}
+// src/parts/Staff.tsx
+/** Users and keys: who may log in, which machines may call, with which roles; for administrators. */
+function Staff() {
+	const tab = useSignal("users");
+	const why = refusal("GET /users");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("access"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [/* @__PURE__ */ a("h2", { children: t("access") }), /* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: ["users", "keys"].map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": tab.value === name,
+					onClick: () => tab.value = name,
+					children: t(name === "users" ? "users" : "machine_keys")
+				}, name))
+			})]
+		}), why ? /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: why
+		}) : tab.value === "users" ? /* @__PURE__ */ a(Users, {}) : /* @__PURE__ */ a(Keys, {})]
+	});
+}
+function Roles({ value }) {
+	const turn = (role, on) => {
+		value.value = allRoles.value.filter((one) => one === role ? on : value.value.includes(one));
+	};
+	return /* @__PURE__ */ a("fieldset", {
+		class: "roles",
+		children: [/* @__PURE__ */ a("legend", { children: t("roles") }), allRoles.value.map((role) => /* @__PURE__ */ a("label", { children: [
+			/* @__PURE__ */ a("input", {
+				type: "checkbox",
+				checked: value.value.includes(role),
+				onChange: (event) => turn(role, event.currentTarget.checked)
+			}),
+			" ",
+			said(`role_${role}`)
+		] }, role))]
+	});
+}
+function Users() {
+	const again = useSignal(0);
+	const chosen = useSignal(null);
+	const { value } = useRead("/users", again.value);
+	const user = value?.items.find(({ name }) => name === chosen.value);
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("users"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			pick: (row) => chosen.value = row.name,
+			chosen: chosen.value,
+			none: t("no_users"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => chosen.value = row.name,
+						children: row.name
+					})
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => Number(row.disabled),
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.disabled ? "bad" : "good",
+						children: t(row.disabled ? "disabled" : "enabled")
+					})
+				},
+				{
+					name: t("logged_in"),
+					by: (row) => row.logged_in,
+					of: (row) => row.logged_in ? moment$1(row.logged_in) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment$1(row.created)} · ${row.created_by}`
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [user && /* @__PURE__ */ a(Change, {
+			user,
+			after: () => again.value++
+		}, user.name), /* @__PURE__ */ a(Add, { after: () => again.value++ })] })]
+	});
+}
+function Change({ user, after }) {
+	const roles = useSignal(user.roles);
+	const password = useSignal("");
+	const asking = useAsking();
+	const path = `/users/${encodeURIComponent(user.name)}`;
+	const change = async (body, words) => {
+		if (await asking.ask(() => call("PATCH", path, body), words)) {
+			password.value = "";
+			after();
+		}
+	};
+	const same = roles.value.join() === user.roles.join();
+	return /* @__PURE__ */ a("section", {
+		class: "stack padded",
+		"data-user": user.name,
+		"aria-label": user.name,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: user.name
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t("change_roles"),
+					disabled: same || roles.value.length === 0,
+					does: () => void change({ roles: roles.value }, t("taken"))
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "PATCH /users/{user}",
+					label: t(user.disabled ? "enable" : "disable"),
+					does: () => void change({ disabled: !user.disabled }, t("taken"))
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("new_password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule")
+				}), /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "PATCH /users/{user}",
+						label: t("reset_password"),
+						disabled: !password.value,
+						does: () => void change({ password: password.value }, t("password_reset", user.name))
+					})
+				})]
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Add({ after }) {
+	const [name, password] = [useSignal(""), useSignal("")];
+	const roles = useSignal([]);
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			password: password.value
+		};
+		if (!await asking.ask(() => post("/users", body), t("user_added", body.name))) return;
+		name.value = password.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("add_user"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("add_user")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("password"),
+					name: "password",
+					value: password,
+					hint: t("password_rule"),
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /users",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("add_user")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Keys() {
+	const again = useSignal(0);
+	const { value } = useRead("/keys", again.value);
+	const asking = useAsking();
+	const revoke = async (name) => {
+		await asking.ask(() => call("DELETE", `/keys/${encodeURIComponent(name)}`), t("key_revoked", name));
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Told, { asking }), /* @__PURE__ */ a(Table, {
+			label: t("machine_keys"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.name,
+			none: t("no_keys"),
+			columns: [
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => row.name
+				},
+				{
+					name: t("roles"),
+					by: (row) => row.roles.join(),
+					of: (row) => inWords(row.roles)
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: row.state === "active" ? "good" : "bad",
+						children: said(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
+					})
+				},
+				{
+					name: t("expires"),
+					by: (row) => row.expires,
+					of: (row) => row.expires ? moment$1(row.expires) : t("never")
+				},
+				{
+					name: t("last_used"),
+					by: (row) => row.used,
+					of: (row) => row.used ? moment$1(row.used) : t("never")
+				},
+				{
+					name: t("added"),
+					by: (row) => row.created,
+					of: (row) => `${moment$1(row.created)} · ${row.created_by}`
+				},
+				{
+					name: "",
+					of: (row) => row.state === "active" && /* @__PURE__ */ a(Sure, {
+						needs: "DELETE /keys/{key}",
+						label: t("revoke"),
+						does: () => void revoke(row.name)
+					})
+				}
+			]
+		})] }), /* @__PURE__ */ a(Issue, { after: () => again.value++ })]
+	});
+}
+function Issue({ after }) {
+	const [name, days] = [useSignal(""), useSignal("365")];
+	const roles = useSignal([]);
+	const made = useSignal("");
+	const asking = useAsking();
+	const send = async (event) => {
+		event.preventDefault();
+		const body = {
+			name: name.value.trim(),
+			roles: roles.value,
+			...days.value ? { days: Number(days.value) } : {}
+		};
+		if (!await asking.ask(async () => {
+			made.value = (await post("/keys", body)).key;
+		}, "")) return;
+		name.value = "";
+		roles.value = [];
+		after();
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		"aria-label": t("issue_key"),
+		onSubmit: (event) => void send(event),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("issue_key")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("name"),
+					name: "name",
+					value: name,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("days_good"),
+					name: "days",
+					type: "number",
+					min: 1,
+					max: 3660,
+					value: days,
+					hint: t("until_revoked")
+				})]
+			}),
+			/* @__PURE__ */ a(Roles, { value: roles }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "POST /keys",
+					type: "submit",
+					disabled: roles.value.length === 0 || asking.busy.value,
+					children: t("issue_key")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking }),
+			/* @__PURE__ */ a(Once, {
+				label: t("new_key"),
+				value: made
+			})
+		]
+	});
+}
+// src/parts/Stations.tsx
+/** Stations and carriers: where everything is believed to be, and how well that is known. */
+function Stations() {
+	const tab = useSignal("stations");
+	const letters = useSignal("");
+	const group = useSignal("all");
+	tick.value;
+	const wanted = letters.value.trim().toLowerCase();
+	const hits = (...names) => names.some((name) => name?.toLowerCase().includes(wanted));
+	const groups = {
+		all: () => true,
+		present: (station) => station.present === true,
+		free: (station) => station.present === false,
+		unknown: (station) => station.present === null,
+		believed: (station) => !station.verified,
+		out_of_service: (station) => station.out_of_service !== "",
+		reserved: (station) => station.reserved !== ""
+	};
+	const stations = stationList.value.filter((station) => hits(station.id, station.carrier, station.barcode) && groups[group.value]?.(station));
+	const carriers = carrierList.value.filter((carrier) => hits(carrier.id, carrier.place));
+	const since = (at) => at ? t("ago", span(serverNow() - Date.parse(at))) : "";
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("stations"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "tabs-head",
+					children: /* @__PURE__ */ a("span", {
+						class: "tabs",
+						children: [/* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "stations",
+							onClick: () => tab.value = "stations",
+							children: [
+								t("stations"),
+								" ",
+								stationList.value.length
+							]
+						}), /* @__PURE__ */ a("button", {
+							type: "button",
+							"aria-pressed": tab.value === "carriers",
+							onClick: () => tab.value = "carriers",
+							children: [
+								t("carriers"),
+								" ",
+								carrierList.value.length
+							]
+						})]
+					})
+				}),
+				tab.value === "stations" && /* @__PURE__ */ a("select", {
+					"aria-label": t("state"),
+					value: group.value,
+					onChange: (event) => group.value = event.currentTarget.value,
+					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "free" ? t("empty") : said(name)
+					}, name))
+				}),
+				/* @__PURE__ */ a("input", {
+					type: "search",
+					"aria-label": t("filter"),
+					placeholder: t("filter"),
+					value: letters.value,
+					onInput: (event) => letters.value = event.currentTarget.value
+				})
+			]
+		}), tab.value === "stations" ? /* @__PURE__ */ a(Table, {
+			label: t("stations"),
+			rows: stations,
+			keyOf: ({ id }) => id,
+			pick: ({ id }) => selected.value = {
+				kind: "station",
+				id
+			},
+			chosen: selected.value?.kind === "station" ? selected.value.id : null,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("at_station"),
+					by: ({ id }) => id,
+					of: ({ id }) => /* @__PURE__ */ a(Name, { id })
+				},
+				{
+					name: t("kind"),
+					by: ({ kind }) => kind,
+					of: ({ kind }) => said(kind)
+				},
+				{
+					name: t("barcode"),
+					by: ({ barcode }) => barcode,
+					of: ({ barcode }) => barcode
+				},
+				{
+					name: t("present"),
+					by: ({ present }) => present === null ? null : Number(present),
+					of: ({ present }) => present === null ? t("unknown") : t(present ? "yes" : "no")
+				},
+				{
+					name: t("carrier"),
+					by: ({ carrier }) => carrier,
+					of: ({ carrier }) => carrier ?? ""
+				},
+				{
+					name: t("provenance"),
+					by: ({ provenance }) => provenance,
+					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+				},
+				{
+					name: t("age"),
+					by: ({ at }) => at,
+					of: ({ at }) => since(at)
+				},
+				{
+					name: t("reserved"),
+					by: ({ reserved }) => reserved || null,
+					of: ({ reserved }) => reserved
+				},
+				{
+					name: t("out_of_service"),
+					by: (station) => station.out_of_service || null,
+					of: (station) => station.out_of_service
+				}
+			]
+		}) : /* @__PURE__ */ a("div", {
+			class: "split",
+			children: [/* @__PURE__ */ a(Table, {
+				label: t("carriers"),
+				rows: carriers,
+				keyOf: ({ id }) => id,
+				none: t("nothing_found"),
+				columns: [
+					{
+						name: t("carrier"),
+						by: ({ id }) => id,
+						of: ({ id }) => id
+					},
+					{
+						name: t("place"),
+						by: ({ place }) => place,
+						of: ({ place }) => place ? /* @__PURE__ */ a(Name, { id: place }) : t("unknown")
+					},
+					{
+						name: t("provenance"),
+						by: ({ provenance }) => provenance,
+						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					},
+					{
+						name: t("age"),
+						by: ({ at }) => at,
+						of: ({ at }) => since(at)
+					},
+					{
+						name: "",
+						of: ({ id }) => /* @__PURE__ */ a(Remove, { id })
+					}
+				]
+			}), /* @__PURE__ */ a(Install, {})]
+		})]
+	});
+}
+function Remove({ id }) {
+	const asking = useAsking();
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Sure, {
+		needs: "DELETE /carriers/{carrier}",
+		label: t("remove"),
+		does: () => void asking.ask(() => call("DELETE", `/carriers/${encodeURIComponent(id)}`), "")
+	}), /* @__PURE__ */ a(Told, { asking })] });
+}
+/** A person says where a carrier is. */
+function Install() {
+	const carrier = useSignal("");
+	const place = useSignal("");
+	const asking = useAsking();
+	const send = (event) => {
+		event.preventDefault();
+		const path = `/carriers/${encodeURIComponent(carrier.value.trim())}`;
+		asking.ask(() => call("PUT", path, {
+			place: place.value.trim(),
+			by_person: true
+		}));
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "stack padded",
+		onSubmit: send,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("carrier_is")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("carrier"),
+					name: "carrier",
+					value: carrier,
+					required: true
+				}), /* @__PURE__ */ a(Field, {
+					label: t("place"),
+					name: "place",
+					value: place,
+					required: true
+				})]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Button, {
+					needs: "PUT /carriers/{carrier}",
+					type: "submit",
+					children: t("write_down")
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+// src/parts/Chart.tsx
+/** A chart over time. */
+var HEIGHT = 190;
+/** `times` in seconds since 1970, one for each value. */
+function Chart({ label, times, lines, unit }) {
+	const box = T(null);
+	const wears = theme.value;
+	A$1(() => {
+		const parent = box.current;
+		const style = getComputedStyle(document.documentElement);
+		const of = (name) => style.getPropertyValue(name).trim();
+		const axis = {
+			stroke: of("--dim"),
+			grid: {
+				stroke: of("--line"),
+				width: 1
+			},
+			ticks: {
+				stroke: of("--line"),
+				width: 1
+			}
+		};
+		const chart = new uPlot({
+			width: parent.clientWidth,
+			height: HEIGHT,
+			series: [{}, ...lines.map((line) => ({
+				label: line.label,
+				stroke: of(line.colour),
+				width: 2,
+				...line.bars ? {
+					fill: `${of(line.colour)}66`,
+					paths: uPlot.paths.bars?.({ size: [.8, 40] })
+				} : {}
+			}))],
+			axes: [axis, {
+				...axis,
+				label: unit,
+				labelSize: 16,
+				stroke: of("--dim")
+			}],
+			cursor: { drag: {
+				x: true,
+				y: false
+			} }
+		}, [times, ...lines.map(({ values }) => values)], parent);
+		const size = new ResizeObserver(() => chart.setSize({
+			width: parent.clientWidth,
+			height: HEIGHT
+		}));
+		size.observe(parent);
+		return () => {
+			size.disconnect();
+			chart.destroy();
+		};
+	}, [
+		wears,
+		times,
+		lines
+	]);
+	return /* @__PURE__ */ a("figure", {
+		class: "chart",
+		children: [/* @__PURE__ */ a("figcaption", { children: label }), /* @__PURE__ */ a("div", {
+			ref: box,
+			role: "img",
+			"aria-label": label
+		})]
+	});
+}
+// src/parts/Statistics.tsx
+/** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
+var PERIODS = {
+	hour: [3600, 60],
+	shift: [28800, 900],
+	day: [86400, 3600],
+	week: [604800, 21600]
+};
+var PHASES = [
+	"queued",
+	"fetching",
+	"acquiring",
+	"carrying",
+	"depositing",
+	"total"
+];
+var TABLES = [
+	"phases",
+	"intervals",
+	"vehicles",
+	"waits",
+	"transfers"
+];
+/** Read anew so often, s. */
+var EVERY$1 = 60;
+function Statistics() {
+	const period = useSignal("hour");
+	const round = Math.floor(tick.value / EVERY$1);
+	const query = w$2(() => {
+		const [length, interval] = PERIODS[period.value];
+		const end = Date.now();
+		return new URLSearchParams({
+			from: (/* @__PURE__ */ new Date(end - length * 1e3)).toISOString(),
+			to: new Date(end).toISOString(),
+			interval: String(interval)
+		});
+	}, [period.value, round]);
+	const { value, error } = useRead(`/statistics?${query}`);
+	const asking = useAsking();
+	const save = (path, name) => void asking.ask(() => download(path, name), "");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("statistics"),
+		children: [/* @__PURE__ */ a("div", {
+			class: "head",
+			children: [
+				/* @__PURE__ */ a("h2", { children: t("statistics") }),
+				/* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: Object.keys(PERIODS).map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": period.value === name,
+						onClick: () => period.value = name,
+						children: t(`period_${name}`)
+					}, name))
+				}),
+				TABLES.map((table) => /* @__PURE__ */ a("button", {
+					type: "button",
+					title: t("save_csv"),
+					onClick: () => save(`/statistics/${table}.csv?${query}`, `${table}.csv`),
+					children: [t(`table_${table}`), " ⤓"]
+				}, table)),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					onClick: () => save(`/statistics/report?${query}&lang=${language.value}`, "report.html"),
+					children: [t("report"), " ⤓"]
+				}),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Problem, { error })
+			]
+		}), /* @__PURE__ */ a("div", {
+			class: "scroll figures",
+			tabIndex: 0,
+			role: "group",
+			"aria-label": t("statistics"),
+			children: value && /* @__PURE__ */ a(Shown, { found: value })
+		})]
+	});
+}
+var seconds = (value) => value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1e3);
+function Shown({ found }) {
+	const times = w$2(() => found.intervals.map((one) => Date.parse(one.begin) / 1e3), [found]);
+	const through = w$2(() => [
+		{
+			label: t("completed"),
+			colour: "--look-charging",
+			values: found.intervals.map((one) => one.completed),
+			bars: true
+		},
+		{
+			label: t("ordered_at"),
+			colour: "--look-moving",
+			values: found.intervals.map((one) => one.ordered)
+		},
+		{
+			label: t("queue"),
+			colour: "--look-waiting",
+			values: found.intervals.map((one) => one.queue)
+		}
+	], [found, language.value]);
+	const delivery = w$2(() => [{
+		label: "p50",
+		colour: "--look-moving",
+		values: found.intervals.map((one) => one.delivery.p50)
+	}, {
+		label: "p95",
+		colour: "--look-held",
+		values: found.intervals.map((one) => one.delivery.p95)
+	}], [found]);
+	const most = Math.max(1, ...found.waits.map((one) => one.seconds));
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("p", {
+			class: "tiles",
+			children: [Object.entries(found.jobs).map(([state, count]) => /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: count }),
+				" ",
+				said(state)
+			] }, state)), /* @__PURE__ */ a("span", { children: [
+				/* @__PURE__ */ a("b", { children: found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %` }),
+				" ",
+				t("empty_travel")
+			] })]
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("throughput"),
+			times,
+			lines: through,
+			unit: t("jobs")
+		}),
+		/* @__PURE__ */ a(Chart, {
+			label: t("delivery_time"),
+			times,
+			lines: delivery,
+			unit: "s"
+		}),
+		/* @__PURE__ */ a(Phases, { phases: found.phases }),
+		/* @__PURE__ */ a("h3", { children: t("waits_by_cause") }),
+		/* @__PURE__ */ a("table", {
+			class: "list",
+			children: /* @__PURE__ */ a("tbody", { children: found.waits.map((one) => /* @__PURE__ */ a("tr", { children: [
+				/* @__PURE__ */ a("td", { children: tell(said(one.cause)) }),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: one.times
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "number",
+					children: span(one.seconds * 1e3)
+				}),
+				/* @__PURE__ */ a("td", {
+					class: "bar",
+					children: /* @__PURE__ */ a("i", { style: { width: `${100 * one.seconds / most}%` } })
+				})
+			] }, one.cause)) })
+		}),
+		found.waits.length === 0 && /* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_waited")
+		}),
+		/* @__PURE__ */ a("h3", { children: t("vehicles") }),
+		/* @__PURE__ */ a(Table, {
+			label: t("vehicles"),
+			rows: found.vehicles,
+			keyOf: (row) => row.vehicle,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("completed"),
+					by: (row) => row.completed,
+					of: (row) => row.completed,
+					number: true
+				},
+				{
+					name: t("utilisation"),
+					by: (row) => row.busy_share,
+					of: (row) => `${(row.busy_share * 100).toFixed(1)} %`,
+					number: true
+				},
+				{
+					name: t("failures"),
+					by: (row) => row.failures,
+					of: (row) => row.failures,
+					number: true
+				},
+				{
+					name: "MTBF (h)",
+					by: (row) => row.mtbf_hours,
+					of: (row) => row.mtbf_hours ?? "–",
+					number: true
+				},
+				{
+					name: "MTTR (min)",
+					by: (row) => row.mttr_minutes,
+					of: (row) => row.mttr_minutes ?? "–",
+					number: true
+				},
+				{
+					name: t("availability"),
+					by: (row) => row.availability,
+					of: (row) => `${(row.availability * 100).toFixed(2)} %`,
+					number: true
+				}
+			]
+		})
+	] });
+}
+function Phases({ phases }) {
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("h3", { children: t("phases") }), /* @__PURE__ */ a("table", {
+		class: "list",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("phase"),
+			t("count"),
+			t("mean"),
+			"p50",
+			"p95",
+			t("longest")
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: PHASES.filter((name) => phases[name]).map((name) => {
+			const { count, mean, p50, p95, longest } = phases[name];
+			return /* @__PURE__ */ a("tr", {
+				"data-phase": name,
+				children: [
+					/* @__PURE__ */ a("td", { children: t(`phase_${name}`) }),
+					/* @__PURE__ */ a("td", { children: count }),
+					[
+						mean,
+						p50,
+						p95,
+						longest
+					].map((value, i) => /* @__PURE__ */ a("td", { children: seconds(value) }, i))
+				]
+			}, name);
+		}) })]
+	})] });
+}
+// src/parts/TeachingFiles.tsx
+/** Taught values as files: saved, and read back after a look at what each row would come to. */
+var TONES$1 = {
+	new: "good",
+	changed: "wait",
+	same: "calm",
+	error: "bad"
+};
+function TeachingFiles() {
+	const side = useSignal("dests");
+	const file = useSignal(null);
+	const report = useSignal(null);
+	const asking = useAsking();
+	const ask = (dry) => void asking.ask(async () => {
+		const given = file.value;
+		report.value = null;
+		report.value = await upload(`/teaching/${side.value}/import?dry_run=${dry}`, await given.text(), given.name.endsWith(".json") ? "application/json" : "text/csv");
+		if (!dry) file.value = null;
+	}, dry ? "" : t("imported"));
+	const choose = (chosen) => {
+		file.value = chosen ?? null;
+		if (chosen) ask(true);
+	};
+	const save = (kind, history) => void asking.ask(() => download(`/teaching/${side.value}?format=${kind}&history=${history}`, `${side.value}.${kind}`), "");
+	const found = report.value;
+	const wrong = found?.counts["error"] ?? 0;
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [/* @__PURE__ */ a("div", {
+			class: "stack padded",
+			children: [
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Choice$1, {
+						label: t("kind"),
+						value: side,
+						of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
+					}), /* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: [
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", false),
+								children: t("save_csv")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("json", false),
+								children: t("save_json")
+							}),
+							/* @__PURE__ */ a("button", {
+								type: "button",
+								onClick: () => save("csv", true),
+								children: t("save_history")
+							}),
+							/* @__PURE__ */ a("label", {
+								class: "file",
+								children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
+									type: "file",
+									accept: ".csv,.json,text/csv,application/json",
+									"aria-label": t("read_file"),
+									onChange: (event) => {
+										choose(event.currentTarget.files?.[0]);
+										event.currentTarget.value = "";
+									}
+								})]
+							})
+						]
+					})]
+				}),
+				found && /* @__PURE__ */ a("p", {
+					role: "status",
+					"data-import": found.dry_run ? "tried" : "done",
+					children: [
+						"new",
+						"changed",
+						"same",
+						"error"
+					].map((fate) => /* @__PURE__ */ a("span", {
+						class: TONES$1[fate] ?? "",
+						children: [
+							/* @__PURE__ */ a("b", { children: found.counts[fate] }),
+							" ",
+							t(`fate_${fate}`),
+							" "
+						]
+					}, fate))
+				}),
+				found?.dry_run && file.value && /* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
+						needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
+						label: t("import"),
+						disabled: wrong > 0,
+						does: () => ask(false)
+					})]
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("import"),
+			rows: found?.items ?? [],
+			keyOf: (row) => String(row.line),
+			none: t("import_none"),
+			columns: [
+				{
+					name: t("line_of_file"),
+					by: (row) => row.line,
+					of: (row) => row.line,
+					number: true
+				},
+				{
+					name: t("name"),
+					by: (row) => row.name,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+				},
+				{
+					name: t("result"),
+					by: (row) => row.fate,
+					of: (row) => /* @__PURE__ */ a("b", {
+						class: TONES$1[row.fate] ?? "",
+						children: t(`fate_${row.fate}`)
+					})
+				},
+				{
+					name: t("in_words"),
+					of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
+				}
+			]
+		})]
+	});
+}
+// src/parts/TeachingRaw.tsx
+/** What vehicles sent while they were taught, as they sent it; and the offsets of two vehicles side by side. */
+function TeachingRaw() {
+	const after = useSignal(0);
+	const { value } = useRead(`/teaching/events?limit=200&after=${after.value}`, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [
+			/* @__PURE__ */ a(TwoOffsets, {}),
+			/* @__PURE__ */ a(Table, {
+				label: t("teaching_events"),
+				rows: [...value?.items ?? []].reverse(),
+				keyOf: (row) => String(row.number),
+				none: t("no_proposals"),
+				columns: [
+					{
+						name: "#",
+						by: (row) => row.number,
+						of: (row) => row.number,
+						number: true
+					},
+					{
+						name: t("when"),
+						by: (row) => row.at,
+						of: (row) => moment$1(row.at)
+					},
+					{
+						name: t("vehicle"),
+						by: (row) => row.vehicle,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+					},
+					{
+						name: t("barcode"),
+						by: (row) => row.barcode,
+						of: (row) => row.barcode
+					},
+					{
+						name: t("what"),
+						by: (row) => row.code,
+						of: (row) => `${row.axis?.toUpperCase() ?? "–"} · 0x${row.code}`
+					},
+					{
+						name: t("position"),
+						by: (row) => row.position,
+						of: (row) => row.position ?? "–",
+						number: true
+					},
+					{
+						name: t("asked_by"),
+						by: (row) => row.asked_by,
+						of: (row) => row.asked_by ?? ""
+					}
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "padded acts-row",
+				children: [/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: after.value === 0,
+					onClick: () => after.value = 0,
+					children: t("from_start")
+				}), /* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: !value?.next,
+					onClick: () => after.value = value?.next ?? 0,
+					children: [t("newer"), " ▶"]
+				})]
+			})
+		]
+	});
+}
+function TwoOffsets() {
+	const [one, other] = [useSignal(""), useSignal("")];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	const known = (id) => hoists.some((vehicle) => vehicle.id === id);
+	const ready = known(one.value) && known(other.value) && one.value !== other.value;
+	const path = `/teaching/compare/offsets/${encodeURIComponent(one.value)}/${encodeURIComponent(other.value)}`;
+	const { value, error } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		role: "group",
+		"aria-label": t("compare_offsets"),
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: t("compare_offsets")
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "one",
+					value: one,
+					list: "offset-hoists"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle_other"),
+					name: "other",
+					value: other,
+					list: "offset-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "offset-hoists",
+				children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && /* @__PURE__ */ a(Problem, { error }),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: one.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.one })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: other.value,
+						children: /* @__PURE__ */ a(Pulses, { axes: value.other })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("difference"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: value.differences,
+							signed: true
+						})
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/Teaching.tsx
+/** Teaching: sessions, what they propose and what that would change, drift, and what a vehicle would be sent at a port. */
+var TABS = [
+	"proposals",
+	"sessions",
+	"drift",
+	"dry_run",
+	"files",
+	"raw"
+];
+function Teaching() {
+	const tab = useSignal("proposals");
+	return /* @__PURE__ */ a("section", {
+		class: "room",
+		"aria-label": t("teaching"),
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "head",
+				children: [/* @__PURE__ */ a("h2", { children: t("teaching") }), /* @__PURE__ */ a("span", {
+					class: "tabs",
+					children: TABS.map((name) => /* @__PURE__ */ a("button", {
+						type: "button",
+						"aria-pressed": tab.value === name,
+						onClick: () => tab.value = name,
+						children: t(name === "files" || name === "raw" ? `teaching_${name}` : name)
+					}, name))
+				})]
+			}),
+			tab.value === "proposals" && /* @__PURE__ */ a(Proposals, {}),
+			tab.value === "sessions" && /* @__PURE__ */ a(Sessions, {}),
+			tab.value === "drift" && /* @__PURE__ */ a(Drift, {}),
+			tab.value === "dry_run" && /* @__PURE__ */ a(DryRun, {}),
+			tab.value === "files" && /* @__PURE__ */ a(TeachingFiles, {}),
+			tab.value === "raw" && /* @__PURE__ */ a(TeachingRaw, {})
+		]
+	});
+}
+var OPEN = /* @__PURE__ */ new Set([
+	"collecting",
+	"ready",
+	"incomplete",
+	"out_of_range",
+	"wrong_mode",
+	"pending",
+	"ambiguous"
+]);
+var tone$1 = (state) => state === "approved" ? "good" : state === "rejected" ? "calm" : OPEN.has(state) ? "wait" : "";
+function Proposals() {
+	const chosen = useSignal(null);
+	const { value } = useRead("/teaching/proposals?limit=200", changes.teaching.value);
+	const id = chosen.value ?? value?.items[0]?.id ?? null;
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("proposals"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(id),
+			none: t("no_proposals"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => /* @__PURE__ */ a("span", {
+						class: `state ${tone$1(row.state)}`,
+						children: said(row.state)
+					})
+				},
+				{
+					name: t("kind"),
+					by: (row) => row.side,
+					of: (row) => t(row.side)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("new"),
+					of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.result })
+				},
+				{
+					name: t("when"),
+					by: (row) => row.at,
+					of: (row) => clock(row.at)
+				}
+			]
+		}), id !== null && /* @__PURE__ */ a(Detail$1, { id }, id)]
+	});
+}
+/** A proposal: what was sent, what it would make, for whom that changes anything; and the decision. */
+function Detail$1({ id }) {
+	const again = useSignal(0);
+	const { value: proposal } = useRead(`/teaching/proposals/${id}`, changes.teaching.value, again.value);
+	const station = useSignal("");
+	const asking = useAsking();
+	if (!proposal) return /* @__PURE__ */ a("div", {});
+	const path = `/teaching/proposals/${id}`;
+	const match = { "If-Match": `"${proposal.revision}"` };
+	const over = proposal.closed !== null;
+	const against = [
+		"incomplete",
+		"wrong_mode",
+		"out_of_range"
+	].includes(proposal.state) ? [proposal.state] : [];
+	const decide = (verb, body) => async (reason) => {
+		await post(`${path}/${verb}`, {
+			...body,
+			reason
+		}, match);
+		again.value++;
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-proposal": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					t(proposal.side),
+					" · ",
+					proposal.station ?? "?",
+					" · ",
+					proposal.vehicle
+				]
+			}),
+			proposal.why && /* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: [
+					tell(proposal.why),
+					" ",
+					/* @__PURE__ */ a("em", { children: tell(proposal.remedy) })
+				]
+			}),
+			[...proposal.warnings, proposal.drift].filter(Boolean).map((words) => /* @__PURE__ */ a("p", {
+				class: "note held",
+				children: tell(words)
+			}, words)),
+			/* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("sent_positions"),
+						children: /* @__PURE__ */ a(Pulses, { axes: proposal.raw })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("old"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: proposal.present }),
+							" ",
+							proposal.present && /* @__PURE__ */ a("small", { children: ["v", proposal.present.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("new"),
+						children: /* @__PURE__ */ a(Pulses, {
+							axes: proposal.result,
+							before: proposal.present
+						})
+					}),
+					proposal.asked_by && /* @__PURE__ */ a(Fact, {
+						name: t("asked_by"),
+						children: proposal.asked_by
+					}),
+					over && /* @__PURE__ */ a(Fact, {
+						name: said(proposal.state),
+						children: [
+							proposal.closed_by,
+							" · ",
+							clock(proposal.closed ?? ""),
+							" ",
+							proposal.reason
+						]
+					})
+				]
+			}),
+			/* @__PURE__ */ a(Changes, { changes: proposal.changes }),
+			!over && proposal.state === "ambiguous" && /* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [
+					/* @__PURE__ */ a(Field, {
+						label: t("at_station"),
+						value: station,
+						list: "station-names"
+					}),
+					/* @__PURE__ */ a("div", {
+						class: "acts-row",
+						children: /* @__PURE__ */ a(Button, {
+							needs: "POST /teaching/proposals/{proposal}/assign",
+							disabled: !station.value,
+							onClick: () => void asking.ask(() => post(`${path}/assign`, { station: station.value.trim() }, match)),
+							children: t("assign")
+						})
+					}),
+					/* @__PURE__ */ a("datalist", {
+						id: "station-names",
+						children: layout.value?.stations.map((one) => /* @__PURE__ */ a("option", { value: one.id }, one.id))
+					})
+				]
+			}),
+			!over && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t(against.length ? "approve_anyway" : "approve"),
+					needs: "POST /teaching/proposals/{proposal}/approve",
+					bare: against.length === 0,
+					grave: true,
+					does: decide("approve", { accept: against })
+				}, {
+					label: t("reject"),
+					needs: "POST /teaching/proposals/{proposal}/reject",
+					does: decide("reject", {})
+				}]
+			})
+		]
+	});
+}
+function Sessions() {
+	const chosen = useSignal(null);
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const asking = useAsking();
+	const { value } = useRead("/teaching/sessions?limit=100", changes.teaching.value);
+	const open = (event) => {
+		event.preventDefault();
+		asking.ask(async () => {
+			const made = await post("/teaching/sessions", {
+				station: station.value.trim(),
+				vehicle: vehicle.value.trim()
+			});
+			chosen.value = made.id;
+		});
+	};
+	const ports = layout.value?.stations.filter(({ kind }) => kind === "port") ?? [];
+	const hoists = layout.value?.vehicles.filter(({ kind }) => kind !== "agv") ?? [];
+	return /* @__PURE__ */ a("div", {
+		class: "split",
+		children: [/* @__PURE__ */ a(Table, {
+			label: t("sessions"),
+			rows: value?.items ?? [],
+			keyOf: (row) => String(row.id),
+			pick: (row) => chosen.value = row.id,
+			chosen: String(chosen.value),
+			none: t("no_sessions"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("state"),
+					by: (row) => row.state,
+					of: (row) => said(row.state)
+				},
+				{
+					name: t("at_station"),
+					by: (row) => row.station,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.station })
+				},
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("who"),
+					by: (row) => row.actor,
+					of: (row) => row.actor
+				},
+				{
+					name: t("when"),
+					by: (row) => row.opened,
+					of: (row) => clock(row.opened)
+				}
+			]
+		}), /* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("form", {
+			class: "stack padded",
+			onSubmit: open,
+			children: [
+				/* @__PURE__ */ a("h2", {
+					class: "sub",
+					children: t("teach_port")
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "fields",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("port"),
+						name: "station",
+						value: station,
+						list: "port-names",
+						required: true
+					}), /* @__PURE__ */ a(Field, {
+						label: t("vehicle"),
+						name: "vehicle",
+						value: vehicle,
+						list: "hoist-names",
+						required: true
+					})]
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "port-names",
+					children: ports.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("datalist", {
+					id: "hoist-names",
+					children: hoists.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Button, {
+						needs: "POST /teaching/sessions",
+						type: "submit",
+						children: t("open_session")
+					})
+				}),
+				/* @__PURE__ */ a(Told, { asking })
+			]
+		}), chosen.value !== null && /* @__PURE__ */ a(Session, { id: chosen.value }, chosen.value)] })]
+	});
+}
+function Session({ id }) {
+	const { value: session } = useRead(`/teaching/sessions/${id}`, changes.teaching.value, Math.floor(changes.vehicles.value / 20));
+	const asking = useAsking();
+	if (!session) return null;
+	const path = `/teaching/sessions/${id}`;
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		"data-session": id,
+		children: [
+			/* @__PURE__ */ a("h2", {
+				class: "sub",
+				children: [
+					"#",
+					id,
+					" ",
+					session.station,
+					" · ",
+					session.vehicle,
+					" · ",
+					said(session.state)
+				]
+			}),
+			/* @__PURE__ */ a("p", {
+				class: "note waits",
+				children: tell(session.advice)
+			}),
+			session.state === "open" && /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: ["dest", "offset"].map((what) => /* @__PURE__ */ a(Button, {
+					needs: "POST /teaching/sessions/{session}/start",
+					onClick: () => void asking.ask(() => post(`${path}/start`, { what }), t("sent")),
+					children: t(what === "dest" ? "teach_dest" : "teach_offset")
+				}, what))
+			}), /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("close_session"),
+					needs: "POST /teaching/sessions/{session}/close",
+					bare: true,
+					does: (reason) => post(`${path}/close`, { reason })
+				}, {
+					label: t("abandon"),
+					needs: "POST /teaching/sessions/{session}/close",
+					bare: true,
+					grave: true,
+					does: (reason) => post(`${path}/close`, {
+						reason,
+						abandon: true
+					})
+				}]
+			})] }),
+			session.proposals.map((proposal) => /* @__PURE__ */ a("p", { children: [
+				"#",
+				proposal.id,
+				" ",
+				said(proposal.state),
+				" ",
+				/* @__PURE__ */ a(Pulses, { axes: proposal.result })
+			] }, proposal.id))
+		]
+	});
+}
+function Drift() {
+	const { value } = useRead("/teaching/drift", changes.teaching.value);
+	return /* @__PURE__ */ a(Table, {
+		label: t("drift"),
+		rows: value?.items ?? [],
+		keyOf: (row) => row.side + row.name,
+		none: t("no_drift"),
+		columns: [
+			{
+				name: t("kind"),
+				by: (row) => row.side,
+				of: (row) => t(row.side)
+			},
+			{
+				name: t("name"),
+				by: (row) => row.name,
+				of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+			},
+			{
+				name: t("old"),
+				of: (row) => /* @__PURE__ */ a(Pulses, { axes: row.old })
+			},
+			{
+				name: t("new"),
+				of: (row) => /* @__PURE__ */ a(Pulses, {
+					axes: row.new,
+					before: row.old
+				})
+			},
+			{
+				name: t("drift"),
+				of: (row) => tell(row.drift)
+			}
+		]
+	});
+}
+/** What a vehicle would be sent at a port, and from which rows; nothing is sent. */
+function DryRun() {
+	const station = useSignal("");
+	const vehicle = useSignal("");
+	const ready = layout.value?.stations.some(({ id }) => id === station.value) && layout.value.vehicles.some(({ id }) => id === vehicle.value);
+	const path = `/teaching/targets/${encodeURIComponent(station.value)}/${encodeURIComponent(vehicle.value)}`;
+	const { value } = useRead(ready ? path : null, changes.teaching.value);
+	return /* @__PURE__ */ a("div", {
+		class: "stack padded",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields",
+				children: [/* @__PURE__ */ a(Field, {
+					label: t("port"),
+					name: "station",
+					value: station,
+					list: "dry-ports"
+				}), /* @__PURE__ */ a(Field, {
+					label: t("vehicle"),
+					name: "vehicle",
+					value: vehicle,
+					list: "dry-hoists"
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-ports",
+				children: layout.value?.stations.filter(({ kind }) => kind === "port").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "dry-hoists",
+				children: layout.value?.vehicles.filter(({ kind }) => kind !== "agv").map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			}),
+			ready && value && /* @__PURE__ */ a("dl", {
+				class: "facts",
+				children: [
+					/* @__PURE__ */ a(Fact, {
+						name: t("target"),
+						children: /* @__PURE__ */ a(Pulses, { axes: value })
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("dest"),
+						children: [
+							/* @__PURE__ */ a(Pulses, { axes: value.dest }),
+							" ",
+							value.dest && /* @__PURE__ */ a("small", { children: ["v", value.dest.version] })
+						]
+					}),
+					/* @__PURE__ */ a(Fact, {
+						name: t("offset"),
+						children: [
+							value.reference ? t("reference_vehicle") : /* @__PURE__ */ a(Pulses, { axes: value.offset }),
+							" ",
+							value.offset && /* @__PURE__ */ a("small", { children: ["v", value.offset.version] })
+						]
+					}),
+					value.refusal && /* @__PURE__ */ a(Fact, {
+						name: t("refused"),
+						children: /* @__PURE__ */ a("span", {
+							class: "bad",
+							children: tell(value.refusal)
+						})
+					})
+				]
 			})
 		]
 	});
@@ -14698,6 +16212,113 @@ function Place(props) {
 		]
 	})] });
 }
+// src/parts/AgvCommands.tsx
+/** What only AGVs are asked for: driven by hand, along their tape, to a destination by its name, or told at which tag they stand. */
+var NEEDS = "POST /vehicles/{vehicle}/commands";
+var BY_HAND = [
+	"forward",
+	"backward",
+	"turn_left",
+	"turn_right"
+];
+var ALONG = ["forward", "backward"];
+var SPEEDS = [
+	"slow",
+	"normal",
+	"fast"
+];
+var STEERING = [
+	"straight",
+	"left",
+	"right"
+];
+function AgvCommands({ send }) {
+	const speed = useSignal("slow");
+	const steering = useSignal("straight");
+	const [tag, alias] = [useSignal(""), useSignal("")];
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [/* @__PURE__ */ a(Choice$1, {
+				label: t("speed"),
+				value: speed,
+				of: SPEEDS.map((name) => [name, t(`speed_${name}`)])
+			}), /* @__PURE__ */ a(Choice$1, {
+				label: t("at_forks"),
+				value: steering,
+				of: STEERING.map((name) => [name, t(`agv_${name}`)])
+			})]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "acts-row",
+			role: "group",
+			"aria-label": t("by_hand"),
+			children: [BY_HAND.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`hand_${direction}`),
+				does: () => send({
+					command: "agv_move_manual",
+					direction,
+					speed: speed.value
+				})
+			}, direction)), ALONG.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`tape_${direction}`),
+				does: () => send({
+					command: "agv_move_auto",
+					direction,
+					steering: steering.value,
+					speed: speed.value
+				})
+			}, direction))]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [
+				/* @__PURE__ */ a(Field, {
+					label: t("agv_alias"),
+					name: "alias",
+					value: alias,
+					list: "agv-aliases"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("move"),
+						disabled: !alias.value.trim(),
+						does: () => send({
+							command: "agv_move_alias",
+							alias: alias.value.trim()
+						})
+					})
+				}),
+				/* @__PURE__ */ a(Field, {
+					label: t("stands_at_tag"),
+					name: "tag",
+					value: tag,
+					list: "barcode-names"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("tell_it"),
+						disabled: !tag.value.trim(),
+						does: () => send({
+							command: "agv_set_current",
+							tag: tag.value.trim()
+						})
+					})
+				})
+			]
+		}),
+		/* @__PURE__ */ a("datalist", {
+			id: "agv-aliases",
+			children: layout.value?.chargers.flatMap((one) => one.alias ? [/* @__PURE__ */ a("option", { value: one.alias }, one.id)] : [])
+		})
+	] });
+}
 // src/parts/VehicleCommands.tsx
 /** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
 var PLAIN = [
@@ -14724,7 +16345,7 @@ var LIFTS = [
 ];
 function VehicleCommands({ vehicle }) {
 	const asking = useAsking();
-	const agv = Boolean(vehicle.agv);
+	const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
 	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
 	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
 	const plain = agv ? AGV_PLAIN : PLAIN;
@@ -14770,6 +16391,7 @@ function VehicleCommands({ vehicle }) {
 					})
 				}),
 				/* @__PURE__ */ a(Move, { send }),
+				agv && /* @__PURE__ */ a(AgvCommands, { send }),
 				!agv && /* @__PURE__ */ a(Handle, { send }),
 				!agv && /* @__PURE__ */ a(Display, { send }),
 				/* @__PURE__ */ a(Told, { asking }),
@@ -14777,7 +16399,7 @@ function VehicleCommands({ vehicle }) {
 					vehicle,
 					path
 				}),
-				/* @__PURE__ */ a(Past, { path })
+				/* @__PURE__ */ a(Past$1, { path })
 			]
 		})]
 	});
@@ -14938,7 +16560,7 @@ function Service({ vehicle, path }) {
 		does: () => call("PUT", `${path}/service`, { in_service: true })
 	}] });
 }
-function Past({ path }) {
+function Past$1({ path }) {
 	const round = Math.floor(changes.vehicles.value / 30);
 	const { value } = useRead(`${path}/commands?limit=12`, round);
 	return /* @__PURE__ */ a("table", {
@@ -14955,129 +16577,6 @@ function Past({ path }) {
 				] })
 			]
 		}, command.cmd_id)) })
-	});
-}
-// src/parts/Vehicles.tsx
-/** All vehicles in a table: what each does, and why one waits. */
-var GROUPS = [
-	"all",
-	"alarm",
-	"held",
-	"waiting",
-	"moving",
-	"handling",
-	"charging",
-	"idle",
-	"gone"
-];
-/** Idle at a parking place is said so: else one would look for why it does not move. */
-function doing(vehicle) {
-	return vehicle.parked && vehicle.activity === "idle" ? t("idle_parked") : said(vehicle.activity);
-}
-function Vehicles() {
-	const letters = useSignal("");
-	const group = useSignal("all");
-	const wanted = letters.value.trim().toLowerCase();
-	const rows = vehicleList.value.filter((vehicle) => (group.value === "all" || lookOf(vehicle) === group.value) && [
-		vehicle.id,
-		vehicle.job,
-		vehicle.carrier,
-		vehicle.goal,
-		vehicle.barcode
-	].some((name) => name?.toLowerCase().includes(wanted) ?? !wanted));
-	return /* @__PURE__ */ a("section", {
-		class: "room",
-		"aria-label": t("vehicles"),
-		children: [/* @__PURE__ */ a("div", {
-			class: "head",
-			children: [
-				/* @__PURE__ */ a("h2", { children: [
-					t("vehicles"),
-					" ",
-					rows.length
-				] }),
-				/* @__PURE__ */ a("select", {
-					"aria-label": t("activity"),
-					value: group.value,
-					onChange: (event) => group.value = event.currentTarget.value,
-					children: GROUPS.map((name) => /* @__PURE__ */ a("option", {
-						value: name,
-						children: name === "all" ? t("all") : t(`look_${name}`)
-					}, name))
-				}),
-				/* @__PURE__ */ a("input", {
-					type: "search",
-					"aria-label": t("filter"),
-					placeholder: t("filter"),
-					value: letters.value,
-					onInput: (event) => letters.value = event.currentTarget.value
-				})
-			]
-		}), /* @__PURE__ */ a(Table, {
-			label: t("vehicles"),
-			rows,
-			keyOf: (vehicle) => vehicle.id,
-			pick: ({ id }) => selected.value = {
-				kind: "vehicle",
-				id
-			},
-			chosen: selected.value?.kind === "vehicle" ? selected.value.id : null,
-			none: t("nothing_found"),
-			columns: [
-				{
-					name: t("vehicle"),
-					by: ({ id }) => id,
-					of: (vehicle) => /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => selected.value = {
-							kind: "vehicle",
-							id: vehicle.id
-						},
-						children: [
-							/* @__PURE__ */ a("i", {
-								class: "dot",
-								style: { background: LOOKS[lookOf(vehicle)] }
-							}),
-							" ",
-							vehicle.id
-						]
-					})
-				},
-				{
-					name: t("activity"),
-					by: doing,
-					of: (vehicle) => /* @__PURE__ */ a("span", {
-						style: { color: LOOKS[lookOf(vehicle)] },
-						children: doing(vehicle)
-					})
-				},
-				{
-					name: t("place"),
-					by: ({ barcode }) => barcode,
-					of: ({ barcode }) => barcode ?? t("unknown")
-				},
-				{
-					name: t("carrier"),
-					by: ({ carrier, loaded }) => carrier ?? (loaded ? "~" : null),
-					of: ({ carrier, loaded }) => loaded ? carrier ?? t("loaded") : ""
-				},
-				{
-					name: t("job"),
-					by: ({ job }) => job,
-					of: ({ job }) => /* @__PURE__ */ a(Name, { id: job })
-				},
-				{
-					name: t("goal"),
-					by: ({ goal }) => goal,
-					of: ({ goal }) => /* @__PURE__ */ a(Name, { id: goal })
-				},
-				{
-					name: t("why"),
-					of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting)
-				}
-			]
-		})]
 	});
 }
 // src/parts/VehiclePanel.tsx
@@ -15358,52 +16857,6 @@ function Decide({ vehicle }) {
 			/* @__PURE__ */ a(Problem, { error: error.value })
 		]
 	});
-}
-// src/parts/VehicleStrip.tsx
-/** All vehicles at a glance, reachable by key; how many do what where there are too many. */
-var CHIPS = 40;
-function VehicleStrip() {
-	const list = vehicleList.value;
-	const pick = selected.value?.kind === "vehicle" ? selected.value.id : "";
-	if (list.length > CHIPS) return /* @__PURE__ */ a(Groups, {});
-	return /* @__PURE__ */ a("nav", {
-		class: "strip",
-		"aria-label": t("vehicles"),
-		children: list.map((vehicle) => {
-			const look = lookOf(vehicle);
-			return /* @__PURE__ */ a("button", {
-				type: "button",
-				class: "chip",
-				"aria-pressed": pick === vehicle.id,
-				style: { "--look": LOOKS[look] },
-				title: tell(vehicle.waiting || vehicle.hold?.reason || ""),
-				onClick: () => choose(pick === vehicle.id ? "" : vehicle.id),
-				children: [/* @__PURE__ */ a("b", { children: [vehicle.id, vehicle.loaded && /* @__PURE__ */ a("i", { class: "box" })] }), /* @__PURE__ */ a("small", { children: look === "gone" ? t("look_gone") : doing(vehicle) })]
-			}, vehicle.id);
-		})
-	});
-}
-/** A fleet too large for a chip each: how many look how; the rest is in the room of vehicles. */
-function Groups() {
-	const counts = /* @__PURE__ */ new Map();
-	for (const vehicle of vehicleList.value) counts.set(lookOf(vehicle), (counts.get(lookOf(vehicle)) ?? 0) + 1);
-	return /* @__PURE__ */ a("nav", {
-		class: "strip",
-		"aria-label": t("vehicles"),
-		children: Object.keys(LOOKS).map((look) => counts.has(look) && /* @__PURE__ */ a("button", {
-			type: "button",
-			class: "chip",
-			style: { "--look": LOOKS[look] },
-			onClick: () => room$1.value = "vehicles",
-			children: [/* @__PURE__ */ a("b", { children: counts.get(look) }), /* @__PURE__ */ a("small", { children: t(`look_${look}`) })]
-		}, look))
-	});
-}
-function choose(id) {
-	selected.value = id ? {
-		kind: "vehicle",
-		id
-	} : null;
 }
 // src/parts/WalkDetail.tsx
 /** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */
@@ -15713,7 +17166,7 @@ function Walks() {
 					{
 						name: t("begun"),
 						by: (row) => row.started,
-						of: (row) => `${moment(row.started)} · ${row.actor}`
+						of: (row) => `${moment$1(row.started)} · ${row.actor}`
 					}
 				]
 			})] }), walk ? /* @__PURE__ */ a(WalkDetail, { walk }, walk.id) : /* @__PURE__ */ a("p", {
@@ -15842,7 +17295,7 @@ function Webhooks() {
 					{
 						name: t("failing_since"),
 						by: (row) => row.failing,
-						of: (row) => row.failing ? moment(row.failing) : ""
+						of: (row) => row.failing ? moment$1(row.failing) : ""
 					}
 				]
 			}), /* @__PURE__ */ a("div", { children: [webhook && /* @__PURE__ */ a(Detail, {
@@ -15953,7 +17406,7 @@ function Detail({ webhook, after }) {
 				class: "bits",
 				"aria-label": t("deliveries"),
 				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((one) => /* @__PURE__ */ a("tr", { children: [
-					/* @__PURE__ */ a("th", { children: moment(one.at) }),
+					/* @__PURE__ */ a("th", { children: moment$1(one.at) }),
 					/* @__PURE__ */ a("td", {
 						class: one.taken ? "good" : "bad",
 						children: one.status ?? "–"
@@ -16056,6 +17509,7 @@ function Subscribe({ after }) {
 // src/parts/App.tsx
 function App() {
 	const pick = selected.value;
+	if (inPast.value || room$1.value === "playback") return /* @__PURE__ */ a(Past, {});
 	return /* @__PURE__ */ a("div", {
 		class: "page",
 		children: [
@@ -16076,7 +17530,31 @@ function App() {
 					/* @__PURE__ */ a(Jobs, {})
 				]
 			})] }),
-			asked$1.value && /* @__PURE__ */ a(LogIn, {}),
+			asked$2.value && /* @__PURE__ */ a(LogIn, {}),
+			/* @__PURE__ */ a(Barred, {})
+		]
+	});
+}
+/** What was: nothing on it can be commanded. */
+function Past() {
+	const pick = selected.value;
+	return /* @__PURE__ */ a("div", {
+		class: "page past",
+		children: [
+			/* @__PURE__ */ a(Header, {}),
+			/* @__PURE__ */ a(Rooms, {}),
+			/* @__PURE__ */ a("main", { children: [/* @__PURE__ */ a("section", {
+				class: "left",
+				children: /* @__PURE__ */ a(Playback, {})
+			}), /* @__PURE__ */ a("aside", {
+				class: pick ? "telling" : "",
+				children: [
+					pick && /* @__PURE__ */ a(PastPanel, { pick }, `${pick.kind} ${pick.id}`),
+					/* @__PURE__ */ a(PastEvents, {}),
+					/* @__PURE__ */ a(Jobs, {})
+				]
+			})] }),
+			asked$2.value && /* @__PURE__ */ a(LogIn, {}),
 			/* @__PURE__ */ a(Barred, {})
 		]
 	});
@@ -16138,8 +17616,9 @@ function Room() {
 	}
 }
 // src/main.tsx
-begin$1();
-speak(language.value);
 begin$2();
+speak(language.value);
 begin$3();
+begin$1();
+begin$4();
 Q(/* @__PURE__ */ a(App, {}), document.getElementById("page"));

@@ -1,0 +1,101 @@
+/** The plant as it was: the same map at a moment of the past, and how to move through the time that was recorded. */
+import { useEffect } from "preact/hooks";
+import { kept, error, loading, moment } from "../past/player";
+import { goTo, marks, stepped } from "../past/marks";
+import { kindOf } from "../past/reach";
+import { room } from "../route";
+import { clock, span } from "../shows";
+import { recording, selected, tick, troubles } from "../store";
+import { happening, t, tell } from "../texts";
+import type { Happening } from "../types";
+import { Problem } from "./Problem";
+import { serverNow } from "../api";
+import { Scrubber } from "./Scrubber";
+import { TrackMap } from "./TrackMap";
+import { VehicleStrip } from "./VehicleStrip";
+
+export function Playback() {
+  return (
+    <div class="plan then">
+      <VehicleStrip />
+      <div class="stage">
+        <PastBanner />
+        <TrackMap />
+      </div>
+      <section class="card transport" aria-label={t("playback")}>
+        <Problem error={error.value} />
+        {kept.value ? <Scrubber /> : <p class="nothing">{loading.value ? t("loading") : t("nothing_recorded")}</p>}
+      </section>
+    </div>
+  );
+}
+
+/** Day and time of day at this place. */
+export function dated(seconds: number): string {
+  const at = new Date(seconds * 1000);
+  const day = [at.getFullYear(), at.getMonth() + 1, at.getDate()].map((part) => String(part).padStart(2, "0")).join("-");
+  return `${day} ${clock(at.toISOString())}`;
+}
+
+/** Says that this is the past, for as long as it is, and leads back. */
+function PastBanner() {
+  void tick.value;
+  const incident = kept.value?.incident;
+  const ago = Math.max(0, serverNow() / 1000 - moment.value);
+  const grave = troubles.value.filter((wrong) => wrong.grave).length;
+  return (
+    <div class="past-banner" role="status" aria-live="off">
+      <b>{t(recording.value ? "past_recording" : "past_here")}</b>
+      {moment.value > 0 && <time class="then-at">{dated(moment.value)}</time>}
+      {moment.value > 0 && !recording.value && <span>{t("past_ago", span(ago * 1000))}</span>}
+      {incident && <span>{t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`)}</span>}
+      <span>{t("past_no_commands")}</span>
+      {loading.value && <span>{t("loading")}</span>}
+      <span class="grow" />
+      {grave > 0 && !recording.value && <b class="bad">! {t("past_alarms_now", grave)}</b>}
+      {!recording.value && (
+        <button type="button" class="primary" onClick={() => (room.value = "map")}>
+          {t("back_to_live")}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** What to look for in the stretch of time that is drawn; each leads to its moment. */
+export function PastEvents() {
+  const list = marks.value.toReversed();
+  const at = moment.value;
+  useEffect(() => {
+    document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
+  }, [stepped.value]);
+  return (
+    <section class="card past-events" aria-label={t("events_of_note")}>
+      <h2>
+        {t("events_of_note")} <small class="calm">{list.length}</small>
+      </h2>
+      <ol class="scroll" reversed tabIndex={0} aria-label={t("events_of_note")}>
+        {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
+        {list.map((event) => (
+          <Line key={event.seq} event={event} past={Date.parse(event.ts) / 1000 <= at} />
+        ))}
+      </ol>
+    </section>
+  );
+}
+
+function Line({ event, past }: { event: Happening; past: boolean }) {
+  const kind = kindOf(event.event);
+  const go = (): void => {
+    if (event.vehicle) selected.value = { kind: "vehicle", id: event.vehicle };
+    void goTo(event);
+  };
+  return (
+    <li data-mark={event.seq} class={past ? "" : "ahead"} aria-current={stepped.value?.seq === event.seq ? "true" : undefined}>
+      <button type="button" class="text" onClick={go}>
+        <i class={`mark ${kind}`} aria-hidden="true" /> <time>{clock(event.ts)}</time> <b>{happening(event.event)}</b>{" "}
+        {[event.vehicle, event.source, tell(event.detail || event.result)].filter(Boolean).join(" · ")}
+      </button>
+    </li>
+  );
+}
