@@ -18,6 +18,7 @@ LONG = {
     "tests/e2e/test_tutorial.py::test_every_command": 60,
     "tests/e2e/test_changed_plant.py": 25,
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
+    "tests/web/test_shift.py::test_an_operators_shift": 30,
     "tests/web/test_shift.py::test_every_room": 15,
     "tests/runtime/test_serial_hall.py": 20,
     "tests/e2e/test_demo_plant.py": 25,
