@@ -18,7 +18,7 @@ from app.domain.errors import HoistwayError
 from app.domain.units import Seconds
 
 PREFIX = "HOISTWAY_"
-NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG")
+NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG", "HOISTWAY_LANG")
 """Environment variables of the prefix that are not settings: the tests' own, and the one that names the file."""
 
 

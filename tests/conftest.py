@@ -3,6 +3,8 @@
 import gc
 import os
 import sys
+from compileall import compile_dir
+from pathlib import Path
 
 import pytest
 import structlog
@@ -20,6 +22,12 @@ gc.set_threshold(50_000, 20, 50)
 # A loaded machine makes an example slow, not wrong.
 settings.register_profile("hoistway", deadline=None)
 settings.load_profile("hoistway")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile the program once, before several workers do it at the same time."""
+    if not hasattr(config, "workerinput"):
+        compile_dir(Path(__file__).parents[1] / "app", quiet=2)
 
 
 def pytest_xdist_auto_num_workers() -> int | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib import metadata
 from typing import Annotated
 
@@ -29,6 +30,13 @@ from app.cli import (
     vectors,
     workload,
 )
+from app.cli.running import COLLECTED
+from app.texts import LANGUAGES
+
+
+def _language(asked: str | None) -> None:
+    if asked is not None and asked not in LANGUAGES:
+        raise typer.BadParameter(f"{asked} is no language that Hoistway speaks: {', '.join(LANGUAGES)}")
 
 
 def _version(wanted: bool) -> None:
@@ -51,8 +59,13 @@ def _whole(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="print the version, and end")
     ] = False,
+    lang: Annotated[
+        str | None,
+        typer.Option(callback=_language, is_eager=True, help="en or ko; without it HOISTWAY_LANG, or the locale"),
+    ] = None,
 ) -> None:
     """An open fleet transport controller for overhead hoists, AGVs and their equipment."""
+    gc.set_threshold(*COLLECTED)
 
 
 for command in (

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import CannotStart, plainly, positive, refuse, said
+from app.cli.plainly import plainly, positive, refuse
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -90,14 +90,20 @@ def traffic(
     peak: Annotated[
         int | None, typer.Option(min=1, help="vehicles that deliver most, where no sweep finds out")
     ] = None,
-    json: Annotated[Path | None, typer.Option(help="write what is found there, part by part")] = None,
+    json: Annotated[
+        Path | None, typer.Option(help="keep what is found there, part by part, beside what runs before have found")
+    ] = None,
+    table: Annotated[
+        list[Path] | None,
+        typer.Option(help="write all that is known there as a Markdown table, goals and whether they are met"),
+    ] = None,
 ) -> None:
     """Try the rules of traffic on a whole fab: routes, lock-ups, deliveries by fleet, hours, dispatch, speed, a drill."""
     from dataclasses import replace
-    from json import dumps
 
     from app.cli.traffic.report import FAB, OVER, PARTS, Extent, Report
     from app.cli.traffic.report import FULL as EIGHT_HOURS
+    from app.cli.traffic.table import Kept
 
     unknown = [name for name in only or () if name not in PARTS]
     if unknown:
@@ -114,22 +120,17 @@ def traffic(
         drill=hours or extent.drill,
         peak=peak or extent.peak,
     )
-    report = Report(extent)
-
-    def keep() -> None:
-        if json is not None:
-            json.write_text(dumps(report.found | {"missed": report.failed}, indent=1), encoding="utf-8")
-
     with plainly():
-        try:
-            keep()  # rather now than after an hour
-        except OSError as wrong:
-            raise CannotStart(f"{json} cannot be written: {said(wrong)}") from None
+        kept = Kept(json, table or ())
+        report = Report(extent, kept.found)
+        kept.keep()  # rather now than after an hour
     for name, part in PARTS.items():
         if not only or name in only:
+            report.begin(name)
             for line in part(report):
                 print(f"{name:9} {line}", flush=True)
-            keep()
+            kept.keep()
+    print(f"\n{kept.table}")
     raise typer.Exit(1 if report.failed else 0)
 
 

@@ -15,6 +15,7 @@ import typer
 
 from app.cli.plainly import CannotStart, plainly
 from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.tongue import say
 from app.cli.workload import order
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
             said = hosting.who_may_call(controller, settings)
 
         def ready(url: str) -> None:
-            print(f"{_invitation(plant, url)}\n{said} Ctrl-C ends it.", flush=True)
+            say(f"{_invitation(plant, url)}\n{said}\nCtrl-C ends it.")
 
         try:
             return await hosting.serve(plant, settings, listening, stop, ready, seen=seen)
@@ -106,7 +107,7 @@ async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Pro
 async def _end_with(simulator: asyncio.subprocess.Process, stop: asyncio.Event) -> None:
     await simulator.wait()
     if not stop.is_set():
-        print("hoistway: the simulated vehicles have ended", file=sys.stderr, flush=True)
+        say("hoistway: the simulated vehicles have ended", wrong=True)
         stop.set()
 
 

@@ -18,6 +18,7 @@ from app.api.port import Controller as Shown
 from app.api.streams import Stream
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
+from app.cli.running import COLLECTED
 from app.cli.tls import checked, files_of, renewed
 from app.domain.errors import PlantError
 from app.domain.layout import Plant
@@ -29,9 +30,6 @@ from app.runtime.tracing import Traces, provider
 from app.runtime.webhooks import Sender, Targets
 from app.settings import Settings
 
-COLLECTED = (10_000, 20, 50)
-"""New objects until they are looked through for rings, and how many times until older ones are: a backlog of thousands of jobs
-is no garbage, and is not to be looked through all the time. Our choice."""
 GRACE = 3
 """Seconds for requests under way when the server stops. Our choice."""
 FILES = 1 << 16

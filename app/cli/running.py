@@ -14,6 +14,10 @@ from app.cli.plainly import CannotStart, text_of
 if TYPE_CHECKING:
     from app.domain.layout import Plant
 
+COLLECTED = (10_000, 20, 50)
+"""New objects until they are looked through for rings, and how many times until older ones are: neither what is imported nor a
+backlog of thousands of jobs is garbage, to be looked through all the time. Our choice."""
+
 
 def plant_of(file: Path) -> Plant:
     """Return the plant of a file. Raises CannotStart."""

@@ -10,6 +10,7 @@ import typer
 
 from app.cli.plainly import plainly, refuse
 from app.cli.running import again_signal, on_loop, plant_of, stop_signal
+from app.cli.tongue import say
 
 if TYPE_CHECKING:
     from app.runtime.controller import Controller
@@ -54,7 +55,7 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
         said = hosting.who_may_call(controller, settings)
 
     def ready(url: str) -> None:
-        print(f"hoistway controls {plant.name}: {url}\n{said}", flush=True)
+        say(f"hoistway controls {plant.name}: {url}\n{said}")
 
     async def run() -> int:
         stop, manager = stop_signal(), Notifier(os.environ)

@@ -161,8 +161,10 @@ class _Feed:
         self.seq += 1
         text = (b'{"type":"change","seq":%d,"changes":[' % self.seq) + b",".join(parts) + b"]}"
         frame = Frame("change", text.decode())
+        wire = frame.wire
         for watcher in self.watchers:
-            watcher.take(frame)
+            if (eager := watcher.eager) is None or not eager(wire):
+                watcher.take(frame)
 
     def snapshot(self) -> Frame:
         """Return the whole state under the present number; encoded once for all who ask before the next change."""
@@ -183,6 +185,12 @@ class _Feed:
 class Subscription(AsyncIterator[Frame]):
     """What one watcher gets: a snapshot, then numbered changes, and events. Made by :meth:`Hub.subscribe`; close it after use."""
 
+    # Slots, because hundreds are visited ten times a second, each out of the cache.
+    __slots__ = (
+        "_behind", "_changes", "_closed", "_events", "_feed", "_frames", "_fresh", "_given", "_hub", "_mark", "_replay",
+        "_taken", "_wake", "direct", "eager",
+    )  # fmt: skip
+
     def __init__(self, hub: "Hub", topics: frozenset[Topic], after: int | None, replay: Replay | None) -> None:
         self._hub = hub
         self._feed = hub.join(self, topics)
@@ -196,10 +204,11 @@ class Subscription(AsyncIterator[Frame]):
         self._mark = False
         self._fresh = True
         self._closed = False
-        self._idle = False
         self._wake = asyncio.Event()
         self.direct: Callable[[bytes], bool] | None = None
         """Takes the wire of a frame while nothing waits before it, past the iteration; False: not now."""
+        self.eager: Callable[[bytes], bool] | None = None
+        """``direct`` while the iteration waits and nothing is there for it."""
 
     async def __anext__(self) -> Frame:
         while not self._closed:
@@ -208,9 +217,8 @@ class Subscription(AsyncIterator[Frame]):
                 return frame
             if not self._behind and not self._closed:
                 self._wake.clear()
-                self._idle = True
+                self.eager = self.direct
                 await self._wake.wait()
-                self._idle = False
         raise StopAsyncIteration
 
     def take(self, frame: Frame) -> None:
@@ -220,11 +228,9 @@ class Subscription(AsyncIterator[Frame]):
         elif self._changes >= CHANGES_KEPT:
             self.resync()
         elif not self._fresh:
-            if self.direct is not None and self._idle and not self._wake.is_set() and self.direct(frame.wire):
-                return
             self._frames.append(frame)
             self._changes += 1
-        self._wake.set()
+        self._rouse()
 
     def resync(self) -> None:
         """Give a resync mark and the newest state next, in place of the changes that wait."""
@@ -233,7 +239,7 @@ class Subscription(AsyncIterator[Frame]):
         self._mark = self._fresh = True
         self._frames = deque(frame for frame in self._frames if frame.kind == "event")
         self._changes = 0
-        self._wake.set()
+        self._rouse()
 
     def select(self, topics: frozenset[Topic]) -> None:
         """Watch other topics from now on; starts with a resync mark and a snapshot. Events go on where they were."""
@@ -248,6 +254,10 @@ class Subscription(AsyncIterator[Frame]):
         """Want nothing more; an iteration under way ends."""
         self._closed = True
         self._hub.leave(self, self._feed)
+        self._rouse()
+
+    def _rouse(self) -> None:
+        self.eager = None
         self._wake.set()
 
     def _next(self) -> Frame | None:

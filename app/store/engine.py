@@ -120,11 +120,13 @@ def execute(connection: Any, *statements: str) -> None:
 def _durable_sqlite(connection: Any, _record: object) -> None:
     # The driver's own BEGIN comes too late for DDL: we begin ourselves, so that a migration is whole or not at all.
     connection.isolation_level = None
+    # EXTRA, and before WAL: the switch is made with a rollback journal, whose end FULL does not flush. Come back after a power
+    # cut, it would undo the switch, and all that was kept since. In WAL itself EXTRA is FULL.
     execute(
         connection,
         f"PRAGMA busy_timeout = {BUSY_MS}",
+        "PRAGMA synchronous = EXTRA",
         "PRAGMA journal_mode = WAL",
-        "PRAGMA synchronous = FULL",
         "PRAGMA fullfsync = ON",
         "PRAGMA foreign_keys = ON",
     )

@@ -9,6 +9,8 @@ from typer.testing import CliRunner
 from app.cli.bench import commands
 from app.cli.traffic import report
 from app.cli.traffic.report import FULL, PARTS, Extent, Report
+from app.cli.traffic.table import BEGIN, END, table
+from app.cli.traffic.trials import Outcome
 from app.plant.fab import SIZES
 
 SMALL = replace(Extent(), pairs=20, networks=3, fleets=(8,), seeds=(1,), minutes=2)
@@ -38,7 +40,8 @@ def test_the_rule_is_tried_on_random_networks(small: Report) -> None:
 
 def test_a_sweep_tries_every_mode_and_finds_the_fleet_that_delivers_most(small: Report) -> None:
     found = lines(small, "sweep")
-    assert [line.split("  ")[0] for line in found] == ["no rule", "admission", "+ congestion", "all"]
+    assert [line.split("  ")[0] for line in found[:-1]] == ["no rule", "admission", "+ congestion", "all"]
+    assert found[-1] == "0 of 3 runs with a rule locked up [no lock-up: reached]"
     assert small.found["peak"] == 8
     assert small.found["peak_per_hour"] > 0
 
@@ -82,8 +85,83 @@ def test_fleets_seeds_and_minutes_can_be_said(monkeypatch: pytest.MonkeyPatch) -
     asked = CliRunner().invoke(
         commands, ["traffic", "--only", "sweep", "--fleet", "5", "--fleet", "9", "--seeds", "1", "--minutes", "4"]
     )
-    assert [line.split("vehicles")[0].split()[-1] for line in asked.output.splitlines()] == ["5", "9"] * 4
+    tried = [line for line in asked.output.splitlines() if "/h (" in line]
+    assert [line.split("vehicles")[0].split()[-1] for line in tried] == ["5", "9"] * 4
+
+
+def test_parts_run_one_by_one_make_one_table_that_says_whether_each_goal_is_met(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(report, "FAB", SIZES["1k"])
+    monkeypatch.setattr(report, "Extent", lambda: SMALL)
+    json, page = tmp_path / "found.json", tmp_path / "page.md"
+    page.write_text(f"Before.\n{BEGIN}old\n{END}After.\n")
+    both = ["--json", str(json), "--table", str(page)]
+    assert CliRunner().invoke(commands, ["traffic", "--only", "rules", *both]).exit_code == 0
+    asked = CliRunner().invoke(commands, ["traffic", "--only", "routes", *both])
+    assert asked.exit_code == 0
+    head, rules, routes = page.read_text().split("|---|---|---|---|\n")[0], *page.read_text().splitlines()[4:6]
+    assert head.startswith(f"Before.\n{BEGIN}| what | found | goal | met |\n")
+    assert rules.endswith("| none with the rule | yes |")
+    assert routes == "| routes of 20 random pairs against networkx's | 0 dearer | equal costs | yes |"
+    assert page.read_text().endswith(f"{END}After.\n")
+    assert asked.output.endswith(f"{rules}\n{routes}\n")
+
+
+def test_a_part_run_again_replaces_what_was_found_before(small: Report) -> None:
+    for _ in range(2):
+        small.begin("routes")
+        lines(small, "routes")
+    assert len(small.found["goals"]["routes"]) == 1
+
+
+def test_the_table_shows_deliveries_by_fleet_with_lock_ups_and_missed_goals() -> None:
+    runs = [{"locked": 3, "stalled": False}, {"locked": 0, "stalled": False}]
+    found = {
+        "sweep": [
+            {"mode": "no rule", "vehicles": 400, "per_hour": 12.4, "runs": runs},
+            {"mode": "all", "vehicles": 1000, "per_hour": 8000.0, "runs": [{"locked": 0, "stalled": True}]},
+        ],
+        "goals": {"sweep": [{"what": "w", "found": "f", "goal": "g", "met": False}]},
+    }
+    assert table(found).splitlines() == [
+        "| deliveries an hour | 400 vehicles | 1,000 vehicles |",
+        "|---|---|---|",
+        "| no rule | 12, 1 of 2 locked up | – |",
+        "| all | – | 8,000, 1 of 1 at a standstill |",
+        "",
+        "| what | found | goal | met |",
+        "|---|---|---|---|",
+        "| w | f | g | no |",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("option", "text", "said"),
+    [
+        ("--json", "no json", "has no JSON in it"),
+        ("--json", "[1]", "has no findings of"),
+        ("--table", "A chapter.\n", "no place for the table"),
+    ],
+)
+def test_a_file_with_something_else_in_it_is_left_as_it_is(option: str, text: str, said: str, tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text(text)
+    found = CliRunner().invoke(commands, ["traffic", "--only", "routes", option, str(file)])
+    assert found.exit_code == 1
+    assert said in found.output
+    assert file.read_text() == text
 
 
 def test_the_full_extent_soaks_and_drills_for_eight_hours() -> None:
     assert (FULL.soak, FULL.drill, FULL.fleets) == (8.0, 8.0, Extent().fleets)
+
+
+def test_a_run_without_a_delivery_at_its_end_is_at_a_standstill_unless_it_is_locked_up() -> None:
+    def outcome(per_minute: tuple[int, ...], locked: int) -> Outcome:
+        return Outcome(9, 60.0 * len(per_minute), per_minute, locked, 0, 0, 0.0, 1.0)
+
+    assert outcome((9, 3, 0, 0, 0, 0, 0), 0).stalled
+    assert not outcome((9, 3, 0, 0, 0, 0, 1), 0).stalled
+    assert not outcome((9, 3, 1, 0, 0, 0, 0), 0).stalled
+    assert not outcome((9, 3, 0, 0, 0, 0, 0), 4).stalled

@@ -41,6 +41,20 @@ def test_more_may_set_out_as_long_as_few_of_them_stand() -> None:
     assert fleet.most == 150
 
 
+def test_between_the_two_limits_the_number_stays_and_a_tenth_standing_lies_between_them() -> None:
+    fleet = Restraint(400, Limits(first=100, low=0.0))
+    for _ in range(200):
+        fleet.look(standing=10, driving=90, under_way=fleet.most, seconds=1.0)
+    assert fleet.most == 100
+    fleet = Restraint(400, Limits(first=100))
+    for _ in range(200):
+        fleet.look(standing=10, driving=90, under_way=fleet.most, seconds=1.0)
+    grown = fleet.most
+    for _ in range(200):
+        fleet.look(standing=10, driving=90, under_way=fleet.most, seconds=1.0)
+    assert fleet.most == grown < 130
+
+
 def test_fewer_may_be_on_their_way_while_many_stand_but_never_fewer_than_the_least() -> None:
     fleet = Restraint(400, Limits(first=100, least=60))
     for _ in range(5):

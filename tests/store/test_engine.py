@@ -65,7 +65,7 @@ def test_sqlite_is_durable_when_it_says_so(sqlite_url: str) -> None:
         asked = {
             name: connection.exec_driver_sql(f"PRAGMA {name}").scalar() for name in ("journal_mode", "synchronous")
         }
-    assert asked == {"journal_mode": "wal", "synchronous": 2}
+    assert asked == {"journal_mode": "wal", "synchronous": 3}
 
 
 @pytest.mark.postgres

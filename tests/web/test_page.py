@@ -5,11 +5,14 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from app.domain.devices import AgvMoveManual, AgvSetCurrent, AgvSpeed, ManualDirection
 from app.domain.ids import JobId, VehicleId
-from app.domain.requests import CreateJob
+from app.domain.requests import CommandAgv, CreateJob
+from app.domain.units import Barcode
 from app.domain.view import ControllerView, Topic, Update
 from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import NOW
+from tests.e2e.processes import wait_until
 from tests.web.served import Served, served
 from tests.web.whole import device, whole
 from tools.chromium import Page, browser, installed
@@ -178,6 +181,29 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         asked = [type(request).__name__ for request in server.controller.seen]
         assert asked == ["PressDriveKey", "ReadDrive"]
         assert page.complaints == []
+
+
+def test_an_agv_is_driven_by_hand_and_told_where_it_stands() -> None:
+    with served(controller=whole()) as server, browser() as page:
+        page.open(f"{server.url}#/map?vehicle=AGV1")
+        page.until(LIVE)
+        page.until("document.querySelector('[data-commands=AGV1]')")
+        page.ask(press("By hand: turn left"))
+        page.ask(press("Sure?"))
+        page.until("document.querySelector('.panel .done')")
+        page.ask(fill(".panel input[name=tag]", "0142"))
+        page.ask(press("Tell it so"))
+        page.ask(press("Sure?"))
+        seen = server.controller.seen
+        wait_until(lambda: sum(isinstance(request, CommandAgv) for request in seen) == 2, "the second command")
+        asked = [request.command for request in seen if isinstance(request, CommandAgv)]
+        assert asked == [AgvMoveManual(ManualDirection.TURN_LEFT, AgvSpeed.SLOW), AgvSetCurrent(Barcode("0142"))]
+        assert page.complaints == []
+
+
+def press(words: str) -> str:
+    """Press a button of the panel by what stands on it."""
+    return f"[...document.querySelectorAll('.panel button')].find((e) => e.textContent === {words!r}).click()"
 
 
 def test_a_door_is_commanded_by_two_presses() -> None:

@@ -50,16 +50,26 @@ FULL = replace(Extent(), networks=1000, soak=8.0, drill=8.0)
 
 @dataclass(slots=True)
 class Report:
-    """What is found, part by part; ``failed`` are the goals that were missed."""
+    """What is found, part by part; ``failed`` are the goals that were missed.
+
+    ``found`` may hold parts of runs before: they stay as they are. ``goals`` in it has those of each part: what was tried, what
+    was found, the goal, whether it was met.
+    """
 
     extent: Extent
     found: dict[str, Any] = field(default_factory=dict)
     failed: list[str] = field(default_factory=list)
 
-    def goal(self, reached: bool, goal: str) -> str:
-        """Return how a goal of issue and design was met, as the end of a line."""
+    def begin(self, name: str) -> None:
+        """Forget what a run before has found out about a part."""
+        self.found.setdefault("goals", {})[name] = []
+
+    def goal(self, name: str, reached: bool, goal: str, what: str, found: str) -> str:
+        """Keep how a goal of issue and design was met by a part, and return it as the end of a line."""
         if not reached:
             self.failed.append(goal)
+        row = {"what": what, "found": found, "goal": goal, "met": bool(reached)}
+        self.found.setdefault("goals", {}).setdefault(name, []).append(row)
         return f"[{goal}: {'reached' if reached else 'MISSED'}]"
 
 
@@ -87,8 +97,10 @@ def routes(report: Report) -> Iterator[str]:
         ours = sum(track.graph.edges[pair]["time"] for pair in pairwise(router.route(start, end)))
         theirs = nx.shortest_path_length(track.graph, start, end, weight="time")
         wrong += abs(ours - theirs) > 1e-6
-    report.found["routes"] = {"pairs": report.extent.pairs, "wrong": wrong}
-    yield f"{report.extent.pairs} routes, {wrong} dearer than networkx's {report.goal(wrong == 0, 'equal costs')}"
+    pairs = report.extent.pairs
+    report.found["routes"] = {"pairs": pairs, "wrong": wrong}
+    what, found = f"routes of {pairs:,} random pairs against networkx's", f"{wrong} dearer"
+    yield f"{pairs} routes, {wrong} dearer than networkx's {report.goal('routes', wrong == 0, 'equal costs', what, found)}"
 
 
 @part("rules")
@@ -99,32 +111,38 @@ def rules(report: Report) -> Iterator[str]:
         locked[rule.value] = sum(check(seed, rule, 2000).locked for seed in range(networks))
     report.found["rules"] = {"networks": networks, "locked": locked}
     words = ", ".join(f"{rule} {count}" for rule, count in locked.items())
-    yield f"of {networks} networks locked up: {words} {report.goal(locked['look-ahead'] == 0, 'none with the rule')}"
+    what, whole = f"{networks:,} random networks of queues that lock up", locked["look-ahead"] == 0
+    yield f"of {networks} networks locked up: {words} {report.goal('rules', whole, 'none with the rule', what, words)}"
 
 
 @part("sweep")
 def sweep(report: Report) -> Iterator[str]:
     """Deliveries by fleet and by what is switched on."""
-    extent, rows = report.extent, []
+    extent = report.extent
+    rows: list[dict[str, Any]] = []
     mean: dict[tuple[str, int], float] = {}
     for mode, how in MODES.items():
         for vehicles in extent.fleets:
             found = [run(fab_of(FAB, vehicles, how, seed), extent.minutes) for seed in extent.seeds]
-            mean[mode, vehicles] = sum(one.per_hour for one in found) / len(found)
-            locked = sum(one.locked > 0 for one in found)
-            rows.append({"mode": mode, "vehicles": vehicles, "runs": [asdict(one) for one in found]})
+            per_hour = mean[mode, vehicles] = sum(one.per_hour for one in found) / len(found)
+            locked, stalled = sum(one.locked > 0 for one in found), sum(one.stalled for one in found)
+            rows.append(
+                {"mode": mode, "vehicles": vehicles, "per_hour": per_hour, "runs": [_kept(one) for one in found]}
+            )
             each = ", ".join(f"{one.per_hour:,.0f}" for one in found)
-            wrong = report.goal(locked == 0, f"no lock-up ({mode}, {vehicles})") if locked and mode != "no rule" else ""
-            yield f"{mode:13} {vehicles:5} vehicles: {mean[mode, vehicles]:7,.0f}/h ({each}), {locked} locked up {wrong}"
+            yield f"{mode:13} {vehicles:5} vehicles: {per_hour:7,.0f}/h ({each}), {locked} locked up, {stalled} at a standstill"
     report.found["sweep"] = rows
-    for vehicles, goal in ((600, 1.25), (1000, 5.0)):
-        if vehicles in extent.fleets:
-            for mode in ("+ congestion", "all"):
-                gain = mean[mode, vehicles] / max(1.0, mean["admission", vehicles])
-                end = report.goal(gain >= goal, f"{goal} times at {vehicles}")
-                yield f"{mode} against admission alone at {vehicles} vehicles: {gain:.2f} times {end}"
     report.found["peak"] = max(extent.fleets, key=lambda vehicles: mean["all", vehicles])
     report.found["peak_per_hour"] = mean["all", report.found["peak"]]
+    ruled = [run for row in rows if row["mode"] != "no rule" for run in row["runs"]]
+    locked = sum(run["locked"] > 0 for run in ruled)
+    end = report.goal("sweep", locked == 0, "no lock-up", "runs with a rule that lock up", f"{locked} of {len(ruled)}")
+    yield f"{locked} of {len(ruled)} runs with a rule locked up {end}"
+    for vehicles, goal in ((600, 1.25), (1000, 5.0)):
+        for mode in ("+ congestion", "all") if vehicles in extent.fleets else ():
+            gain = mean[mode, vehicles] / max(1.0, mean["admission", vehicles])
+            what = f"{mode} against admission alone (static ways) at {vehicles:,} vehicles"
+            yield f"{what}: {gain:.2f} times {report.goal('sweep', gain >= goal, f'{goal} times', what, f'{gain:.2f} times')}"
 
 
 @part("soak")
@@ -136,11 +154,13 @@ def soak(report: Report) -> Iterator[str]:
     vehicles, minutes = round(OVER * peak), round(report.extent.soak * 60)
     found = run(fab_of(FAB, vehicles, Plant(), 1), minutes)
     hours = [sum(found.per_minute[i : i + 60]) for i in range(0, minutes - 59, 60)]
-    share = hours[-1] / usual
+    share, worst = hours[-1] / usual, min(hours[1:] or hours) / usual
     report.found["soak"] = asdict(found) | {"hours": hours, "peak": usual}
+    what = f"{vehicles:,} vehicles, {OVER} times the fleet that delivers most ({usual:,.0f}/h), after {report.extent.soak:g} h"
+    words = f"{share:.0%} of the peak in the last hour, {worst:.0%} in the worst after the first"
     yield (
         f"{vehicles} vehicles for {report.extent.soak:g} h: {', '.join(f'{h:,}' for h in hours)} an hour, {found.locked} locked; "
-        f"the last is {share:.0%} of the peak of {usual:,.0f}/h at {peak} {report.goal(share >= 0.9, '90 % of peak')}"
+        f"of the peak of {usual:,.0f}/h at {peak}: {words} {report.goal('soak', share >= 0.9, '90 % of peak', what, words)}"
     )
 
 
@@ -154,8 +174,12 @@ def dispatch(report: Report) -> Iterator[str]:
     gain = rows["assignment"].per_hour / rows["nearest"].per_hour
     older = rows["assignment"].oldest / max(1.0, rows["nearest"].oldest)
     report.found["dispatch"] = {rule: asdict(one) for rule, one in rows.items()}
-    yield f"assignment against first-come nearest: {gain:.2f} times {report.goal(gain >= 1.5, '1.5 times')}"
-    yield f"its oldest waits {older:.2f} times as long {report.goal(older <= 1.0, 'no longer')}"
+    for words, ratio, reached, goal in (
+        ("assignment against first-come nearest", gain, gain >= 1.5, "1.5 times"),
+        ("its oldest transfer waits", older, older <= 1.0, "no longer"),
+    ):
+        what = f"{words}, {BACKLOGGED} vehicles and a backlog"
+        yield f"{words}: {ratio:.2f} times {report.goal('dispatch', reached, goal, what, f'{ratio:.2f} times')}"
 
 
 @part("speed")
@@ -165,9 +189,10 @@ def speed(report: Report) -> Iterator[str]:
     fab.run(60.0)
     found = run(fab, 20)
     report.found["speed"] = asdict(found)
+    words, what = f"{found.times_real:,.0f} times", f"simulated seconds per CPU second, {FAST} vehicles"
     yield (
-        f"{FAST} vehicles: {found.times_real:,.0f} times real time, {found.events / found.cpu:,.0f} barcodes read per CPU second "
-        f"{report.goal(found.times_real >= 400, '400 times')}"
+        f"{FAST} vehicles: {words} real time, {found.events / found.cpu:,.0f} barcodes read per CPU second "
+        f"{report.goal('speed', found.times_real >= 400, '400 times', what, words)}"
     )
 
 
@@ -192,11 +217,10 @@ def drills(report: Report) -> Iterator[str]:
     found: Drilled = drill(FAB, extent.drilled, extent.drill, extent.per_hour, 1)
     report.found["drill"] = asdict(found)
     outcome = found.outcome
-    yield (
-        f"{found.events} breakdowns and closures in {extent.drill:g} h at {extent.drilled} vehicles: "
-        f"{outcome.per_hour:,.0f}/h of {found.usual:,.0f} of the undisturbed twin, {outcome.locked} locked up at the end "
-        f"{report.goal(outcome.locked == 0, 'nothing locks up in the drill')}"
-    )
+    what = f"{found.events} breakdowns and closures in {extent.drill:g} h at {extent.drilled} vehicles"
+    end = report.goal("drill", outcome.locked == 0, "nothing locks up", what, f"{outcome.locked} locked up at the end")
+    rates = f"{outcome.per_hour:,.0f}/h of {found.usual:,.0f} of the undisturbed twin"
+    yield f"{what}: {rates}, {outcome.locked} locked up at the end {end}"
     yield f"{found.named} of them cut ports off, and each named them"
     for storm in found.storms:
         yield (
@@ -204,16 +228,21 @@ def drills(report: Report) -> Iterator[str]:
             f"undisturbed twin's deliveries, meanwhile {_percent(storm.during)}, in the five minutes after its last end "
             f"{_percent(storm.after)}, in the next five {_percent(storm.then)}"
         )
-    if found.judged:
-        well = sum(share >= RECOVERED for share in found.judged)
-        mean = sum(found.judged) / len(found.judged)
-        goal = report.goal(well == len(found.judged), "recovers within 5 minutes")
-        yield (
-            f"from five to ten minutes after {len(found.judged)} storms: {mean:.0%} of the twin's in the mean, at least "
-            f"{RECOVERED:.0%} after {well} {goal}"
-        )
-    else:
-        yield "no storm was over ten minutes before the end: whether deliveries recover in five is not known"
+    yield _recovery(report, found.judged)
+
+
+def _recovery(report: Report, judged: list[float]) -> str:
+    """Return what was delivered after storms, and whether that is enough."""
+    if not judged:
+        return "no storm was over ten minutes before the end: whether deliveries recover in five is not known"
+    well, mean = sum(share >= RECOVERED for share in judged), sum(judged) / len(judged)
+    what = f"from five to ten minutes after {len(judged)} storms of the drill, of the undisturbed twin's deliveries"
+    words = f"{mean:.0%} in the mean, at least {RECOVERED:.0%} after {well}"
+    return f"{what}: {words} {report.goal('drill', well == len(judged), 'recovers within 5 minutes', what, words)}"
+
+
+def _kept(one: Outcome) -> dict[str, Any]:
+    return asdict(one) | {"stalled": one.stalled}
 
 
 def _percent(share: float | None) -> str:

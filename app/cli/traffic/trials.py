@@ -21,6 +21,8 @@ HOIST = replace(BOOK_VEHICLE, length=Millimetres(950))
 """The vehicle of all trials: of PROTOCOLS 5.1, as long as a barcode's distance lets it be (our choice)."""
 FULL = 0.5
 """Share of the ports that have a carrier at first. Our choice."""
+STALLED = 5
+"""A fleet that delivers nothing for so many minutes is at a standstill. Our choice."""
 MODES: dict[str, Plant] = {
     "no rule": Plant(admission=False, restraint=False),
     "admission": Plant(restraint=False),
@@ -52,6 +54,11 @@ class Outcome:
         """Transfers delivered in an hour, without the first quarter of the run, in which the fleet spreads out."""
         steady = self.per_minute[len(self.per_minute) // 4 :]
         return 60.0 * sum(steady) / len(steady)
+
+    @property
+    def stalled(self) -> bool:
+        """Whether nothing was delivered in the last ``STALLED`` minutes, though no circle is locked: one hole goes round."""
+        return not self.locked and not any(self.per_minute[-STALLED:])
 
     @property
     def times_real(self) -> float:

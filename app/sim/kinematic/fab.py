@@ -24,9 +24,10 @@ from app.sim.kinematic.ways import drives, free_flow, refresh, survey
 
 TICK = 1.0
 """Seconds between two looks of dispatch. Our choice."""
-CARRIED, PARKED_ROOM = 0.01, 1.3
-"""Vehicles per barcode for which no room to park is needed, and so many places are kept free for each one more: with fewer, those
-that find none wander about and hold up the others. Our choice, by runs.
+CARRIED, PARKED_ROOM = 0.024, 1.3
+"""Vehicles per barcode for which no room to park is needed (about half of those that are on their way at any time), and so many
+places are kept free for each one more: with fewer, those that find none wander about and hold up the others; with more, ways lead
+round too much. Our choice, by runs.
 """
 PARKED_AT_ONCE = 20
 """So many are sent to park in a tick at most. Our choice."""

@@ -85,7 +85,7 @@ def test_who_is_kept_back_parks_where_ways_keep_off_and_the_rest_of_the_track_is
     run = fab(layout, plan, 100, Plant(backlog=50))
     s, lines = run.state, run.state.lines
     kept = np.flatnonzero(s.park)
-    assert sum(lines.capacity[b] for b in kept) >= 1.3 * (100 - 0.01 * len(run.net.buffer))
+    assert sum(lines.capacity[b] for b in kept) >= 1.3 * (100 - 0.024 * len(run.net.buffer))
     assert not {int(run.net.buffer[p]) for p in run.ports.barcodes} & set(kept.tolist())
     run.run(900)
     parked = s.park[np.asarray(lines.slot)] == 1

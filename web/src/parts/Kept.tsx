@@ -3,6 +3,12 @@ import { controller } from "../store";
 import { room } from "../route";
 import { t, tell } from "../texts";
 
+/** A line that begins with places or a station, told in the words of who reads it. */
+function retold(line: string): string {
+  const at = line.indexOf(": ");
+  return at < 0 ? tell(line) : `${line.slice(0, at)}: ${tell(line.slice(at + 2))}`;
+}
+
 /** In the header, only if anything is the matter. */
 export function KeptOff() {
   const now = controller.value;
@@ -12,7 +18,7 @@ export function KeptOff() {
     ...(now.cut_off.length ? [t("stations_cut_off", now.cut_off.length)] : []),
   ];
   return (
-    <button type="button" class={`kept ${now.cut_off.length ? "bad" : "wait"}`} title={now.cut_off.map(tell).join("\n")} onClick={() => (room.value = "closures")}>
+    <button type="button" class={`kept ${now.cut_off.length ? "bad" : "wait"}`} title={now.cut_off.map(retold).join("\n")} onClick={() => (room.value = "closures")}>
       {words.join(" · ")}
     </button>
   );
@@ -51,7 +57,7 @@ function Lines({ title, lines, sign, tone }: { title: string; lines: string[]; s
         {lines.map((words) => (
           <li key={words}>
             <span class={`sign ${tone}`}>{sign}</span>
-            <span>{tell(words)}</span>
+            <span>{retold(words)}</span>
           </li>
         ))}
       </ul>
@@ -69,7 +75,7 @@ export function CutOff({ id }: { id: string }) {
   return (
     words && (
       <p class="note alarm" data-cut-off={id}>
-        <b>{t("not_reachable")}</b> {tell(words)}
+        <b>{t("not_reachable")}</b> {tell(words.slice(id.length + 2))}
       </p>
     )
   );

@@ -6,6 +6,7 @@ import { changes, layout } from "../store";
 import { t, tell, type Word } from "../texts";
 import type { Command, Vehicle } from "../types";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
+import { AgvCommands } from "./AgvCommands";
 import { Reasoned } from "./Reasoned";
 import { Sure } from "./Sure";
 
@@ -26,7 +27,8 @@ const LIFTS = ["up", "down", "stop"] as const;
 
 export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
   const asking = useAsking();
-  const agv = Boolean(vehicle.agv);
+  // By the plant file: one that was not heard yet has told nothing of itself.
+  const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
   const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
   const send = (body: object): void => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
   const plain: readonly string[] = agv ? AGV_PLAIN : PLAIN;
@@ -49,6 +51,7 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
           <Sure needs="POST /vehicles/{vehicle}/park" label={t("park")} does={() => void asking.ask(() => post(`${path}/park`), t("sent"))} />
         </div>
         <Move send={send} />
+        {agv && <AgvCommands send={send} />}
         {!agv && <Handle send={send} />}
         {!agv && <Display send={send} />}
         <Told asking={asking} />
@@ -76,7 +79,7 @@ function Recover({ path }: { path: string }) {
   );
 }
 
-type Send = (body: object) => void;
+export type Send = (body: object) => void;
 
 function Move({ send }: { send: Send }) {
   const barcode = useSignal("");
