@@ -98,6 +98,7 @@ def test_a_drives_parameters_are_watched_live_as_long_as_somebody_looks(plant: S
         assert isinstance(view, ParameterView)
         plant.server.show([Update(Topic.PARAMETERS, "D1/1C", replace(view, raw=400, value=4.0))])
         expect(box.locator(".u-legend")).to_contain_text("Acceleration (s)")
+        expect(box.locator(".u-legend .u-value").last).to_have_text("4")
         page.wait_for_function("() => Number(document.querySelector('[data-points]').dataset.points) >= 2")
         box.get_by_role("button", name="End", exact=True).click()
         expect(box.get_by_role("button", name="Watch", exact=True)).to_be_visible()
