@@ -20,6 +20,7 @@ LONG = {
     "tests/e2e/test_changed_plant.py::test_maintenance": 30,
     "tests/e2e/test_changed_plant.py::test_a_controller_killed": 12,
     "tests/e2e/test_tutorial.py::test_the_korean": 8,
+    "tests/web/test_shift.py::test_an_operators_shift": 30,
     "tests/web/test_shift.py::test_every_room": 20,
     "tests/web/test_access.py::test_logging_in": 6,
     "tests/runtime/test_serial_hall.py": 20,

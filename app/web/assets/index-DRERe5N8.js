@@ -11776,8 +11776,8 @@ var reach = y$1({
 var marks = y$1([]);
 /** The event that was stepped to last. */
 var stepped = y$1(null);
-/** Shown so long after an event: what it changed is published with it, not before. */
-var AFTER = .05;
+/** Shown so long after an event, s: what it changed is published once it is durable. */
+var AFTER = .5;
 var MOST$1 = 1e3;
 var iso = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
 var asked$1 = "";
@@ -11799,13 +11799,19 @@ async function readMarks() {
 		error.value = failure;
 	}
 }
+/** From where to step: the event that is shown, or the moment if nobody stepped there. */
+function origin() {
+	const event = stepped.value;
+	const at = event ? Date.parse(event.ts) / 1e3 : NaN;
+	return Math.abs(at + AFTER - moment.value) < .01 ? at : moment.value;
+}
 /** Go to the next (1) or the one before (-1): of what is chosen, any event; else those of note. */
 async function step(way) {
 	const span = kept$1.value;
 	if (!span) return;
 	pause();
-	const at = moment.value;
-	const [from, to] = way > 0 ? [at + .001, span.to + 1] : [span.from, at - AFTER - .001];
+	const at = origin();
+	const [from, to] = way > 0 ? [at + .001, span.to + 1] : [span.from, at];
 	if (from >= to) return;
 	const pick = selected.value;
 	const query = new URLSearchParams({
