@@ -1,4 +1,4 @@
-"""Versions of the plant at the page: staged from a file, compared on the plan, refused with what is wrong, activated, taken back."""
+"""Versions of the plant at the page: staged from a file, compared on the plan, refused when wrong, activated, taken back."""
 
 from pathlib import Path
 
