@@ -11,8 +11,9 @@ def main() -> None:
     try:
         # Here, since reading the program in takes long enough for a Ctrl-C.
         from app.cli import app
+        from app.cli.tongue import run
 
-        app()
+        run(app)
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
 

@@ -18,7 +18,7 @@ from app.domain.errors import HoistwayError
 from app.domain.units import Seconds
 
 PREFIX = "HOISTWAY_"
-NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG")
+NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG", "HOISTWAY_LANG")
 """Environment variables of the prefix that are not settings: the tests' own, and the one that names the file."""
 
 
@@ -60,6 +60,8 @@ class Settings(BaseSettings):
     """Origins, besides the server's own, whose pages may call it (``https://mes.example``)."""
     body_limit: Annotated[int, Field(ge=1024)] = 1 << 20
     """Largest request body, bytes."""
+    layout_limit: Annotated[int, Field(ge=1024)] = 16 << 20
+    """Largest plant file that may be staged, bytes."""
     connections: Annotated[int, Field(ge=10)] = 2000
     """Most connections to the server at the same time, live streams among them; at most half the files that may be open."""
     watchers: Annotated[int, Field(ge=1)] = 1000

@@ -11,6 +11,7 @@ from app.api.policy import API, OUTSIDE, ROUTES
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
 from app.api.room_declared import ROOM
 from app.api.teaching_declared import TEACHING
+from app.api.version_declared import VERSIONS
 from app.api.webhook_declared import WEBHOOKS
 from app.domain.access import Scope, who_may
 from app.domain.view import View
@@ -104,7 +105,19 @@ OTHERS: Json = {
             "code": {"type": "string", "enum": list(CODES)},
             "remedy": _TEXT,
             "field": {"type": "string", "description": "The offending part of the request."},
-            "errors": _list(_object({"field": _TEXT, "message": _TEXT})),
+            "errors": _list(
+                _object(
+                    {
+                        "field": _TEXT,
+                        "message": _TEXT,
+                        "remedy": _TEXT,
+                        "line": {"type": "integer", "description": "In a file that was sent; from 1."},
+                        "column": _WHOLE,
+                        "severity": {"type": "string", "enum": ["error", "warning"]},
+                    },
+                    required=["field", "message"],
+                )
+            ),
         },
         "required": ["type", "title", "status", "detail"],
     },
@@ -298,6 +311,7 @@ OTHERS: Json = {
     "Layout": _object(
         {
             "name": _TEXT,
+            "version": _nullable(_WHOLE) | {"description": "Of the plant; null where no versions are kept."},
             "points": _list(_object({"barcode": _TEXT, "x": _WHOLE, "y": _WHOLE, "park": _FLAG})),
             "edges": _list(
                 _object(
@@ -411,7 +425,7 @@ def _document(app: FastAPI) -> Json:
     schemas = components.setdefault("schemas", {})
     for name in ("HTTPValidationError", "ValidationError"):
         schemas.pop(name, None)
-    schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM)
+    schemas.update(view_schemas() | OTHERS | TEACHING | WEBHOOKS | ROOM | VERSIONS)
     components["schemas"] = {name: _plain(schema) for name, schema in sorted(schemas.items())}
     components["securitySchemes"] = SECURITY
     components["responses"] = {

@@ -10,6 +10,8 @@ from app.settings import Settings, is_loopback
 
 CLOSE = {"Connection": "close"}
 """What comes after a refusal would be the rest of a body that nobody reads."""
+LAYOUTS = "/api/v1/layout/versions"
+"""Where plant files are staged."""
 HOSTS_KEPT = 100
 """So many spellings of our own name are known again at once. Our choice."""
 
@@ -21,6 +23,7 @@ class Guard:
         self.app = app
         self.limit = settings.body_limit
         """Largest body, bytes."""
+        self._layouts = max(settings.layout_limit, settings.body_limit)
         self._callers = callers
         self._known_hosts: set[bytes] = set()
         self._hosts = frozenset(host.lower() for host in settings.allowed_hosts)
@@ -33,7 +36,7 @@ class Guard:
             return
         problem = self.refusal(scope)
         if problem is None and scope["type"] == "http":
-            receive = self._bounded(receive)
+            receive = self._bounded(receive, self._limit(scope))
         if problem is None:
             await self.app(scope, receive, send)
         elif scope["type"] == "http" or "websocket.http.response" in scope.get("extensions", {}):
@@ -60,7 +63,7 @@ class Guard:
             or (None if origin is None else self._origin(scope, origin, host or b""))
             or callers.too_fast_from(scope)
             or (callers.refusal(scope, access) if closed else None)
-            or (None if length is None or scope["type"] != "http" else self._size(length))
+            or (None if length is None or scope["type"] != "http" else self._size(scope, length))
             or (callers.too_fast(scope) if closed else None)
         )
         if problem is not None and scope["type"] == "http" and scope["method"] not in SAFE:
@@ -90,13 +93,18 @@ class Guard:
         detail = f"A page of {origin[:80]!r} may not call this server."
         return Problem("foreign-origin", detail, "Use the server's own page, or add the origin to allowed_origins.")
 
-    def _size(self, length: bytes) -> Problem | None:
-        if length.isdigit() and len(length) < 20 and int(length) <= self.limit:
+    def _size(self, scope: Scope, length: bytes) -> Problem | None:
+        limit = self._limit(scope)
+        if length.isdigit() and len(length) < 20 and int(length) <= limit:
             return None
-        return Problem("too-large", f"The body is larger than {self.limit} bytes.", "Send it in parts.")
+        return Problem("too-large", f"The body is larger than {limit} bytes.", "Send it in parts.")
 
-    def _bounded(self, receive: Receive) -> Receive:
-        limit, seen = self.limit, 0
+    def _limit(self, scope: Scope) -> int:
+        """Return how large a body may be: a plant file is larger than anything else that people send."""
+        return self._layouts if scope["path"] == LAYOUTS and scope["method"] == "POST" else self.limit
+
+    def _bounded(self, receive: Receive, limit: int) -> Receive:
+        seen = 0
 
         async def bounded() -> Message:
             nonlocal seen

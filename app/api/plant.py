@@ -64,7 +64,7 @@ async def get_layout(request: Request, controller: Ctl) -> Response:
     """Show the layout; it changes with the plant file only."""
     state = request.app.state
     if getattr(state, "layout", None) is None:
-        body = encode(_drawn(controller.plant))
+        body = encode({**_drawn(controller.plant), "version": controller.version})
         state.layout = (f'"{zlib.crc32(body):08x}"', body)
     etag, body = state.layout
     return tagged(request, etag, body)

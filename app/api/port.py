@@ -24,6 +24,7 @@ from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
 from app.runtime.reception import Reception
+from app.runtime.versions import Versions
 from app.runtime.webhooks import Targets
 from app.store.chain import Checked
 
@@ -184,6 +185,16 @@ class Controller(Protocol):
     @property
     def plant(self) -> Plant:
         """The plant under control."""
+        ...
+
+    @property
+    def versions(self) -> Versions | None:
+        """The versions of the plant; None: none are kept."""
+        ...
+
+    @property
+    def version(self) -> int | None:
+        """Which of them is under control."""
         ...
 
     @property

@@ -63,7 +63,7 @@ class Problem(Exception):
     detail: str
     remedy: str = ""
     field: str = ""
-    errors: Sequence[Mapping[str, str]] = ()
+    errors: Sequence[Mapping[str, object]] = ()
     headers: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
     @property

@@ -31,6 +31,12 @@ from app.cli import (
     workload,
 )
 from app.cli.running import COLLECTED
+from app.texts import LANGUAGES
+
+
+def _language(asked: str | None) -> None:
+    if asked is not None and asked not in LANGUAGES:
+        raise typer.BadParameter(f"{asked} is no language that Hoistway speaks: {', '.join(LANGUAGES)}")
 
 
 def _version(wanted: bool) -> None:
@@ -53,6 +59,10 @@ def _whole(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="print the version, and end")
     ] = False,
+    lang: Annotated[
+        str | None,
+        typer.Option(callback=_language, is_eager=True, help="en or ko; without it HOISTWAY_LANG, or the locale"),
+    ] = None,
 ) -> None:
     """An open fleet transport controller for overhead hoists, AGVs and their equipment."""
     gc.set_threshold(*COLLECTED)

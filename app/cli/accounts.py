@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
+from app.cli.tongue import say, told_here
 from app.domain.access import Role
 from app.domain.ids import Actor
 from app.domain.units import Timestamp
@@ -73,7 +74,7 @@ def _me() -> Actor:
 def _done(refusal: Refusal | None, said: str) -> None:
     if refusal is not None:
         refuse(refusal.reason, refusal.remedy)
-    print(f"{said} {SEEN}")
+    print(f"{told_here(said)} {told_here(SEEN)}")
 
 
 def _named(name: str) -> str:
@@ -173,7 +174,7 @@ def add_key(
         if refusal is not None:
             refuse(refusal.reason, refusal.remedy)
         print(shown)
-        print(f"This is shown once; good until {_date(expires, 'it is revoked')}. {SEEN}", file=sys.stderr)
+        say(f"This is shown once; good until {_date(expires, 'it is revoked')}.\n{SEEN}", wrong=True)
 
 
 @keys.command("list")

@@ -8,6 +8,7 @@ import typer
 
 from app.cli.accounts import Config, Database, url_of
 from app.cli.plainly import plainly, refuse
+from app.cli.tongue import say
 
 if TYPE_CHECKING:
     from app.store.reading import Reader
@@ -40,7 +41,7 @@ def verify(
             rows, last, mark = _followed(reader)
         finally:
             reader.close()
-    print(f"{rows} rows follow from one another. Note the last one elsewhere: {last}:{mark}")
+    say(f"{rows} rows follow from one another. Note the last one elsewhere: {last}:{mark}")
 
 
 def _same(reader: Reader, head: str) -> None:

@@ -87,9 +87,7 @@ def traffic(
     seeds: Annotated[int | None, typer.Option(min=1, help="of each run of the sweep")] = None,
     minutes: Annotated[int | None, typer.Option(min=4, help="of each run of sweep and dispatch")] = None,
     hours: Annotated[float | None, typer.Option(min=1.0, help="of soak and drill")] = None,
-    peak: Annotated[
-        int | None, typer.Option(min=1, help="vehicles that deliver most, where no sweep finds out")
-    ] = None,
+    peak: Annotated[int | None, typer.Option(min=1, help="vehicles that count as the fleet that delivers most")] = None,
     json: Annotated[
         Path | None, typer.Option(help="keep what is found there, part by part, beside what runs before have found")
     ] = None,

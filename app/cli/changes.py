@@ -1,69 +1,294 @@
-"""A plant file that changes while its controller runs: read again on request, and taken only if it breaks nothing under way."""
+"""Which version of the plant runs, and what takes its place: an edited plant file (SIGHUP), or a version asked for over REST."""
 
 from __future__ import annotations
 
 import asyncio
+import os
+import socket
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from structlog.typing import FilteringBoundLogger
 
-from app.cli.plainly import CannotStart
-from app.cli.running import plant_of
-from app.domain.errors import HoistwayError
+from app.cli.plainly import CannotStart, text_of
+from app.cli.running import reader_of
+from app.domain.errors import HoistwayError, PlantHeld, Refusal, StoreError
+from app.domain.ids import Actor
 from app.domain.layout import Plant
+from app.domain.units import Timestamp
+from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
+from app.plant.difference import Broken, difference
+from app.plant.touched import touched
 from app.runtime.telemetry import logger
+from app.runtime.versions import Versions, said
+from app.store.opening import held
+from app.store.standing import standing
+from app.store.versions import VersionStore
+
+if TYPE_CHECKING:
+    from app.plant import Finding
+
+LOOK_EVERY = 1.0
+"""Seconds between two looks whether a version that is waited for fits by now. Our choice."""
+FILE, START = Actor("plant file"), Actor("hoistway")
+EDITED = "the plant file was edited"
+NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
+
+
+def holder() -> str:
+    """Return who holds the plant, for whoever comes second."""
+    return f"{socket.gethostname()}, process {os.getpid()}"
 
 
 class Changes:
-    """Looks at a plant file again whenever it is asked to (SIGHUP). ``last`` is the plant that the controller runs with."""
+    """Knows which version runs. ``begin`` says with which plant to start; ``next`` gives the plant that is to follow, and
+    ``settle`` makes it the active one once the controller has stopped. ``look`` has the plant file read again.
+    """
 
-    def __init__(self, file: Path, database: str, asked: asyncio.Event) -> None:
-        self.last: Plant | None = None
-        self._file, self._database, self._asked = file, database, asked
+    def __init__(self, file: Path, database: str, utc: Callable[[], Timestamp]) -> None:
+        self.number = 0
+        """The version that runs."""
+        self._file, self._database, self._utc = file, database, utc
+        self._read: Callable[[str], tuple[Plant, Sequence[Finding]]] = reader_of(file)
+        self._store = VersionStore(database)
+        self.versions = Versions(self._store, database, self._read, utc)
+        self._again = self._waiting = self._changed = False
+        self._told: list[Broken] = []
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._store.close()
+
+    def look(self) -> None:
+        """Read the plant file again, soon."""
+        self._again = True
+        self.versions.wanted.set()
+
+    # -- at the start -------------------------------------------------------------------------------------------------
+
+    def begin(self, plant: Plant, text: str) -> Plant:
+        """Return the plant to start with: of the plant file if it was edited since it was last taken, else the active version.
+
+        ``plant`` and ``text`` are the plant file's. Raises PlantHeld, StoreError; CannotStart: the active version cannot be read.
+        """
+        with held(self._database, plant.name, holder(), self._utc()):
+            if self._store.plant_name() not in {None, plant.name}:
+                return plant  # The ledger refuses it, and says why.
+            active = self._store.active()
+            if active is None:
+                self.number = self._store.begin(text, FILE, self._utc()).number
+                return plant
+            self.number = active.number
+            if digest_of(text) == active.digest:
+                self._store.take_file(text, self._utc())
+                return plant
+            running = self._plant_of(active)
+            if running.name != plant.name:
+                raise StoreError(
+                    f"the database keeps plant {running.name}, not {plant.name}",
+                    remedy="Give each plant a database of its own, or write the plant's old name into the plant file.",
+                )
+            if digest_of(text) != self._store.file_taken():
+                return self._edited(active, running, plant, text)
+            logger(plant=plant.name).warning(
+                "the plant file is not what runs",
+                runs=f"version {active.number} ({active.why})",
+                file="not edited since it was last taken",
+                remedy=f"hoistway layout versions; write the active one over it: hoistway layout get {active.number}",
+            )
+            return running
+
+    def _plant_of(self, version: PlantVersion) -> Plant:
+        try:
+            return self._read(self._store.text(version.number) or "")[0]
+        except HoistwayError as wrong:
+            raise CannotStart(
+                f"version {version.number} of the plant, the active one, cannot be read: {wrong.message}",
+                remedy="Write a plant file that this program understands, and start with it.",
+            ) from None
+
+    def _edited(self, active: PlantVersion, running: Plant, plant: Plant, text: str) -> Plant:
+        """Take a plant file that was edited while no controller ran, unless it breaks something under way."""
+        log = logger(plant=plant.name)
+        if plant == running:
+            self._store.take_file(text, self._utc())
+            return plant
+        broken = touched(running, plant, standing(self._database), listening=False)
+        version = self._staged(text, f"{EDITED} before a start")
+        if broken:
+            _log_all(log, broken)
+            log.error(NOT_TAKEN, goes_on=f"version {active.number}", staged=f"version {version.number}")
+            return running
+        other = self._store.awaited()
+        if other is not None and other.number != version.number:
+            self._store.give_up(other.number, "the plant file was edited meanwhile", self._utc())
+        if other is None or other.number != version.number:
+            self._store.ask(version.number, FILE, f"{EDITED} before a start", self._utc(), patient=False)
+        self._store.activate(version.number, self._utc(), file=True)
+        self.number = version.number
+        log.warning("the plant has changed", version=version.number, differences=_counted(running, plant))
+        return plant
+
+    def _staged(self, text: str, reason: str) -> PlantVersion:
+        """Return the version with this text; it is made if there is none that could become active."""
+        known = self._store.with_text(text)
+        if known is not None and known.state is not VersionState.ACTIVE:
+            return known
+        made = self._store.stage(text, Origin.FILE, FILE, reason, self._utc(), again=True)
+        assert isinstance(made, PlantVersion)
+        return made
+
+    # -- while the controller runs ------------------------------------------------------------------------------------
 
     async def next(self, plant: Plant) -> Plant:
-        """Wait until the file holds another plant that can take this one's place, and return it."""
+        """Wait until a version is awaited that can take the plant's place, and return its plant."""
         log = logger(plant=plant.name)
+        self._waiting = True
         while True:
-            await self._asked.wait()
-            self._asked.clear()
+            await self._woken()
             try:
-                found = await asyncio.to_thread(plant_of, self._file)
-            except CannotStart as wrong:
-                _refused(log, wrong)
-                continue
-            if found.name != plant.name:
-                log.error("the plant file is not taken", reason=f"it is of another plant: {found.name}")
-            elif found == plant:
-                log.info("the plant file says nothing new")
-            elif await self.fits(plant, found):
-                log.warning("the plant changes", differences=await asyncio.to_thread(_counted, plant, found))
-                return found
+                if self._again:
+                    self._again = False
+                    await self._file_again(plant, log)
+                if (following := await self._due(plant, log)) is not None:
+                    return following
+            except StoreError as trouble:
+                _refused(log, "versions of the plant cannot be looked at", trouble)
+                self._waiting = True
 
-    async def fits(self, plant: Plant, found: Plant) -> bool:
-        """Whether everything under way has its place in the plant that was found; what has none is logged."""
-        from app.plant.touched import touched
-        from app.store.standing import standing
+    async def _woken(self) -> None:
+        try:
+            async with asyncio.timeout(LOOK_EVERY if self._waiting else None):
+                await self.versions.wanted.wait()
+        except TimeoutError:
+            return
+        self.versions.wanted.clear()
 
+    async def _file_again(self, plant: Plant, log: FilteringBoundLogger) -> None:
+        """Let the plant file be awaited, if it says something new."""
+        try:
+            text = await asyncio.to_thread(text_of, self._file)
+            found = (await asyncio.to_thread(self._read, text))[0]
+        except HoistwayError as wrong:
+            _refused(log, NOT_TAKEN, wrong)
+            return
+        if found.name != plant.name:
+            log.error(NOT_TAKEN, reason=f"it is of another plant: {found.name}")
+        elif found == plant:
+            await asyncio.to_thread(self._store.take_file, text, self._utc())
+            log.info("the plant file says nothing new")
+        else:
+            asked = await asyncio.to_thread(self._ask_for_file, text)
+            if isinstance(asked, Refusal):
+                log.error(NOT_TAKEN, reason=asked.reason, remedy=asked.remedy)
+
+    def _ask_for_file(self, text: str) -> PlantVersion | Refusal:
+        version = self._staged(text, EDITED)
+        if version.state is VersionState.AWAITED:
+            return version
+        return self._store.ask(version.number, FILE, EDITED, self._utc(), patient=False)
+
+    async def _due(self, plant: Plant, log: FilteringBoundLogger) -> Plant | None:
+        """Return the plant of the version that is awaited, if nothing stands in its way; who does not wait is told why not."""
+        awaited = await asyncio.to_thread(self._store.awaited)
+        self._waiting = awaited is not None
+        if awaited is None:
+            self._told = []
+            return None
+        try:
+            following = await self.versions.plant(awaited.number) or plant
+        except HoistwayError as wrong:
+            await asyncio.to_thread(self._store.give_up, awaited.number, said(wrong), self._utc())
+            _refused(log, NOT_CHANGED, wrong)
+            return None
+        broken = (await self.versions.impact(plant, following)).in_the_way
+        if not broken:
+            log.warning(
+                "the plant changes", version=awaited.number, differences=await self._differences(plant, following)
+            )
+            return following
+        await asyncio.to_thread(self._kept_back, awaited, broken)
+        return None
+
+    async def _differences(self, old: Plant, new: Plant) -> int:
+        return await asyncio.to_thread(_counted, old, new)
+
+    def _kept_back(self, version: PlantVersion, broken: Sequence[Broken]) -> None:
+        """Say what keeps a version back, once; it waits, or the wish is over."""
+        if list(broken) != self._told:
+            _log_all(logger(version=str(version.number)), broken)
+            self._told = list(broken)
+        if not version.patient:
+            first, more = broken[0], f" (and {len(broken) - 1} more)" if len(broken) > 1 else ""
+            note = f"{first.what} {first.name} stood in the way: {first.text}{more}"
+            self._store.give_up(version.number, note, self._utc())
+
+    # -- between two controllers --------------------------------------------------------------------------------------
+
+    async def settle(self, plant: Plant) -> Plant:
+        """Make the awaited version the active one, if everything still fits, and return the plant to go on with.
+
+        The lease is held meanwhile. Raises PlantHeld: another controller has taken the plant.
+        """
+        return await asyncio.to_thread(self._settle, plant)
+
+    def _settle(self, plant: Plant) -> Plant:
         log = logger(plant=plant.name)
         try:
-            kept = await asyncio.to_thread(standing, self._database)
-        except HoistwayError as wrong:
-            _refused(log, wrong)
+            with held(self._database, plant.name, holder(), self._utc()):
+                awaited = self._store.awaited()
+                if awaited is None:
+                    return plant
+                following = self._plant_of(awaited)
+                # What came between the look and the stop counts too: then everything stays as it was.
+                if broken := touched(plant, following, standing(self._database)):
+                    self._kept_back(awaited, broken)
+                    return plant
+                self._store.activate(awaited.number, self._utc(), file=self._is_file(awaited))
+        except PlantHeld:
+            raise
+        except (StoreError, CannotStart) as trouble:
+            _refused(log, NOT_CHANGED, trouble)
+            return plant
+        self.number, self._changed = awaited.number, True
+        return following
+
+    def _is_file(self, version: PlantVersion) -> bool:
+        try:
+            return digest_of(text_of(self._file)) == version.digest
+        except CannotStart:
             return False
-        broken = await asyncio.to_thread(touched, plant, found, kept)
-        for one in broken:
-            log.error(
-                "the plant file is not taken", breaks=f"{one.what} {one.name}", reason=one.text, remedy=one.remedy
-            )
-        return not broken
+
+    def started(self) -> None:
+        """Note that a controller runs with the version."""
+        self._changed = False
+
+    async def fall_back(self, plant: Plant, reason: str) -> Plant | None:
+        """Return the plant to go on with when a version just activated cannot be run; None: it was not just activated."""
+        if not self._changed:
+            return None
+        self._changed = False
+
+        def back() -> Plant | None:
+            with held(self._database, plant.name, holder(), self._utc()):
+                before = self._store.fall_back(self.number, reason, self._utc())
+            if before is None:
+                return None
+            self.number = before.number
+            return self._plant_of(before)
+
+        return await asyncio.to_thread(back)
 
 
-def _refused(log: FilteringBoundLogger, wrong: HoistwayError) -> None:
-    log.error("the plant file is not taken", reason=wrong.message, remedy=wrong.remedy)
+def _log_all(log: FilteringBoundLogger, broken: Sequence[Broken]) -> None:
+    for one in broken:
+        log.error(NOT_CHANGED, breaks=f"{one.what} {one.name}", reason=one.text, remedy=one.remedy)
+
+
+def _refused(log: FilteringBoundLogger, what: str, wrong: HoistwayError) -> None:
+    log.error(what, reason=wrong.message, remedy=wrong.remedy)
 
 
 def _counted(old: Plant, new: Plant) -> int:
-    from app.plant.difference import difference
-
     return len(difference(old, new).changes)

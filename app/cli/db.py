@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
+from app.cli.tongue import say, told_here
 from app.domain.errors import HoistwayError, StoreError
 from app.domain.units import Timestamp
 
@@ -65,7 +66,7 @@ def backup(
         stock = back_up(url, file)
     except StoreError as error:
         _fail(error)
-    print(f"{file}: {_told(stock)}")
+    print(f"{file}: {told_here(_told(stock))}")
 
 
 @commands.command()
@@ -85,12 +86,10 @@ def restore(
         stock, before = put_back(file, url, holder, Timestamp(time.time()))
     except StoreError as error:
         _fail(error)
-    print(f"put back: {_told(stock)}")
+    say(f"put back: {_told(stock)}")
     if before is not None:
-        print(f"what was there before: {before}")
-    print(
-        "The next start holds every vehicle until a named person has compared it with the plant (docs/operations.md)."
-    )
+        say(f"what was there before: {before}")
+    say("The next start holds every vehicle until a named person has compared it with the plant (docs/operations.md).")
 
 
 def _told(stock: Stock) -> str:

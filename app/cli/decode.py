@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
+from app.cli.tongue import language, say
 from app.wire.names import unknown
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ def decode(
     hex: Annotated[list[str], typer.Argument(help="the bytes; blanks, commas and 0x do not matter")],  # noqa: A002
     dialect: Annotated[str, typer.Option(help="a named dialect of the protocol")] = "default",
     json: Annotated[bool, typer.Option("--json", help="for a program")] = False,
-    lang: Annotated[str, typer.Option(help="en or ko")] = "en",
+    lang: Annotated[str | None, typer.Option(help="en or ko; without it, as hoistway --lang")] = None,
 ) -> None:
     """Explain the packets in some bytes: every field and bit by name, and why rubbish is rubbish."""
     from app.domain.errors import HoistwayError
@@ -28,6 +29,7 @@ def decode(
     show = _PROTOCOLS.get(protocol)
     if show is None:
         _refuse(unknown("protocol", protocol, _PROTOCOLS))
+    lang = lang or language()
     if lang not in ("en", "ko"):
         _refuse(unknown("language", lang, ("en", "ko")))
     try:
@@ -40,7 +42,7 @@ def decode(
 
 
 def _refuse(reason: str) -> NoReturn:
-    typer.echo(reason, err=True)
+    say(reason, wrong=True)
     raise typer.Exit(2)
 
 

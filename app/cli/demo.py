@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import CannotStart, plainly
-from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.running import on_again, on_loop, plant_and_text_of, stop_signal
+from app.cli.tongue import say
 from app.cli.workload import order
 
 if TYPE_CHECKING:
@@ -54,14 +55,19 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level=settings.log_level)
-    plant = plant_of(file)
+    plant, text = plant_and_text_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
+    from app.cli.changes import Changes
+    from app.runtime.clock import Clock
 
     listening = hosting.bound(settings.host, settings.port)
     url = hosting.url_of(settings.host, listening.getsockname()[1])
+    changes = Changes(file, settings.database, Clock().utc)
+    plant = changes.begin(plant, text)
 
     async def run() -> int:
         stop = stop_signal()
+        on_again(changes.look)
         simulator = await _simulated(file, operator)
         watching = asyncio.create_task(_end_with(simulator, stop))
         working = None if keep is None else asyncio.create_task(_work(url, keep, stop, settings))
@@ -72,10 +78,10 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
             said = hosting.who_may_call(controller, settings)
 
         def ready(url: str) -> None:
-            print(f"{_invitation(plant, url)}\n{said} Ctrl-C ends it.", flush=True)
+            say(f"{_invitation(plant, url)}\n{said}\nCtrl-C ends it.")
 
         try:
-            return await hosting.serve(plant, settings, listening, stop, ready, seen=seen)
+            return await hosting.serve(plant, settings, listening, stop, ready, seen=seen, changes=changes)
         finally:
             stop.set()
             if working is not None:
@@ -83,7 +89,10 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
             await _ended(simulator)
             await watching
 
-    return on_loop(run())
+    try:
+        return on_loop(run())
+    finally:
+        changes.close()
 
 
 async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Process:
@@ -106,7 +115,7 @@ async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Pro
 async def _end_with(simulator: asyncio.subprocess.Process, stop: asyncio.Event) -> None:
     await simulator.wait()
     if not stop.is_set():
-        print("hoistway: the simulated vehicles have ended", file=sys.stderr, flush=True)
+        say("hoistway: the simulated vehicles have ended", wrong=True)
         stop.set()
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
+from app.cli.tongue import say
 from app.wire.names import unknown
 
 if TYPE_CHECKING:
@@ -94,5 +95,5 @@ def _name(variant: Variant) -> str:
 
 
 def _refuse(reason: str) -> NoReturn:
-    typer.echo(reason, err=True)
+    say(reason, wrong=True)
     raise typer.Exit(2)

@@ -92,8 +92,7 @@ async def serve(
                 return 1
             if following is None or stop.is_set():
                 return 0
-            # What came between the look and the stop counts too: then everything stays as it was.
-            plant = following if changes is None or await changes.fits(plant, following) else plant
+            plant = following if changes is None else await changes.settle(plant)
     finally:
         if traces is not None:
             await asyncio.to_thread(traces.close)
@@ -113,20 +112,23 @@ async def _started(
         keep_events=settings.keep_events,
         playback=playback,
         webhooks=lambda: sender,
+        versions=None if changes is None else changes.versions,
+        version=None if changes is None else changes.number,
     )
     if traces is not None:
         controller.figures.jobs.told = traces.take
     try:
         await controller.start()
     except (OSError, PlantError) as wrong:
-        if changes is not None and changes.last is not None and changes.last is not plant:
+        before = None if changes is None else await changes.fall_back(plant, str(wrong))
+        if before is not None:
             logger(plant=plant.name).error("the plant cannot be changed", reason=str(wrong), goes_on="as before")
-            return await _started(changes.last, settings, traces, changes, restored=restored)
+            return await _started(before, settings, traces, changes, restored=restored)
         if isinstance(wrong, PlantError):
             raise
         raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
     if changes is not None:
-        changes.last = plant
+        changes.started()
     return controller
 
 

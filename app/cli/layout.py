@@ -10,19 +10,30 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli import layout_look, layout_out
+from app.cli import layout_look, layout_out, layout_versions
 from app.cli.plainly import CannotStart, refuse, said, text_of
 
 if TYPE_CHECKING:
     from app.plant.exchange.importing import Imported, Wishes
 
 commands = typer.Typer(
-    help="Import, check, draw, compare and export layouts.", no_args_is_help=True, rich_markup_mode=None
+    help="Import, check, draw, compare and export layouts; change the running plant.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
 )
 commands.command()(layout_out.export)
 commands.command()(layout_out.render)
 commands.command()(layout_look.check)
 commands.command()(layout_look.diff)
+for command in (
+    layout_versions.stage,
+    layout_versions.versions,
+    layout_versions.get,
+    layout_versions.activate,
+    layout_versions.reject,
+    layout_versions.rollback,
+):
+    commands.command()(command)
 SIZE_LIMIT = 64 << 20
 """Largest file that is read, bytes. Our choice."""
 

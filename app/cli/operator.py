@@ -4,6 +4,7 @@ GET  /hoists/V003                                     mode, barcode, pulses
 POST /hoists/V003/key    {"mode": "mant"}             turn the key
 POST /hoists/V003/jog    {"lift": 41000}              bring axes to positions, pulses; 0 is home
 POST /hoists/V003/teach  {"what": "lift_dest"}        send one axis's position to the controller
+POST /hoists/V003/alarm  {"alarm": 105}               let it have an alarm; with "stays": true its cause stays
 GET  /agvs/AGV1                                       mode, tag
 POST /agvs/AGV1/key      {"mode": "manual"}           turn the key
 """
@@ -65,6 +66,13 @@ class TeachOne(msgspec.Struct, forbid_unknown_fields=True):
     what: Literal["shft_dest", "rota_dest", "lift_dest", "shft_offset", "rota_offset", "lift_offset"]
 
 
+class Trouble(msgspec.Struct, forbid_unknown_fields=True):
+    """Which alarm it gets, and whether what caused it goes on."""
+
+    alarm: Annotated[int, msgspec.Meta(ge=1, le=0xFFFF)]
+    stays: bool = False
+
+
 class Hands:
     """Does at each hoist what it is told, and turns the keys of ``agvs``, which report by themselves.
 
@@ -89,6 +97,7 @@ class Hands:
             "key": (Key, self._key),
             "jog": (Jog, self._jog),
             "teach": (TeachOne, self._teach),
+            "alarm": (Trouble, self._alarm),
         }
         routes = [Route("/hoists/{name}", self._show)]
         routes += [
@@ -112,6 +121,9 @@ class Hands:
 
     def _teach(self, device: SimulatedVehicle, word: TeachOne) -> None:
         device.teach_single(Code[f"{word.what.upper()}_TEACHING"], self._now())
+
+    def _alarm(self, device: SimulatedVehicle, word: Trouble) -> None:
+        device.raise_alarm(word.alarm, self._now(), cause_remains=word.stays)
 
     async def _show(self, request: Request) -> Response:
         device = self._devices.get(VehicleId(request.path_params["name"]))

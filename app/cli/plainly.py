@@ -12,6 +12,7 @@ from typing import NoReturn
 
 import typer
 
+from app.cli.tongue import told_here
 from app.domain.errors import HoistwayError
 
 
@@ -63,7 +64,7 @@ def plainly() -> Iterator[None]:
 
 def refuse(message: str, remedy: str = "") -> NoReturn:
     """Say what is wrong and what would help, and exit with 1."""
-    text = message.rstrip(".")
+    text, remedy = told_here(message).rstrip("."), told_here(remedy)
     stop = "" if text.endswith("?") else "."
     print(f"hoistway: {text}{stop} {remedy}" if remedy else f"hoistway: {text}", file=sys.stderr)
     raise typer.Exit(1)

@@ -8,11 +8,12 @@ from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from app.cli.catalogues import equipped
+from app.cli.catalogues import equipped, with_catalogues
 from app.cli.plainly import CannotStart, text_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
+    from app.plant import Finding
 
 COLLECTED = (10_000, 20, 50)
 """New objects until they are looked through for rings, and how many times until older ones are: neither what is imported nor a
@@ -21,6 +22,11 @@ backlog of thousands of jobs is garbage, to be looked through all the time. Our 
 
 def plant_of(file: Path) -> Plant:
     """Return the plant of a file. Raises CannotStart."""
+    return plant_and_text_of(file)[0]
+
+
+def plant_and_text_of(file: Path) -> tuple[Plant, str]:
+    """Return the plant of a file, and what the file says. Raises CannotStart."""
     from app.plant import UnusablePlant, read
 
     text = text_of(file)
@@ -29,7 +35,24 @@ def plant_of(file: Path) -> Plant:
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
         raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"See: hoistway check {file}") from None
-    return equipped(plant, file)
+    return equipped(plant, file), text
+
+
+def reader_of(file: Path) -> Callable[[str], tuple[Plant, list[Finding]]]:
+    """Return what reads a text as if it stood in a plant file: catalogues are looked for beside that.
+
+    It raises UnusablePlant: the text, or a catalogue, has errors.
+    """
+    from app.plant import UnusablePlant, read
+
+    def read_as(text: str) -> tuple[Plant, list[Finding]]:
+        plant, findings = read(text, str(file))
+        whole, besides, usable = with_catalogues(plant, file)
+        if not usable:
+            raise UnusablePlant("its catalogues", [finding for _, finding in besides])
+        return whole, [*findings, *(finding for _, finding in besides)]
+
+    return read_as
 
 
 def on_loop(main: Coroutine[Any, Any, int]) -> int:
@@ -53,9 +76,7 @@ def stop_signal() -> asyncio.Event:
     return stop
 
 
-def again_signal() -> asyncio.Event:
-    """Return an event that is set by SIGHUP, where the system has it: look at the plant file again."""
-    again = asyncio.Event()
+def on_again(call: Callable[[], None]) -> None:
+    """Call something on SIGHUP, where the system has it: look at the plant file again."""
     if hasattr(signal, "SIGHUP"):
-        asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, again.set)
-    return again
+        asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, call)

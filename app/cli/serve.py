@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
-from app.cli.running import again_signal, on_loop, plant_of, stop_signal
+from app.cli.running import on_again, on_loop, plant_and_text_of, stop_signal
+from app.cli.tongue import say
 
 if TYPE_CHECKING:
     from app.runtime.controller import Controller
@@ -40,13 +41,15 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     from app.runtime.telemetry import set_up
 
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
-    plant = plant_of(file)
+    plant, text = plant_and_text_of(file)
     from app.cli import hosting  # heavy: a wrong plant file is told before
     from app.cli.changes import Changes
+    from app.runtime.clock import Clock
     from app.runtime.notify import Notifier
 
     listening = hosting.bound(settings.host, settings.port)
-
+    changes = Changes(file, settings.database, Clock().utc)
+    plant = changes.begin(plant, text)
     said = ""
 
     def seen(controller: Controller) -> None:
@@ -54,13 +57,16 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
         said = hosting.who_may_call(controller, settings)
 
     def ready(url: str) -> None:
-        print(f"hoistway controls {plant.name}: {url}\n{said}", flush=True)
+        say(f"hoistway controls {plant.name}: {url}\n{said}")
 
     async def run() -> int:
         stop, manager = stop_signal(), Notifier(os.environ)
-        changes = Changes(file, settings.database, again_signal())
+        on_again(changes.look)
         return await hosting.serve(
             plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager, changes=changes
         )
 
-    return on_loop(run())
+    try:
+        return on_loop(run())
+    finally:
+        changes.close()

@@ -16,6 +16,7 @@ import typer
 from app.cli.panel import set_panels
 from app.cli.plainly import CannotStart, plainly, positive, refuse, said
 from app.cli.running import on_loop, plant_of, stop_signal
+from app.cli.tongue import say
 from app.wire.names import nearest
 
 if TYPE_CHECKING:
@@ -165,7 +166,7 @@ class _Floor:
             for link in self._plant.links:
                 await self._serve_link(link, floor.lines[link.id])
             hands = await self._hands(floor)
-            print(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there", flush=True)
+            say(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there")
             await self._watch(floor, oracle, stop)
         finally:
             if parent is not None:

@@ -47,6 +47,8 @@ class Scope(StrEnum):
     DRIVES = "drives"
     STOP_DRIVES = "stop_drives"
     """Stop whatever turns on a line: whoever sees the danger."""
+    LAYOUT = "layout"
+    """Versions of the plant: stage, activate, reject."""
     WEBHOOKS = "webhooks"
     """Who is told of events by HTTP."""
     METRICS = "metrics"
@@ -64,7 +66,7 @@ GRANTS: Mapping[Role, frozenset[Scope]] = {
     Role.VIEWER: _EVERYBODY,
     Role.MES: _EVERYBODY | {Scope.JOBS, Scope.PLACES, Scope.SIGNAL, Scope.WEBHOOKS},
     Role.OPERATOR: _AT_THE_PLANT | {Scope.JOBS, Scope.PLACES, Scope.CONTROL},
-    Role.MAINTENANCE: _AT_THE_PLANT | {Scope.UPKEEP, Scope.TEACHING, Scope.DRIVES},
+    Role.MAINTENANCE: _AT_THE_PLANT | {Scope.UPKEEP, Scope.TEACHING, Scope.DRIVES, Scope.LAYOUT},
     Role.ADMIN: frozenset(Scope),
 }
 """Role -> what it may do. Our choice; an administrator may do everything."""

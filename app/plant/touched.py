@@ -12,13 +12,13 @@ from app.plant.difference import Broken
 AHEAD = "end it, or cancel it, first"
 
 
-def touched(old: Plant, new: Plant, kept: Kept) -> list[Broken]:
+def touched(old: Plant, new: Plant, kept: Kept, *, listening: bool = True) -> list[Broken]:
     """Return everything kept that has no place in the new plant, by name; nothing: the plant can be changed now.
 
-    ``kept`` is what the database of the running plant has.
+    ``kept`` is what the database of the running plant has; ``listening``: vehicles are listened for meanwhile.
     """
     return [
-        *_listening(old, new),
+        *(_listening(old, new) if listening else ()),
         *_jobs(new, kept),
         *_carriers(new, kept),
         *_vehicles(new, kept),

@@ -45,6 +45,7 @@ from app.runtime.serial_port import Serial
 from app.runtime.sockets import Sockets
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
+from app.runtime.versions import Versions
 from app.runtime.webhooks import Courier, Sender, Targets
 from app.runtime.writer import Writer
 from app.store.access import AccessStore
@@ -93,9 +94,15 @@ class Controller:
         keep_events: Seconds = FOR_EVER,
         playback: Limits | None = None,
         webhooks: Callable[[], Sender] = lambda: Sender(Targets(()), "0"),
+        versions: Versions | None = None,
+        version: int | None = None,
     ) -> None:
-        """``webhooks`` makes what delivers to them: where they may lead is for the settings to say."""
+        """``webhooks`` makes what delivers to them: where they may lead is for the settings to say. ``version`` is the plant's
+        number among ``versions``, which have to agree that it is the active one.
+        """
         self.plant = plant
+        self.versions = versions
+        self.version = version
         self.trouble = ""
         """Why nothing can be made durable just now; empty if all is well."""
         self._clock = clock or Clock()
@@ -170,7 +177,9 @@ class Controller:
         except OSError:
             await self.stop()
             raise
-        self._log.info("started", epoch=kept.epoch, vehicles=len(self.plant.vehicles), jobs=len(kept.jobs))
+        self._log.info(
+            "started", version=self.version, epoch=kept.epoch, vehicles=len(self.plant.vehicles), jobs=len(kept.jobs)
+        )
 
     async def stop(self) -> None:
         """Cut the lines, make durable what was decided, and let the plant go. Nothing stops a vehicle: it ends its grant."""
@@ -332,10 +341,21 @@ class Controller:
             kept = self._ledger.load()
             kept = replace(kept, restored=kept.restored or self._restored)
             check_nobody_is_forgotten(self.plant, kept)
+            self._check_version()
             return kept
         except BaseException:
             self._ledger.close()
             raise
+
+    def _check_version(self) -> None:
+        """See, with the lease in hand, that the version is still the active one: another controller may have been here."""
+        if self.versions is not None:
+            active = self.versions.store.active()
+            if active is None or active.number != self.version:
+                said = "none" if active is None else f"version {active.number}"
+                raise StoreError(
+                    f"the plant was changed meanwhile: {said} is active, not {self.version}", remedy="Start again."
+                )
 
     async def _connect(self) -> None:
         coming = []

@@ -24,6 +24,7 @@ from app.runtime.metrics import Figures
 from app.runtime.playback import Playback, Source, apply
 from app.runtime.reception import Reception
 from app.runtime.recording import PIECE_SECONDS, STATE_SECONDS, Change, packed
+from app.runtime.versions import Versions
 from app.runtime.webhooks import Targets
 from app.store.ledger import SqlLedger
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
@@ -42,6 +43,8 @@ class Recorded:
         self.figures = Figures(self.plant)
         self.backlog = (0, 0)
         self.reception: Reception | None = None
+        self.versions: Versions | None = None
+        self.version: int | None = None
         _fill(incident, url)
         self.reader, self.playback = Reader(url), Playback(url, Source(incident.actor, incident.made))
         self.model = ReadModel(last_event=max((event["seq"] for event in incident.events), default=0))

@@ -1,6 +1,8 @@
 """Connections: dialling a peer until it answers, and serving a simulated device over TCP."""
 
 import asyncio
+import errno
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol, cast
@@ -36,7 +38,36 @@ class Tcp:
 
     async def connect(self, line: Line) -> None:
         """Connect the line. Raises OSError: nobody answers there."""
-        await asyncio.get_running_loop().create_connection(lambda: line, self.host, self.port)
+        loop = asyncio.get_running_loop()
+        transport, dialled = await loop.create_connection(_Dialled, self.host, self.port)
+        dialled.hand_over(transport, line)
+
+
+class _Dialled(asyncio.Protocol):
+    """A connection that is being made. A line has it once it is whole: when an attempt is given up at that moment, uvloop tells
+    of the connection, but never of its end, and whoever waits for the line to be cut would wait for ever.
+    """
+
+    def __init__(self) -> None:
+        self._unread = bytearray()
+        self._lost: Exception | None = None
+
+    def data_received(self, data: bytes) -> None:
+        """Keep what comes before the line is there."""
+        self._unread += data
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Note that the peer has gone before the line was there."""
+        self._lost = exc or ConnectionResetError(errno.ECONNRESET, os.strerror(errno.ECONNRESET))
+
+    def hand_over(self, transport: asyncio.Transport, line: Line) -> None:
+        """Give the connection to its line. Raises OSError: it is gone already."""
+        if self._lost is not None:
+            raise self._lost
+        transport.set_protocol(line)
+        line.connection_made(transport)
+        if self._unread:
+            line.data_received(bytes(self._unread))
 
 
 class Dialler:

@@ -1,5 +1,8 @@
 """Opening a database: the lease first, then the schema, so that a running controller's tables stay as they are."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import sqlalchemy as sa
 
 from app.domain.units import Seconds, Timestamp
@@ -25,15 +28,28 @@ def opened(url: sa.URL, engine: sa.Engine, plant: str, holder: str, since: Times
     return lease
 
 
-def bring_up_to_date(url: str, holder: str, since: Timestamp) -> str:
-    """Bring a database to the newest schema and return its name. Raises PlantHeld while a controller runs on it."""
+@contextmanager
+def held(url: str, plant: str, holder: str, since: Timestamp) -> Iterator[None]:
+    """Hold the lease of a plant whose controller does not run just now; the schema is up to date meanwhile.
+
+    Raises PlantHeld: another controller has it. Raises StoreError.
+    """
     made = parsed(url)
     engine = writing(made)
     try:
-        opened(made, engine, "(any)", holder, since, LEASE_SECONDS).release()
+        lease = opened(made, engine, plant, holder, since, LEASE_SECONDS)
+        try:
+            yield
+        finally:
+            lease.release()
     finally:
         engine.dispose()
-    return newest()
+
+
+def bring_up_to_date(url: str, holder: str, since: Timestamp) -> str:
+    """Bring a database to the newest schema and return its name. Raises PlantHeld while a controller runs on it."""
+    with held(url, "(any)", holder, since):
+        return newest()
 
 
 def revision(url: str) -> str | None:

@@ -13,6 +13,7 @@ from app.domain.drive_records import OperationState
 from app.domain.job import TERMINAL
 from app.domain.records import IntentState
 from app.domain.teaching import ProposalState, SessionState
+from app.domain.versions import VersionState
 from app.domain.walks import WalkState
 
 metadata = sa.MetaData(
@@ -527,3 +528,40 @@ walk_places = sa.Table(
     _maybe("by"),
     sa.Column("at", UTC),
 )
+
+plant_versions = sa.Table(
+    "plant_versions",
+    metadata,
+    _key("number", BIG),
+    _text("digest"),
+    _text("state"),
+    _text("origin"),
+    _at("at"),
+    _text("actor"),
+    _text("reason"),
+    _big("size"),
+    sa.Column("activated", UTC),
+    _maybe("activated_by"),
+    _text("why"),
+    _maybe_big("before"),
+    sa.Column("asked", UTC),
+    _maybe("asked_by"),
+    _text("asked_why"),
+    sa.Column("patient", sa.Boolean(), nullable=False),
+    _text("note"),
+    _text("text"),
+)
+the_active = plant_versions.c.state == sa.literal_column(f"'{VersionState.ACTIVE.value}'")
+sa.Index(
+    "ix_plant_versions_active",
+    plant_versions.c.state,
+    unique=True,
+    sqlite_where=the_active,
+    postgresql_where=the_active,
+)
+"""Whatever happens, not two are active."""
+
+plant_file = sa.Table(
+    "plant_file", metadata, _key("one", BIG), _text("digest"), _at("at"), sa.CheckConstraint("one = 1", name="only")
+)
+"""One row: the plant file as it was when it was last taken."""

@@ -4,6 +4,9 @@
 filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
 of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
 since what is kept in a plant's database does not depend on who reads it.
+
+``terminal.en.json`` and ``terminal.ko.json`` are what the command line says: explanations of commands and options, and messages,
+as patterns too (:func:`said`). They lie beside the others, since the page is not built from them.
 """
 
 import json
@@ -16,6 +19,7 @@ from typing import Literal, get_args
 Language = Literal["en", "ko"]
 Section = Literal["page", "problems", "remedies", "sayings", "events"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
+Patterns = list[tuple[re.Pattern[str], str]]
 HERE = Path(__file__).parent
 _SLOT = re.compile(r"(\{\d\})")
 _DEPTH = 4
@@ -27,6 +31,35 @@ def catalogue(language: Language) -> Mapping[Section, Mapping[str, str]]:
     """Return all that there is to say in a language, by section and key."""
     found: Mapping[Section, Mapping[str, str]] = json.loads((HERE / f"{language}.json").read_text(encoding="utf-8"))
     return found
+
+
+@lru_cache
+def terminal(language: Language) -> Mapping[str, str]:
+    """Return all that the command line says in a language, by key."""
+    found: Mapping[str, str] = json.loads((HERE / f"terminal.{language}.json").read_text(encoding="utf-8"))
+    return found
+
+
+def said(sentence: str, language: Language) -> str:
+    """Return what the command line says in a language, as far as its texts, or else the sayings, have it; else as it is."""
+    if language == "en" or not sentence.strip():
+        return sentence
+    exact = _exact(language).get(sentence)
+    if exact is not None:
+        return exact
+    found = _matched(sentence, _terminal_patterns(language), language, _DEPTH)
+    return _retold(sentence, language, _DEPTH) if found is None else found
+
+
+@lru_cache
+def _exact(language: Language) -> Mapping[str, str]:
+    other = terminal(language)
+    return {text: other[key] for key, text in terminal("en").items() if not _SLOT.search(text)}
+
+
+@lru_cache
+def _terminal_patterns(language: Language) -> list[tuple[re.Pattern[str], str]]:
+    return _compiled({key: text for key, text in terminal("en").items() if _SLOT.search(text)}, terminal(language))
 
 
 def text(section: Section, key: str, language: Language = "en", *values: object) -> str:
@@ -55,10 +88,15 @@ def told(sentence: str, language: Language) -> str:
 
 @lru_cache(maxsize=4096)
 def _retold(sentence: str, language: Language, depth: int) -> str:
-    for pattern, other in _patterns(language):
+    found = _matched(sentence, _patterns(language), language, depth)
+    return sentence if found is None else found
+
+
+def _matched(sentence: str, patterns: Patterns, language: Language, depth: int) -> str | None:
+    for pattern, other in patterns:
         if match := pattern.fullmatch(sentence):
             return _filled(other, match.groupdict(), language, depth)
-    return sentence
+    return None
 
 
 def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int) -> str:
@@ -71,9 +109,12 @@ def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int
 
 @lru_cache
 def _patterns(language: Language) -> list[tuple[re.Pattern[str], str]]:
+    return _compiled(catalogue("en")["sayings"], catalogue(language)["sayings"])
+
+
+def _compiled(english: Mapping[str, str], other: Mapping[str, str]) -> Patterns:
     """Return patterns with what they mean, those with most letters of their own first."""
-    other = catalogue(language)["sayings"]
-    rows = sorted(catalogue("en")["sayings"].items(), key=lambda row: -len(_SLOT.sub("", row[1])))
+    rows = sorted(english.items(), key=lambda row: -len(_SLOT.sub("", row[1])))
     return [(re.compile(_pattern(sentence), re.DOTALL), other[key]) for key, sentence in rows]
 
 

@@ -71,6 +71,7 @@ from app.runtime.hub import Hub, ReadModel
 from app.runtime.metrics import Figures
 from app.runtime.playback import Playback
 from app.runtime.reception import Reception
+from app.runtime.versions import Versions
 from app.runtime.webhooks import Targets
 from app.store.chain import Checked
 from tests.api.scripted_drives import CATALOGUE, DRIVES, LINKS, ScriptedDrives
@@ -354,6 +355,8 @@ class Scripted:
         self._cmd = 1 << 32
         self.hub.publish([self._controller(ControllerRecord(ControllerState.AUTO))])
         self.reception: Reception | None = None
+        self.versions: Versions | None = None
+        self.version: int | None = None
         self.hub.publish([self._vehicle(v) for v in plant.vehicles])
         self.hub.publish([self._station(StationRecord(s.id, at=NOW)) for s in plant.stations])
         self.drives = self.reader.drives

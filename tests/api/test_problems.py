@@ -24,7 +24,7 @@ OPERATIONS = [
 WITH_BODY = [
     (method, path, op["requestBody"])
     for method, path, op in OPERATIONS
-    if "requestBody" in op and "text/csv" not in op["requestBody"]["content"]
+    if "requestBody" in op and not {"text/csv", "application/yaml"} & set(op["requestBody"]["content"])
 ]
 KNOWN = {
     "job": "LOT-1",
@@ -55,6 +55,7 @@ KNOWN = {
     "zone": "Z1",
     "table": "transfers",
     "kind": "csv",
+    "version": "1",
 }
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
@@ -115,6 +116,8 @@ EXAMPLES: dict[str, Any] = {
     "WebhookChange": {"active": False},
     "SecretIn": {},
     "ReplayIn": {"after": 0},
+    "ActivateIn": {"reason": "x"},
+    "RejectVersionIn": {"reason": "x"},
     "MachineKeyIn": {"name": "mes-1", "roles": ["admin"]},
 }
 WRONG: list[Any] = [False, 0, -1, 1.5, "5", "", "a\x00b", "a\nb", "\ud800", "x" * 5000, None, [], {}, [None], 1 << 70]

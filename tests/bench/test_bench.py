@@ -74,7 +74,7 @@ def test_both_readmes_have_a_place_for_the_table_and_keep_all_around_it() -> Non
     row = Row("a path", 3.0, 2.0, None, "us", 1.8)
     for readme in bench.READMES:
         text = readme.read_text()
-        before, after = text.split(bench.BEGIN)[0], text.split(bench.END)[1]
+        before, after = text.split(bench.BEGIN)[0], text.split(bench.END, 1)[1]
         assert bench.placed(text, [row]) == f"{before}{bench.BEGIN}{table([row])}\n{bench.END}{after}"
 
 

@@ -46,6 +46,18 @@ def test_a_sweep_tries_every_mode_and_finds_the_fleet_that_delivers_most(small: 
     assert small.found["peak_per_hour"] > 0
 
 
+def test_a_fleet_larger_than_the_peak_is_held_against_what_the_sweep_found_as_most(small: Report) -> None:
+    small.found["peak_per_hour"] = 1e6
+    small.extent = replace(SMALL, peak=5, soak=1.0)
+    (line,) = lines(small, "soak")
+    assert line.startswith("7 vehicles for 1 h: ")
+    assert line.endswith(
+        "of the peak of 1,000,000/h: 0% in the last hour, 0% in the worst after the first [90 % of peak: MISSED]"
+    )
+    assert small.found["soak"]["hours"][0] > 0
+    assert small.failed == ["90 % of peak"]
+
+
 def test_rules_of_dispatch_are_compared_and_a_missed_goal_is_said_to_be_missed(small: Report) -> None:
     found = lines(small, "dispatch")
     assert [line.split()[0] for line in found] == ["random", "nearest", "assignment", "assignment", "its"]

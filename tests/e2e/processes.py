@@ -7,7 +7,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import count, islice
 from pathlib import Path
@@ -61,12 +61,12 @@ def quick_plant(name: str, directory: Path) -> Path:
 
 
 @contextmanager
-def running(*arguments: str, log: Path) -> Iterator[subprocess.Popen[bytes]]:
+def running(*arguments: str, log: Path, command: Sequence[str] = COMMAND) -> Iterator[subprocess.Popen[bytes]]:
     """Run ``hoistway`` with these arguments; whatever happens, it ends with the block."""
     env = {**os.environ, "PYTHONUNBUFFERED": "1"}
     with (
         log.open("ab") as out,
-        subprocess.Popen([*COMMAND, *arguments], stdout=out, stderr=out, stdin=subprocess.DEVNULL, env=env) as process,
+        subprocess.Popen([*command, *arguments], stdout=out, stderr=out, stdin=subprocess.DEVNULL, env=env) as process,
     ):
         try:
             yield process

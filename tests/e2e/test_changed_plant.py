@@ -2,6 +2,7 @@
 
 import signal
 import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, suppress
 from pathlib import Path
@@ -10,7 +11,17 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.e2e.processes import HTTP, answers, free_ports, journal_of, quick_plant, running, wait_until
+from tests.e2e.processes import (
+    COMMAND,
+    GENEROUS,
+    HTTP,
+    answers,
+    free_ports,
+    journal_of,
+    quick_plant,
+    running,
+    wait_until,
+)
 
 NEW = "  P9: {kind: port, at: 108, dest: {shft: 5, rota: 5, lift: 5}}\n"
 
@@ -28,8 +39,13 @@ class Plant:
         sim = ("sim", "--plant", str(simulated), "--haste", "4", "--journal", str(self.journal))
         stack.enter_context(running(*sim, log=directory / "sim.log"))
         database = f"sqlite:///{directory / 'plant.db'}"
-        serve = ("serve", "--plant", str(self.file), "--database", database, "--port", str(port))
-        self.process: subprocess.Popen[bytes] = stack.enter_context(running(*serve, log=self.log))
+        self._stack = stack
+        self._serve = ("serve", "--plant", str(self.file), "--database", database, "--port", str(port))
+
+    def start(self, *killed_at: str) -> None:
+        """Run the controller; ``killed_at``: until it is killed at that point."""
+        command = (sys.executable, "-m", "tests.e2e.killed_at", *killed_at) if killed_at else COMMAND
+        self.process = self._stack.enter_context(running(*self._serve, log=self.log, command=command))
         wait_until(lambda: answers(self.url) and self.idle(), "the plant", self.log)
 
     def get(self, path: str) -> Any:
@@ -59,6 +75,21 @@ class Plant:
     def stations(self) -> set[str]:
         return {station["id"] for station in self.get("/stations")["items"]}
 
+    def layout(self, *words: str) -> str:
+        """Say ``hoistway layout …`` to the controller, and return what it says."""
+        told = subprocess.run(
+            [*COMMAND, "layout", *words, "--url", self.url],
+            capture_output=True,
+            text=True,
+            timeout=GENEROUS,
+            check=False,
+        )
+        return f"{told.stdout}{told.stderr}exit {told.returncode}"
+
+    def versions(self) -> dict[int, str]:
+        """Return number and state of all versions."""
+        return {one["number"]: one["state"] for one in self.get("/layout/versions")["items"]}
+
     def said(self, text: str) -> bool:
         return text in self.log.read_text(encoding="utf-8")
 
@@ -69,24 +100,99 @@ def plant(tmp_path: Path) -> Iterator[Plant]:
         yield Plant(tmp_path, stack)
 
 
+def with_port(text: str) -> str:
+    return text.replace("  B1: {", NEW + "  B1: {")
+
+
+def without(text: str, station: str) -> str:
+    return "\n".join(line for line in text.splitlines() if not line.startswith(f"  {station}:")) + "\n"
+
+
 def test_a_plant_changes_under_a_job_without_losing_it_and_changes_back(plant: Plant) -> None:
+    plant.start()
     plant.order("J1", "P1", "P3")
     wait_until(lambda: plant.get("/jobs/J1")["picked"] is not None, "the carrier aboard", plant.log)
-    plant.change(plant.text.replace("  B1: {", NEW + "  B1: {"))
+    plant.change(with_port(plant.text))
     wait_until(lambda: answers(plant.url) and "P9" in plant.stations(), "the new station", plant.log)
     wait_until(lambda: plant.get("/jobs/J1")["state"] == "completed", "the job", plant.log)
     assert [act["deed"] for act in journal_of(plant.journal) if act["carrier"] == "FOUP0001"] == ["take", "put"]
 
     plant.order("J2", "P3", "P2")
-    without = "\n".join(line for line in plant.text.splitlines() if not line.startswith("  P2:")) + "\n"
-    plant.change(without.replace("  B1: {", NEW + "  B1: {"))
+    plant.change(with_port(without(plant.text, "P2")))
     wait_until(lambda: plant.said("it names P2, which the new plant does not have"), "the refusal", plant.log)
     assert {"P2", "P9"} <= plant.stations()
     plant.change("barcodes: {}\n")
-    wait_until(lambda: plant.said("has 1 errors") or plant.said(" errors"), "the refusal of no plant", plant.log)
+    wait_until(lambda: plant.said("the plant file has no track"), "the refusal of no plant", plant.log)
     wait_until(lambda: plant.get("/jobs/J2")["state"] == "completed", "the second job", plant.log)
 
     plant.change(plant.text)
     wait_until(lambda: answers(plant.url) and "P9" not in plant.stations(), "the plant as it was", plant.log)
     assert plant.process.poll() is None
     assert not plant.said("Traceback")
+
+
+def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back(plant: Plant, tmp_path: Path) -> None:
+    plant.start()
+    new, less, wrong = (tmp_path / name for name in ("new.yaml", "less.yaml", "wrong.yaml"))
+    new.write_text(with_port(plant.text), encoding="utf-8")
+    less.write_text(with_port(without(plant.text, "P2")), encoding="utf-8")
+    wrong.write_text(plant.text.replace("at: 104", "at: 904"), encoding="utf-8")
+
+    told = plant.layout("stage", str(wrong), "--reason", "typing error")
+    assert "904" in told
+    assert "exit 1" in told
+    told = plant.layout("stage", str(new), "--reason", "a port more")
+    assert "station P9 added" in told
+    assert "version 2 is staged" in told
+    assert "exit 0" in told
+    assert plant.versions() == {1: "active", 2: "staged"}
+    assert plant.layout("activate", "2", "--reason", "it is built") == "version 2 is active\nexit 0"
+    assert "P9" in plant.stations()
+
+    HTTP.post(f"{plant.url}/api/v1/controller/pause", json={"reason": "one after the other"})
+    plant.order("J1", "P1", "P2")
+    plant.order("J2", "P2", "P3")
+    told = plant.layout("stage", str(less), "--reason", "P2 goes")
+    assert "in the way: job J1: it names P2, which the new plant does not have" in told
+    told = plant.layout("activate", "3", "--reason", "P2 goes")
+    assert "job J1 stands in the way" in told
+    assert "exit 1" in told
+    body = {"reason": "P2 goes", "wait": True}
+    patient = HTTP.post(f"{plant.url}/api/v1/layout/versions/3/activate", json=body, headers={"X-Actor": "kim"})
+    assert [one["name"] for one in patient.json()["in_the_way"]] == ["J1", "J2"]
+    HTTP.post(f"{plant.url}/api/v1/controller/resume")
+    wait_until(lambda: plant.versions() == {1: "former", 2: "former", 3: "active"}, "the change", plant.log)
+    assert [plant.get(f"/jobs/{job}")["state"] for job in ("J1", "J2")] == ["completed"] * 2
+    assert "P2" not in plant.stations()
+    assert plant.layout("rollback", "--reason", "P2 stays") == "version 2 is active\nexit 0"
+    assert {"P2", "P9"} <= plant.stations()
+    assert not plant.said("Traceback")
+
+
+@pytest.mark.parametrize(
+    ("point", "when"),
+    [
+        ("app.store.versions:VersionStore.ask", "after"),
+        ("app.runtime.controller:Controller.stop", "before"),
+        ("app.store.versions:VersionStore.activate", "before"),
+        ("app.store.versions:VersionStore.activate", "after"),
+    ],
+)
+def test_a_controller_killed_in_a_change_over_goes_on_with_one_version_and_all_jobs(
+    plant: Plant, point: str, when: str
+) -> None:
+    plant.start(point, when)
+    plant.order("J1", "P1", "P3")
+    wait_until(lambda: plant.get("/jobs/J1")["picked"] is not None, "the carrier aboard", plant.log)
+    text = with_port(plant.text)
+    staging, headers = f"{plant.url}/api/v1/layout/versions?reason=a+port+more", {"Content-Type": "application/yaml"}
+    assert HTTP.post(staging, content=text, headers=headers).status_code == 201
+    with suppress(httpx.TransportError):
+        body = {"reason": "it is built"}
+        HTTP.post(f"{plant.url}/api/v1/layout/versions/2/activate", json=body, headers={"X-Actor": "kim"})
+    wait_until(lambda: plant.process.poll() == -signal.SIGKILL, "the kill", plant.log)
+    plant.start()
+    wait_until(lambda: plant.versions() == {1: "former", 2: "active"}, "the change", plant.log)
+    wait_until(lambda: plant.get("/jobs/J1")["state"] == "completed", "the job", plant.log)
+    assert "P9" in plant.stations()
+    assert [act["deed"] for act in journal_of(plant.journal) if act["carrier"] == "FOUP0001"] == ["take", "put"]

@@ -1,8 +1,9 @@
 """The controller on the loop, against simulated vehicles behind real sockets in the same process."""
 
 import asyncio
+import socket
 from collections.abc import AsyncIterator
-from contextlib import AsyncExitStack, asynccontextmanager, suppress
+from contextlib import AsyncExitStack, ExitStack, asynccontextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -199,6 +200,27 @@ def test_an_address_for_vehicles_that_is_taken_is_an_error_and_lets_the_plant_go
         server.close()
         async with controlled(replace(plant, listen=("127.0.0.1", 0)), directory):
             pass
+
+    run(scenario)
+
+
+def test_a_start_at_a_taken_address_ends_also_while_vehicles_that_are_dialled_answer(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        directory = in_pieces(tmp_path, "answering")
+        plant = plant_in(directory)
+        first, *others = plant.vehicles
+        with ExitStack() as stack:
+            # The system accepts for them, so that the connections are made at the very moment of the refusal.
+            taken, *peers = (stack.enter_context(socket.create_server(("127.0.0.1", 0))) for _ in plant.vehicles)
+            dialled = [
+                replace(spec, host="127.0.0.1", port=peer.getsockname()[1])
+                for spec, peer in zip(others, peers, strict=True)
+            ]
+            vehicles = (replace(first, listen=True, host=""), *dialled)
+            with pytest.raises(OSError, match="in use"):
+                await Controller(
+                    replace(plant, vehicles=vehicles, listen=taken.getsockname()), database_in(directory)
+                ).start()
 
     run(scenario)
 

@@ -66,6 +66,42 @@ def test_a_dialler_stops_at_any_moment_of_an_attempt() -> None:
     run(scenario)
 
 
+def test_a_line_is_cut_at_any_moment_of_an_attempt_that_succeeds() -> None:
+    async def scenario() -> None:
+        async with served(Echo()) as server:
+            for rounds in range(40):
+                ours = Echo()
+                line = Line(ours, now)
+                dialler = Dialler(line, Tcp("127.0.0.1", server.port), "V1")
+                dialler.start()
+                for _ in range(rounds % 10):
+                    await asyncio.sleep(0)
+                await dialler.stop()
+                await line.disconnected()
+                assert ours.notes in ([], ["connected", "disconnected"])
+
+    run(scenario)
+
+
+def test_what_a_peer_says_at_once_is_heard() -> None:
+    async def scenario() -> None:
+        ours = Echo()
+
+        async def greet(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+            writer.write(b"hello")
+            await reader.read()
+            writer.close()
+
+        server = await asyncio.start_server(greet, "127.0.0.1", 0)
+        dialler = Dialler(Line(ours, now), Tcp("127.0.0.1", server.sockets[0].getsockname()[1]), "V1")
+        dialler.start()
+        await until(lambda: "hello" in ours.notes)
+        await dialler.stop()
+        server.close()
+
+    run(scenario)
+
+
 def test_a_device_serves_one_controller_at_a_time() -> None:
     async def scenario() -> None:
         echo = Echo()

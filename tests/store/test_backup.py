@@ -133,7 +133,8 @@ def test_an_older_schema_is_brought_up_to_date_when_it_is_put_back(
     file = tmp_path / "old.backup"
     a_backup(sqlite_url, open_ledger, file)
     with sqlite3.connect(file) as connection:
-        connection.execute("DROP TABLE restored")
+        for table in ("restored", "plant_versions", "plant_file"):
+            connection.execute(f"DROP TABLE {table}")
         connection.execute("UPDATE alembic_version SET version_num = 'r0011'")
     connection.close()
     assert put_back(file, sqlite_url, "me", LATER)[0].schema == "r0011"

@@ -1,11 +1,11 @@
-"""A server whose callers have to log in, and pages to it in one Chromium: shared by the tests of a module."""
+"""A server whose callers have to log in, and pages to it: shared by the tests of a module."""
 
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from app.domain.access import Role
 from app.runtime.access import Access
@@ -13,18 +13,9 @@ from app.runtime.passwords import Passwords
 from app.runtime.reception import Reception
 from tests.api.receptions import CHEAP, PASSWORD, ROOT, Hand, made
 from tests.api.scripted import Scripted
-from tests.e2e.processes import GENEROUS
+from tests.web.conftest import PATIENCE
 from tests.web.served import Served, served
-from tools.chromium import installed
 
-FLAGS = (
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--disable-background-networking",
-    "--disable-dev-shm-usage",
-)
-PATIENCE = GENEROUS * 500
 STAFF = {"kim": Role.ADMIN, "lee": Role.OPERATOR, "mia": Role.MAINTENANCE, "vic": Role.VIEWER}
 """Who works here. All have the same password."""
 
@@ -75,7 +66,7 @@ def log_in(page: Page, name: str, password: str = PASSWORD) -> None:
 
 
 @contextmanager
-def staffed(directory: Path, controller: Scripted | None = None) -> Iterator[Staffed]:
+def staffed(chromium: Browser, directory: Path, controller: Scripted | None = None) -> Iterator[Staffed]:
     """Serve with :data:`STAFF` known, until the block ends."""
     clock = Hand()
     # The page goes by the server's Date.
@@ -83,13 +74,11 @@ def staffed(directory: Path, controller: Scripted | None = None) -> Iterator[Sta
     controller = controller or Scripted()
     desk = Reception(Access(made(f"sqlite:///{directory}/access.db"), clock), Passwords(CHEAP))
     controller.reception = desk
-    with sync_playwright() as play, served(controller=controller) as server:
-        chromium = play.chromium.launch(executable_path=installed(), args=list(FLAGS))
+    with served(controller=controller) as server:
         server.wait(desk.access.start())
         try:
             for name, role in STAFF.items():
                 assert server.wait(desk.add_user(name, frozenset({role}), PASSWORD, ROOT)) is None
             yield Staffed(server, desk, clock, chromium)
         finally:
-            chromium.close()
             server.wait(desk.access.stop())

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 
 from app.domain.device_requests import RaiseEmergency
 from app.domain.drive import Parameter
@@ -29,8 +29,8 @@ pytestmark = [
 
 
 @pytest.fixture(scope="module")
-def plant(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
-    with staffed(tmp_path_factory.mktemp("panels")) as plant:
+def plant(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
+    with staffed(chromium, tmp_path_factory.mktemp("panels")) as plant:
         yield plant
 
 
@@ -98,6 +98,7 @@ def test_a_drives_parameters_are_watched_live_as_long_as_somebody_looks(plant: S
         assert isinstance(view, ParameterView)
         plant.server.show([Update(Topic.PARAMETERS, "D1/1C", replace(view, raw=400, value=4.0))])
         expect(box.locator(".u-legend")).to_contain_text("Acceleration (s)")
+        expect(box.locator(".u-legend .u-value").last).to_have_text("4")
         page.wait_for_function("() => Number(document.querySelector('[data-points]').dataset.points) >= 2")
         box.get_by_role("button", name="End", exact=True).click()
         expect(box.get_by_role("button", name="Watch", exact=True)).to_be_visible()

@@ -101,7 +101,7 @@ def test_steps_lead_from_event_to_event_and_what_happened_is_listed(
     expect(listed.first).to_contain_text("Alarm cleared")
     page.get_by_role("button", name="Next event").click()
     expect(page.locator(".past-events [aria-current]")).to_contain_text("Alarm set")
-    page.wait_for_function("at => location.hash.includes(at)", arg=f"at={AT}15.05")
+    page.wait_for_function("at => location.hash.includes(at)", arg=f"at={AT}15.5")
     page.keyboard.press(".")
     expect(page.locator(".past-events [aria-current]")).to_contain_text("Alarm cleared")
     page.keyboard.press(",")

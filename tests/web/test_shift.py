@@ -1,17 +1,21 @@
 """An operator's work in a real browser, against the real server and its simulated vehicles; and who cannot use a mouse."""
 
 import re
+import subprocess
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
+from tests.api.receptions import PASSWORD
 from tests.api.recordings import recorded
-from tests.e2e.processes import answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import COMMAND, GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 from tests.web.looks import faults
 from tests.web.served import served
+from tests.web.staffed import log_in
 from tests.web.whole import whole
 from tools.chromium import installed
 
@@ -21,38 +25,55 @@ pytestmark = [
 ]
 
 
+@dataclass(frozen=True)
+class Site:
+    """Where the page is, and where the hands at the simulated hoists are."""
+
+    url: str
+    hands: str
+
+
 @pytest.fixture
-def plant(tmp_path: Path) -> Iterator[str]:
-    """The small plant whose port P2 was never taught; gives the page's address."""
+def plant(tmp_path: Path) -> Iterator[Site]:
+    """The small plant, where kim may log in, and whose port P2 was never taught."""
     file = quick_plant("small", tmp_path)
     text, found = re.subn(r"(P2: \{.*?), dest: \{.*?\}", r"\1", file.read_text(encoding="utf-8"))
     assert found == 1
     file.write_text(text, encoding="utf-8")
-    (port,) = free_ports(1)
-    url, log = f"http://127.0.0.1:{port}", tmp_path / "demo.log"
-    with running("demo", "--plant", str(file), "--port", str(port), log=log):
-        wait_until(lambda: answers(url), "the server", log)
-        yield url
+    port, hands = free_ports(2)
+    database = f"sqlite:///{tmp_path}/plant.db"
+    site, log = Site(f"http://127.0.0.1:{port}", f"http://127.0.0.1:{hands}"), tmp_path / "demo.log"
+    roles = ("--role", "operator", "--role", "maintenance")
+    made = ("users", "add", "kim", *roles, "--database", database, "--password-stdin")
+    subprocess.run([*COMMAND, *made], input=PASSWORD, text=True, check=True, capture_output=True, timeout=GENEROUS)
+    at = ("--plant", str(file), "--port", str(port), "--operator", str(hands), "--database", database)
+    with running("demo", *at, log=log):
+        wait_until(lambda: answers(site.url), "the server", log)
+        yield site
     assert "Traceback" not in log.read_text(encoding="utf-8")
 
 
-def test_an_operator_posts_follows_closes_a_rail_and_reads_why(page: Page, plant: str) -> None:
+def test_an_operators_shift(page: Page, plant: Site) -> None:
     complaints, asked = [], []
+    page.goto(plant.url)
+    log_in(page, "kim")
+    expect(page.locator(".link.live")).to_be_visible()
+    # From here on: until somebody has logged in, the browser says of each refusal that it was one.
     page.on("console", lambda said: complaints.append(said.text) if said.type in {"error", "warning"} else None)
     page.on("pageerror", lambda error: complaints.append(str(error)))
     page.on("request", lambda request: asked.append(request.url))
-    page.goto(plant)
-    expect(page.locator(".link.live")).to_be_visible()
-    page.get_by_label("Your name").fill("kim")
     for vehicle in ("V001", "V002"):
         expect(page.locator(".chip", has_text=vehicle)).to_contain_text(re.compile("idle|parked"))
 
     transfer(page, "P1", "B2")
     follow(page)
     close_a_rail_and_read_why(page)
+    recover_an_alarm(page, plant.hands)
+    teach_and_approve(page)
+    play_back(page)
 
     assert complaints == []
-    assert {urlsplit(url).netloc for url in asked} == {urlsplit(plant).netloc}
+    assert {urlsplit(url).netloc for url in asked if not url.startswith("blob:")} == {urlsplit(plant.url).netloc}
 
 
 def order(page: Page, source: str, destination: str) -> None:
@@ -111,6 +132,92 @@ def close_a_rail_and_read_why(page: Page) -> None:
     closure.get_by_role("button", name="Sure?").click()
     expect(closure).to_have_count(0)
     expect(job.locator(".state")).to_have_text("completed")
+
+
+def sure(place: Locator, name: str) -> None:
+    """Press what has to be pressed twice."""
+    place.get_by_role("button", name=name, exact=True).click()
+    place.get_by_role("button", name="Sure?").click()
+
+
+def choose(page: Page, vehicle: str) -> Locator:
+    """Choose a vehicle on the map's strip, and open what can be asked of it; return its panel."""
+    room(page, "Map")
+    chip = page.locator(".chip", has_text=vehicle)
+    if chip.get_attribute("aria-pressed") != "true":
+        chip.click()
+    panel = page.locator(".panel", has=page.locator("h2", has_text=vehicle))
+    panel.locator("details.acts", has_text="Commands").evaluate("(box) => { box.open = true; }")
+    return panel
+
+
+def recover_an_alarm(page: Page, hands: str) -> None:
+    """A hoist has an alarm: say that one knows of it, look what helps, recover it, and see that it works again."""
+    HTTP.post(f"{hands}/hoists/V002/alarm", json={"alarm": 105}).raise_for_status()
+    room(page, "Alarms")
+    alarm = page.locator('[data-alarm="vehicle V002"]')
+    expect(alarm).to_contain_text("105")
+    alarm.get_by_label("Note").fill("I am on my way")
+    alarm.get_by_role("button", name="Acknowledge").click()
+    expect(alarm).to_contain_text(re.compile("kim .* I am on my way"))
+    panel = choose(page, "V002")
+    expect(panel.locator("h2")).to_contain_text(re.compile("alarm", re.IGNORECASE))
+    sure(panel, "Recover from the alarm")
+    expect(page.locator(".chip", has_text="V002")).to_contain_text(re.compile("idle|parked|moving"))
+    room(page, "Alarms")
+    expect(alarm).to_have_count(0)
+
+
+def teach_and_approve(page: Page) -> None:
+    """Teach the port that was never taught, approve it, and send a carrier there."""
+    room(page, "Teaching")
+    teaching = page.get_by_role("region", name="Teaching")
+    teaching.get_by_role("button", name="Sessions").click()
+    teaching.locator("input[name=station]").fill("P2")
+    teaching.locator("input[name=vehicle]").fill("V001")
+    teaching.get_by_role("button", name="Open a session").click()
+    expect(teaching.locator("[data-session]")).to_contain_text("106")
+    panel = choose(page, "V001")
+    panel.get_by_label("Move to barcode").fill("106")
+    panel.get_by_label("Stops for").select_option("port")
+    sure(panel, "Move")
+    expect(panel.locator("dt:text-is('Place') + dd")).to_have_text("106")
+    expect(panel.locator("h2")).to_contain_text("idle")
+    sure(panel.locator("[data-commands]"), "Stop (to MANT)")
+    expect(panel.locator("dt:text-is('Mode') + dd")).to_contain_text("MANT")
+    room(page, "Teaching")
+    teaching.get_by_role("button", name="Sessions").click()
+    teaching.locator("tbody td").first.click()
+    teaching.locator("[data-session]").get_by_role("button", name="Teach DEST").click()
+    teaching.get_by_role("button", name="Proposals").click()
+    proposal = teaching.locator("[data-proposal]")
+    expect(proposal).to_contain_text("P2")
+    sure(proposal, "Approve")
+    expect(proposal).to_contain_text(re.compile("approved.*kim"))
+    teaching.get_by_role("button", name="Sessions").click()
+    teaching.locator("tbody td").first.click()
+    teaching.get_by_role("button", name="Close the session").click()
+    expect(teaching.locator("[data-session]")).to_contain_text("closed")
+    order(page, "P3", "P2")
+    expect(page.locator(".jobs .job").first.locator(".state")).to_have_text("completed")
+
+
+def play_back(page: Page) -> None:
+    """Look at all that again: what happened is listed, the alarm is where it was, and one click leads back."""
+    room(page, "Playback")
+    listed = page.locator(".past-events li")
+    for words in ("Place closed", "Place opened", "Alarm set", "Alarm cleared", "Teaching approved"):
+        expect(listed.filter(has_text=words).first).to_be_visible()
+    listed.filter(has_text=re.compile("Alarm set V002")).get_by_role("button").click()
+    mode = page.locator(".panel dt:text-is('Mode') + dd")
+    page.get_by_role("button", name="Play", exact=True).click()
+    expect(mode).to_contain_text("ALARM · 0x0069")
+    page.locator(".play").click()
+    listed.filter(has_text="Place closed").get_by_role("button").last.click()
+    expect(page.locator(".panel h2")).to_contain_text("V002")
+    expect(mode).not_to_contain_text("ALARM")
+    page.get_by_role("button", name="Back to live").click()
+    expect(page.locator(".link.live")).to_be_visible()
 
 
 ROOMS = (

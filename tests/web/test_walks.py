@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Browser, expect
 
 from app.domain.ids import Actor, CarrierId, StationId
 from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, Sight, StartWalk
@@ -20,8 +20,8 @@ pytestmark = [
 
 
 @pytest.fixture(scope="module")
-def plant(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
-    with staffed(tmp_path_factory.mktemp("walks")) as plant:
+def plant(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Staffed]:
+    with staffed(chromium, tmp_path_factory.mktemp("walks")) as plant:
         yield plant
 
 

@@ -7,6 +7,8 @@ export class Refused extends Error {
     message: string,
     readonly remedy = "",
     readonly field = "",
+    /** Each thing that is wrong, where there are several. */
+    readonly errors: Record<string, unknown>[] = [],
   ) {
     super(message);
   }
@@ -96,6 +98,7 @@ async function refusal(response: Response): Promise<Refused> {
     text("detail") || text("title") || `${response.status} ${response.statusText}`,
     text("remedy"),
     text("field"),
+    Array.isArray(problem["errors"]) ? (problem["errors"] as Record<string, unknown>[]) : [],
   );
 }
 

@@ -2,7 +2,7 @@
 import { effect, signal } from "@preact/signals";
 import { type Selection, selected } from "./store";
 
-export const ROOMS = ["map", "vehicles", "jobs", "alarms", "closures", "stations", "walks", "teaching", "statistics", "playback", "access", "audit", "webhooks"] as const;
+export const ROOMS = ["map", "vehicles", "jobs", "alarms", "closures", "stations", "walks", "teaching", "statistics", "playback", "layouts", "access", "audit", "webhooks"] as const;
 export type Room = (typeof ROOMS)[number];
 
 const KINDS = new Set(["vehicle", "station", "device", "drive", "job"]);

@@ -595,6 +595,8 @@ export interface LayoutZone {
 /** Lengths and places in mm, speeds of edges in percent, of vehicles in mm/s. */
 export interface Layout {
   name: string;
+  /** Of the plant; null where no versions are kept. */
+  version?: number | null;
   points: LayoutPoint[];
   edges: LayoutEdge[];
   stations: { id: string; kind: string; barcode: string; display: string; buffer: string | null }[];

@@ -579,6 +579,41 @@ class Calls(Synchronous):
         """
         return cast("m.Page[m.RouteView]", self._call("GET", "/api/v1/layout/routes", params={"from": from_, "to": to, "k": k}))
 
+    def list_versions(self, *, after: int | None = None, limit: int | None = None) -> m.Page[m.PlantVersion]:
+        """List the versions of the plant; go on with ``after`` = ``next``."""
+        return cast("m.Page[m.PlantVersion]", self._call("GET", "/api/v1/layout/versions", params={"after": after, "limit": limit}))
+
+    def stage_version(self, *, reason: str | None = None) -> m.StagedVersion:
+        """Stage a plant file. One with errors is refused with all of them, each with line, column and remedy."""
+        return cast("m.StagedVersion", self._call("POST", "/api/v1/layout/versions", params={"reason": reason}))
+
+    def get_version(self, version: int) -> m.PlantVersion:
+        """Show one version, without its text."""
+        return cast("m.PlantVersion", self._call("GET", f"/api/v1/layout/versions/{path(version)}"))
+
+    def list_version_findings(self, version: int) -> m.Page[m.PlantFinding]:
+        """List what the checker says to a version."""
+        return cast("m.Page[m.PlantFinding]", self._call("GET", f"/api/v1/layout/versions/{path(version)}/findings"))
+
+    def compare_version(self, version: int, *, against: int | None = None) -> m.PlantDifference:
+        """Show what is different in a version, and what that breaks in a plant that has run."""
+        return cast("m.PlantDifference", self._call("GET", f"/api/v1/layout/versions/{path(version)}/diff", params={"against": against}))
+
+    def weigh_version(self, version: int) -> m.PlantImpact:
+        """Show what would stand in the way of a version if it became active now, and what would be lost."""
+        return cast("m.PlantImpact", self._call("GET", f"/api/v1/layout/versions/{path(version)}/impact"))
+
+    def activate_version(self, version: int, body: m.ActivateIn) -> m.PlantActivation:
+        """Let a version be the active one; a former one: roll back. Refused, with a list, if it breaks anything under
+        way. The controller changes over within seconds: connections are cut, vehicles end what they were granted, jobs
+        go on. Ask for the version until it is ``active``; if it is not ``awaited`` any more either, ``note`` says why.
+        """
+        return cast("m.PlantActivation", self._call("POST", f"/api/v1/layout/versions/{path(version)}/activate", body=body))
+
+    def reject_version(self, version: int, body: m.RejectVersionIn) -> m.PlantVersion:
+        """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
+        return cast("m.PlantVersion", self._call("POST", f"/api/v1/layout/versions/{path(version)}/reject", body=body))
+
     def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, accepted: bool | None = None, from_: str | None = None, to: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
         """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
         return cast("m.Page[m.Audit]", self._call("GET", "/api/v1/audit", params={"after": after, "limit": limit, "actor": actor, "action": action, "target": target, "accepted": accepted, "from": from_, "to": to, "order": order}))
@@ -1274,6 +1309,41 @@ class AsyncCalls(Asynchronous):
         delays.
         """
         return cast("m.Page[m.RouteView]", await self._call("GET", "/api/v1/layout/routes", params={"from": from_, "to": to, "k": k}))
+
+    async def list_versions(self, *, after: int | None = None, limit: int | None = None) -> m.Page[m.PlantVersion]:
+        """List the versions of the plant; go on with ``after`` = ``next``."""
+        return cast("m.Page[m.PlantVersion]", await self._call("GET", "/api/v1/layout/versions", params={"after": after, "limit": limit}))
+
+    async def stage_version(self, *, reason: str | None = None) -> m.StagedVersion:
+        """Stage a plant file. One with errors is refused with all of them, each with line, column and remedy."""
+        return cast("m.StagedVersion", await self._call("POST", "/api/v1/layout/versions", params={"reason": reason}))
+
+    async def get_version(self, version: int) -> m.PlantVersion:
+        """Show one version, without its text."""
+        return cast("m.PlantVersion", await self._call("GET", f"/api/v1/layout/versions/{path(version)}"))
+
+    async def list_version_findings(self, version: int) -> m.Page[m.PlantFinding]:
+        """List what the checker says to a version."""
+        return cast("m.Page[m.PlantFinding]", await self._call("GET", f"/api/v1/layout/versions/{path(version)}/findings"))
+
+    async def compare_version(self, version: int, *, against: int | None = None) -> m.PlantDifference:
+        """Show what is different in a version, and what that breaks in a plant that has run."""
+        return cast("m.PlantDifference", await self._call("GET", f"/api/v1/layout/versions/{path(version)}/diff", params={"against": against}))
+
+    async def weigh_version(self, version: int) -> m.PlantImpact:
+        """Show what would stand in the way of a version if it became active now, and what would be lost."""
+        return cast("m.PlantImpact", await self._call("GET", f"/api/v1/layout/versions/{path(version)}/impact"))
+
+    async def activate_version(self, version: int, body: m.ActivateIn) -> m.PlantActivation:
+        """Let a version be the active one; a former one: roll back. Refused, with a list, if it breaks anything under
+        way. The controller changes over within seconds: connections are cut, vehicles end what they were granted, jobs
+        go on. Ask for the version until it is ``active``; if it is not ``awaited`` any more either, ``note`` says why.
+        """
+        return cast("m.PlantActivation", await self._call("POST", f"/api/v1/layout/versions/{path(version)}/activate", body=body))
+
+    async def reject_version(self, version: int, body: m.RejectVersionIn) -> m.PlantVersion:
+        """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
+        return cast("m.PlantVersion", await self._call("POST", f"/api/v1/layout/versions/{path(version)}/reject", body=body))
 
     async def list_audit(self, *, after: int | None = None, limit: int | None = None, actor: str | None = None, action: str | None = None, target: str | None = None, accepted: bool | None = None, from_: str | None = None, to: str | None = None, order: Literal['oldest', 'newest'] | None = None) -> m.Page[m.Audit]:
         """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""

@@ -26,6 +26,16 @@ class AcceptIn(TypedDict):
     partial: NotRequired[bool]
 
 
+class ActivateIn(TypedDict):
+    """Why. ``wait``: also if something stands in its way now; it becomes active once nothing does any more.
+    ``instead_of``: the version that is active as far as the caller knows; if another one is, nothing is done.
+    """
+
+    reason: str
+    wait: NotRequired[bool]
+    instead_of: NotRequired[int | None]
+
+
 class Agv(TypedDict):
     """What only AGVs report (PROTOCOLS 3.3): ``cart`` none, present or unknown, ``lift`` down, up or unknown,
     ``steering`` straight, left, right or mark_stop, ``path`` the number of the last move taken. ``toward`` is the
@@ -636,6 +646,7 @@ class KeyIn(TypedDict):
 
 class Layout(TypedDict):
     name: str
+    version: int | None
     points: list[dict[str, Any]]
     edges: list[dict[str, Any]]
     stations: list[dict[str, Any]]
@@ -837,6 +848,77 @@ class PlainCommand(TypedDict):
     command: Literal['status', 'stop', 'stop_by_host', 'servo_on', 'servo_off', 'search_home', 'go_home', 'system_reset', 'alarm_clear', 'auto']
 
 
+class PlantActivation(TypedDict):
+    version: PlantVersion
+    in_the_way: list[PlantBreak]
+
+
+class PlantBreak(TypedDict):
+    what: str
+    name: str
+    text: str
+    remedy: str
+    touches: list[str]
+
+
+class PlantChange(TypedDict):
+    what: str
+    how: Literal['added', 'removed', 'changed', 'moved', 'renamed']
+    name: str
+    text: str
+    before: Any
+    after: Any
+
+
+class PlantDifference(TypedDict):
+    """As `hoistway layout diff` tells it, from `against` to `version`."""
+
+    version: int
+    against: int
+    changes: list[PlantChange]
+    breaks: list[PlantBreak]
+
+
+class PlantFinding(TypedDict):
+    """As `hoistway check` tells it. Lines and columns count from 1."""
+
+    line: int
+    column: int
+    severity: Literal['error', 'warning']
+    path: str
+    message: str
+    remedy: str
+
+
+class PlantImpact(TypedDict):
+    version: int
+    ready: bool
+    in_the_way: list[PlantBreak]
+    lost: list[PlantBreak]
+
+
+class PlantVersion(TypedDict):
+    """A version of the plant file. One is active at any time; at most one is awaited."""
+
+    number: int
+    digest: str
+    size: int
+    state: Literal['staged', 'awaited', 'active', 'former', 'rejected']
+    origin: Literal['file', 'upload']
+    at: str
+    actor: str
+    reason: str
+    activated: str | None
+    activated_by: str | None
+    why: str
+    before: int | None
+    asked: str | None
+    asked_by: str | None
+    asked_why: str
+    patient: bool
+    note: str
+
+
 class PlaybackChange(TypedDict):
     at: str
     topic: str
@@ -960,6 +1042,12 @@ class RejectIn(TypedDict):
     reason: str
 
 
+class RejectVersionIn(TypedDict):
+    """Why not."""
+
+    reason: str
+
+
 class ReleaseIn(TypedDict):
     """What a named person has found. ``barcode`` with ``stands_at`` only."""
 
@@ -1069,6 +1157,10 @@ class StageIn(TypedDict):
     """Which vehicle; none: the nearest that is free."""
 
     vehicle: NotRequired[str | None]
+
+
+class StagedVersion(PlantVersion):
+    findings: list[PlantFinding]
 
 
 class StartIn(TypedDict):

@@ -13,6 +13,7 @@ import { Header, Rooms } from "./Header";
 import { JobPanel } from "./JobPanel";
 import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
+import { Layouts } from "./Layouts";
 import { LogIn } from "./LogIn";
 import { PastPanel } from "./PastPanels";
 import { PastEvents, Playback } from "./Playback";
@@ -140,6 +141,8 @@ function Room() {
       return <Teaching />;
     case "statistics":
       return <Statistics />;
+    case "layouts":
+      return <Layouts />;
     default:
       return null;
   }

@@ -2,6 +2,8 @@
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { clock } from "../shows";
+import { t } from "../texts";
 import { theme } from "../theme";
 
 export interface LiveLine {
@@ -12,6 +14,8 @@ export interface LiveLine {
 
 const HEIGHT = 200;
 const COLOURS = ["--look-moving", "--look-held", "--look-charging", "--look-handling", "--look-waiting", "--look-alarm"];
+
+const timeOf = (seconds: number): string => clock(new Date(seconds * 1000).toISOString());
 
 /** `times` in seconds since 1970. It is drawn anew only when other lines are wanted. */
 export function LiveChart({ label, times, lines }: { label: string; times: number[]; lines: LiveLine[] }) {
@@ -30,7 +34,7 @@ export function LiveChart({ label, times, lines }: { label: string; times: numbe
         width: parent.clientWidth,
         height: HEIGHT,
         series: [
-          {},
+          { label: t("when"), value: (_, at) => (at === null ? "–" : timeOf(at)) },
           ...lines.map(({ label: name, unit }, i) => ({
             label: unit ? `${name} (${unit})` : name,
             scale: `of ${unit}`,
@@ -39,7 +43,7 @@ export function LiveChart({ label, times, lines }: { label: string; times: numbe
             spanGaps: true,
           })),
         ],
-        axes: [axis, ...units.slice(0, 2).map((unit, i) => ({ ...axis, scale: `of ${unit}`, side: (i ? 1 : 3) as uPlot.Axis.Side, grid: i ? { show: false } : axis.grid, ...(unit ? { label: unit, labelSize: 16 } : {}) }))],
+        axes: [{ ...axis, space: 80, values: (_, at) => at.map(timeOf) }, ...units.slice(0, 2).map((unit, i) => ({ ...axis, scale: `of ${unit}`, side: (i ? 1 : 3) as uPlot.Axis.Side, grid: i ? { show: false } : axis.grid, ...(unit ? { label: unit, labelSize: 16 } : {}) }))],
       },
       [times, ...lines.map(({ values }) => values)] as uPlot.AlignedData,
       parent,
@@ -53,7 +57,12 @@ export function LiveChart({ label, times, lines }: { label: string; times: numbe
       chart.current = null;
     };
   }, [wears, what]);
-  useEffect(() => chart.current?.setData([times, ...lines.map(({ values }) => values)] as uPlot.AlignedData), [times, lines]);
+  useEffect(() => {
+    const now = chart.current;
+    now?.setData([times, ...lines.map(({ values }) => values)] as uPlot.AlignedData);
+    // The newest values stand in the legend, unless somebody points at others.
+    if (now && (now.cursor.left ?? -1) < 0) now.setLegend({ idx: times.length - 1 });
+  }, [times, lines]);
   return (
     <figure class="chart">
       <figcaption>{label}</figcaption>

@@ -15,8 +15,8 @@ export const marks = signal<Happening[]>([]);
 /** The event that was stepped to last. */
 export const stepped = signal<Happening | null>(null);
 
-/** Shown so long after an event: what it changed is published with it, not before. */
-const AFTER = 0.05;
+/** Shown so long after an event, s: what it changed is published once it is durable. */
+const AFTER = 0.5;
 const MOST = 1000;
 
 export const iso = (seconds: number): string => new Date(seconds * 1000).toISOString();
@@ -36,13 +36,20 @@ export async function readMarks(): Promise<void> {
   }
 }
 
+/** From where to step: the event that is shown, or the moment if nobody stepped there. */
+function origin(): number {
+  const event = stepped.value;
+  const at = event ? Date.parse(event.ts) / 1000 : Number.NaN;
+  return Math.abs(at + AFTER - moment.value) < 0.01 ? at : moment.value;
+}
+
 /** Go to the next (1) or the one before (-1): of what is chosen, any event; else those of note. */
 export async function step(way: 1 | -1): Promise<void> {
   const span = kept.value;
   if (!span) return;
   pause();
-  const at = moment.value;
-  const [from, to] = way > 0 ? [at + 0.001, span.to + 1] : [span.from, at - AFTER - 0.001];
+  const at = origin();
+  const [from, to] = way > 0 ? [at + 0.001, span.to + 1] : [span.from, at];
   if (from >= to) return;
   const pick = selected.value;
   const query = new URLSearchParams({ from: iso(from), to: iso(to), limit: "1", newest: String(way < 0) });

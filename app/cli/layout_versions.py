@@ -1,0 +1,220 @@
+"""``hoistway layout stage | versions | get | activate | reject | rollback``: the versions of a running plant, over REST."""
+
+from __future__ import annotations
+
+import getpass
+import json as jsons
+import os
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from app.cli.plainly import CannotStart, plainly, refuse, text_of
+from app.domain.errors import HoistwayError
+
+if TYPE_CHECKING:
+    import httpx
+
+Url = Annotated[str, typer.Option(help="where the controller is", envvar="HOISTWAY_URL")]
+Reason = Annotated[str, typer.Option(help="why; kept with it")]
+Number = Annotated[int, typer.Argument(help="of the version", min=1)]
+Json = Annotated[bool, typer.Option("--json", help="print what the server answers")]
+VERSIONS = "/versions"
+HERE = "http://127.0.0.1:8080"
+WITHIN, PAUSE = 60.0, 0.25
+"""Seconds for an answer, and between two looks whether the plant has changed. Our choice."""
+
+
+class Refused(HoistwayError):
+    """The server did not do it; the message says why."""
+
+    code = "refused"
+
+
+class Server:
+    """The REST interface of a controller. Every call raises Refused, or CannotStart: nobody answers there."""
+
+    def __init__(self, client: httpx.Client) -> None:
+        self._client = client
+
+    def ask(self, method: str, path: str, **more: Any) -> httpx.Response:
+        """Ask, and return the answer."""
+        import httpx
+
+        try:
+            answer = self._client.request(method, path, **more)
+        except (httpx.HTTPError, httpx.InvalidURL) as wrong:
+            raise CannotStart(
+                f"{self._client.base_url} does not answer: {wrong}", remedy=f"Name it with --url, such as {HERE}."
+            ) from None
+        if answer.is_success:
+            return answer
+        raise _refused(answer)
+
+    def version(self, number: int) -> dict[str, Any]:
+        """Return a version; while the controller changes over, wait."""
+        for _ in range(int(WITHIN / PAUSE)):
+            try:
+                found: dict[str, Any] = self.ask("GET", f"{VERSIONS}/{number}").json()
+            except CannotStart:
+                time.sleep(PAUSE)
+            else:
+                return found
+        raise CannotStart("the controller does not answer any more", remedy="See its log.")
+
+
+@contextmanager
+def _server(url: str) -> Iterator[Server]:
+    """Give the server of a URL. The key, where one is wanted, is in HOISTWAY_KEY: on a command line everybody could read it."""
+    import httpx
+
+    headers = {"X-Actor": getpass.getuser(), "Accept": "application/json"}
+    if key := os.environ.get("HOISTWAY_KEY"):
+        headers["Authorization"] = f"Bearer {key}"
+    with plainly():
+        if not url.startswith(("http://", "https://")):
+            refuse(f"{url} is no URL", f"Write it like {HERE}.")
+        base = url.rstrip("/") + "/api/v1/layout"
+        with httpx.Client(base_url=base, headers=headers, timeout=WITHIN, trust_env=False) as client:
+            yield Server(client)
+
+
+def stage(
+    file: Annotated[Path, typer.Argument(help="the plant file")],
+    reason: Reason,
+    url: Url = HERE,
+    *,
+    json: Json = False,
+) -> None:
+    """Give a plant file to the controller as a new version: nothing changes yet. Prints what differs and what stands in the way.
+
+    Exit 0: it is staged, and nothing stands in its way. 1: something does, or it is refused.
+    """
+    with _server(url) as server:
+        sent = {"content": text_of(file).encode(), "headers": {"Content-Type": "application/yaml"}}
+        made = server.ask("POST", VERSIONS, params={"reason": reason}, **sent).json()
+        number = made["number"]
+        impact = server.ask("GET", f"{VERSIONS}/{number}/impact").json()
+        change = server.ask("GET", f"{VERSIONS}/{number}/diff").json()
+        if json:
+            print(jsons.dumps({"version": made, "diff": change, "impact": impact}, ensure_ascii=False))
+        else:
+            for finding in made["findings"]:
+                print(f"{file}:{finding['line']}:{finding['column']}: {finding['severity']}: {finding['message']}")
+            _show_change(change, impact)
+            print(f"version {number} is staged: hoistway layout activate {number} --reason WHY")
+        if not impact["ready"]:
+            raise typer.Exit(1)
+
+
+def versions(url: Url = HERE, *, json: Json = False) -> None:
+    """Show the versions of the plant, newest first."""
+    with _server(url) as server:
+        found = server.ask("GET", VERSIONS, params={"limit": 1000}).json()
+        if json:
+            print(jsons.dumps(found, ensure_ascii=False))
+            return
+        for one in found["items"]:
+            since = one["activated"] or one["at"]
+            who = one["activated_by"] or one["actor"]
+            why = one["why"] or one["reason"]
+            print(f"{one['number']:>5}  {one['state']:<9}{since[:16].replace('T', ' ')}Z  {who:<20}  {why}")
+            if one["note"]:
+                print(f"       {one['note']}")
+
+
+def get(
+    number: Number, output: Annotated[Path, typer.Option("--output", "-o", help="where to")], url: Url = HERE
+) -> None:
+    """Write the plant file of a version, to the letter."""
+    with _server(url) as server:
+        text = server.ask("GET", f"{VERSIONS}/{number}/file").content
+        try:
+            output.write_bytes(text)
+        except OSError as wrong:
+            refuse(f"{output} cannot be written: {wrong.strerror}")
+
+
+def activate(
+    number: Number,
+    reason: Reason,
+    url: Url = HERE,
+    *,
+    wait: Annotated[
+        bool, typer.Option("--wait", help="until nothing stands in its way; Ctrl-C leaves it awaited")
+    ] = False,
+) -> None:
+    """Let a version be the active one, without losing jobs. Refused, with a list, if it breaks anything under way.
+
+    Exit 0: it is active. 1: it is not, and why.
+    """
+    with _server(url) as server:
+        _activate(server, number, reason, wait=wait)
+
+
+def rollback(
+    reason: Reason,
+    url: Url = HERE,
+    *,
+    wait: Annotated[bool, typer.Option("--wait", help="until nothing stands in its way")] = False,
+) -> None:
+    """Activate the version that was active before the present one; the same rules hold."""
+    with _server(url) as server:
+        found = server.ask("GET", VERSIONS, params={"limit": 1000}).json()["items"]
+        active = next(one for one in found if one["state"] == "active")
+        if active["before"] is None:
+            refuse(f"version {active['number']} is the first: there is nothing to roll back to")
+        _activate(server, active["before"], reason, wait=wait, instead_of=active["number"])
+
+
+def reject(number: Number, reason: Reason, url: Url = HERE) -> None:
+    """Let a staged or awaited version not become active."""
+    with _server(url) as server:
+        made = server.ask("POST", f"{VERSIONS}/{number}/reject", json={"reason": reason}).json()
+        print(f"version {number} is {made['state']}")
+
+
+def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_of: int | None = None) -> None:
+    body = {"reason": reason, "wait": wait} | ({} if instead_of is None else {"instead_of": instead_of})
+    made = server.ask("POST", f"{VERSIONS}/{number}/activate", json=body).json()
+    for one in made["in_the_way"]:
+        print(f"waits for {one['what']} {one['name']}: {one['text']}")
+    while (found := server.version(number))["state"] == "awaited":
+        time.sleep(PAUSE)
+    if found["state"] != "active":
+        refuse(f"version {number} is {found['state']}: {found['note']}")
+    print(f"version {number} is active")
+
+
+def _show_change(change: Mapping[str, Any], impact: Mapping[str, Any]) -> None:
+    for one in change["changes"]:
+        print(f"{one['what']} {one['name']} {one['how']}" + (f": {one['text']}" if one["text"] else ""))
+    for word, found in (("in the way", impact["in_the_way"]), ("lost", impact["lost"])):
+        for one in found:
+            print(f"{word}: {one['what']} {one['name']}: {one['text']}")
+            if one["remedy"]:
+                print(f"    {one['remedy']}")
+    if not change["changes"]:
+        print("no difference to the plant that runs")
+
+
+def _refused(answer: httpx.Response) -> Refused:
+    try:
+        problem = answer.json()
+    except ValueError:
+        problem = {}
+    said = problem.get("detail") or f"{answer.status_code} {answer.reason_phrase}"
+    lines = [said, *(_line(error) for error in problem.get("errors", ()))]
+    return Refused("\n  ".join(lines), remedy=problem.get("remedy", ""))
+
+
+def _line(error: Mapping[str, Any]) -> str:
+    place = (
+        f"{error['line']}:{error['column']}: {error.get('severity', 'error')}" if "line" in error else error["field"]
+    )
+    remedy = f"; {error['remedy']}" if error.get("remedy") else ""
+    return f"{place}: {error['message']}{remedy}"

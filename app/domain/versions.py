@@ -1,0 +1,68 @@
+"""Versions of the plant: what was staged, by whom and why, which one runs, and which ran before."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from hashlib import sha256
+
+from app.domain.ids import Actor
+from app.domain.units import Timestamp
+
+
+class VersionState(StrEnum):
+    """Where a version is on its way. One is ``active`` at any time, at most one ``awaited``."""
+
+    STAGED = "staged"
+    """Taken in; it never ran."""
+    AWAITED = "awaited"
+    """It is to become the active one, as soon as nothing stands in its way."""
+    ACTIVE = "active"
+    FORMER = "former"
+    """It ran; to activate it again is to roll back."""
+    REJECTED = "rejected"
+    """A person does not want it, or the controller could not begin with it."""
+
+
+class Origin(StrEnum):
+    """Where a version came from."""
+
+    FILE = "file"
+    """The plant file that the controller was started with, or read again on SIGHUP."""
+    UPLOAD = "upload"
+
+
+@dataclass(frozen=True, slots=True)
+class PlantVersion:
+    """A version of the plant file; its text is kept beside it. Numbers rise from 1.
+
+    ``reason`` is why it was staged, ``why`` why it was activated last; ``before`` the version that was active until then.
+    ``asked``, ``asked_by`` and ``asked_why`` say who wants it active while it is awaited; ``patient``: also if something stands
+    in its way now. ``note`` is what became of the last wish that came to nothing.
+    """
+
+    number: int
+    digest: str
+    state: VersionState
+    origin: Origin
+    at: Timestamp
+    actor: Actor
+    reason: str
+    size: int
+    activated: Timestamp | None = None
+    activated_by: Actor | None = None
+    why: str = ""
+    before: int | None = None
+    asked: Timestamp | None = None
+    asked_by: Actor | None = None
+    asked_why: str = ""
+    patient: bool = False
+    note: str = ""
+
+    @property
+    def at_rest(self) -> VersionState:
+        """Its state when a wish to activate it comes to nothing."""
+        return VersionState.STAGED if self.activated is None else VersionState.FORMER
+
+
+def digest_of(text: str) -> str:
+    """Return what tells one text of a plant file from another: SHA-256, in hex."""
+    return sha256(text.encode("utf-8", "surrogatepass")).hexdigest()

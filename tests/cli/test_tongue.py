@@ -1,0 +1,177 @@
+"""The command line in Korean: everything that it explains and says is in the catalogue, in both languages."""
+
+import ast
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer
+
+from app.cli import app
+from app.cli.tongue import wished
+from app.texts import LANGUAGES, language_of, said, terminal
+
+ROOT = Path(__file__).parents[2]
+SLOT = re.compile(r"\{\d\}")
+SAYERS = {"say", "refuse", "_refuse", "CannotStart", "told_here", "_done", "BadParameter"}
+"""What takes sentences that a person reads in a terminal."""
+FRAME = {
+    *("Usage:", "Options", "Arguments", "Commands", "default", "required", "env var", "[OPTIONS]", "COMMAND [ARGS]..."),
+    "Show this message and exit.",
+    "No such option: {0}",
+    "No such option: {0} (Possible options: {1})",
+    "No such option: {0} Did you mean {1}?",
+    "No such command '{0}'.",
+    "No such command '{0}'. Did you mean {1}?",
+    "Missing command.",
+    "Missing option '{0}'.",
+    "Missing argument '{0}'.",
+    "Invalid value for '{0}': {1}",
+    "Got unexpected extra argument(s) ({0})",
+}
+"""What the library says that reads the command line."""
+
+
+def hoistway(*arguments: str, **env: str) -> subprocess.CompletedProcess[str]:
+    bare = {name: value for name, value in os.environ.items() if not name.startswith(("LC_", "LANG", "HOISTWAY_"))}
+    return subprocess.run(
+        [sys.executable, "-m", "app.main", *arguments],
+        cwd=ROOT, env={**bare, "PYTHONUTF8": "1", **env}, capture_output=True, text=True, timeout=100, check=False,
+    )  # fmt: skip
+
+
+def explanations() -> Iterator[str]:
+    """Give every explanation of every command and option, paragraph by paragraph."""
+
+    def of(command: Any) -> Iterator[str]:
+        yield from (command.help or "").split("\n\n")
+        for parameter in command.params:
+            yield getattr(parameter, "help", None) or ""
+        for inner in getattr(command, "commands", {}).values():
+            yield from of(inner)
+
+    yield from filter(None, (" ".join(text.split()) for text in of(typer.main.get_command(app))))
+
+
+def messages() -> Iterator[tuple[str, str]]:
+    """Give every sentence that the code of the command line says, as a pattern, with the file that says it."""
+    for file in sorted((ROOT / "app/cli").rglob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in SAYERS:
+                for argument in [*node.args, *(word.value for word in node.keywords)]:
+                    for line in (pattern(argument) or "").splitlines():
+                        if re.search(r"[A-Za-z]{2}", SLOT.sub("", line)):
+                            yield line, file.name
+
+
+def pattern(node: ast.expr) -> str | None:
+    """Return a text with {0}, {1} … for what is filled in; None: it is none."""
+    if isinstance(node, ast.Constant):
+        return node.value if isinstance(node.value, str) else None
+    if not isinstance(node, ast.JoinedStr):
+        return None
+    parts = iter(range(10))
+    return "".join(
+        str(piece.value) if isinstance(piece, ast.Constant) else f"{{{next(parts)}}}" for piece in node.values
+    )
+
+
+def test_both_languages_have_the_same_texts_with_the_same_slots() -> None:
+    english, korean = (terminal(language) for language in LANGUAGES)
+    assert list(english) == list(korean)
+    for key, text in english.items():
+        assert korean[key].strip(), key
+        assert sorted(set(SLOT.findall(korean[key]))) == sorted(set(SLOT.findall(text))), key
+
+
+def test_no_korean_text_was_left_in_english() -> None:
+    english, korean = (terminal(language) for language in LANGUAGES)
+    same = {text for key, text in english.items() if korean[key] == text}
+    assert same == {"plant"}, "a name that both languages have"
+
+
+def test_every_explanation_of_a_command_and_of_an_option_is_in_the_catalogue() -> None:
+    known = set(terminal("en").values())
+    assert {text for text in explanations() if text not in known} == set()
+
+
+def test_every_message_of_the_command_line_is_in_the_catalogue() -> None:
+    known = set(terminal("en").values())
+    assert {(text, file) for text, file in messages() if text not in known} == set()
+
+
+def test_every_text_of_the_catalogue_is_still_said() -> None:
+    code = "\n".join(file.read_text(encoding="utf-8") for file in (ROOT / "app/cli").rglob("*.py"))
+    told = {*explanations(), *(text for text, _ in messages()), *FRAME}
+    for text in set(terminal("en").values()) - told:
+        pieces = [piece.strip(" .:") for piece in re.split(r"\{\d\}|;", text)]
+        assert all(piece in code for piece in pieces if len(piece) > 3), text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environ", "language"),
+    [
+        (["--lang", "ko", "check"], {"HOISTWAY_LANG": "en"}, "ko"),
+        (["--lang=ko"], {}, "ko"),
+        (["decode", "--lang", "ko"], {}, "en"),
+        (["check"], {"HOISTWAY_LANG": "ko", "LC_ALL": "en_US.UTF-8"}, "ko"),
+        ([], {"LC_ALL": "ko_KR.UTF-8", "LANG": "en_US.UTF-8"}, "ko"),
+        ([], {"LC_ALL": "", "LANG": "ko_KR.UTF-8"}, "ko"),
+        ([], {"LC_ALL": "C", "LANG": "ko_KR.UTF-8"}, "en"),
+        ([], {}, "en"),
+    ],
+)
+def test_the_option_goes_before_the_variable_and_that_before_the_locale(
+    arguments: list[str], environ: Mapping[str, str], language: str
+) -> None:
+    assert language_of(wished(arguments, environ)) == language
+
+
+def test_help_is_korean_from_its_head_to_its_remarks() -> None:
+    told = hoistway("--lang", "ko", "demo", "--help")
+    assert told.returncode == 0
+    assert told.stdout.startswith("사용법: hoistway demo [옵션]")
+    assert re.search(r"--port <int> +기다릴 포트 +\[기본값: 8080\]", told.stdout)
+    words = re.findall(r"[A-Za-z]{3,}", re.sub(r"<\w+[^>]*>|--[\w-]+|plants/\S+|\[기본값[^\]]*\]", "", told.stdout))
+    assert set(words) <= {"hoistway", "demo", "Ctrl", "SQLAlchemy", "URL", "workload"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (["serv"], 2, ("오류: 'serv' 이라는 명령은 없습니다.", "도움말: 'hoistway --help'.")),
+        (["serve", "--prot", "1"], 2, ("그런 옵션은 없습니다: --prot",)),
+        (["users", "add"], 2, ("인수 'name' 이(가) 필요합니다.",)),
+        (["serve"], 1, ("hoistway: 어느 플랜트입니까? --plant 파일을 쓰거나 HOISTWAY_PLANT를 정하십시오.",)),
+        (["serve", "--plant", "no.yaml"], 1, ("no.yaml 을(를) 읽을 수 없습니다",)),
+        (["decode", "itsc", "zz"], 2, ()),
+    ],
+)
+def test_what_is_wrong_is_told_in_korean_with_the_usual_exit_code(
+    arguments: list[str], code: int, words: Sequence[str]
+) -> None:
+    told, english = hoistway(*arguments, LANG="ko_KR.UTF-8"), hoistway(*arguments)
+    assert (told.returncode, english.returncode) == (code, code)
+    assert "Traceback" not in told.stderr
+    for word in words:
+        assert word in told.stderr
+        assert word not in english.stderr
+
+
+def test_a_language_that_there_is_not_is_refused() -> None:
+    told = hoistway("--lang", "xx", "check")
+    assert told.returncode == 2
+    assert "xx is no language that Hoistway speaks: en, ko" in told.stderr
+
+
+def test_a_sentence_with_something_filled_in_is_told_in_korean_and_an_unknown_one_as_it_is() -> None:
+    assert said("hoistway controls demo: http://127.0.0.1:8080", "ko") == (
+        "hoistway가 demo 을(를) 제어합니다: http://127.0.0.1:8080"
+    )
+    assert said("nobody ever said this", "ko") == "nobody ever said this"
+    assert said("hoistway controls demo: http://127.0.0.1:8080", "en").startswith("hoistway controls")
