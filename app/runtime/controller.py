@@ -42,7 +42,6 @@ from app.runtime.reception import Reception
 from app.runtime.recording import PIECE_SECONDS, Limits, Recorder
 from app.runtime.replanning import Replanner
 from app.runtime.serial_port import Serial
-from app.runtime.sockets import Sockets
 from app.runtime.telemetry import logger
 from app.runtime.transports import Dialler, Tcp
 from app.runtime.versions import Versions
@@ -166,11 +165,10 @@ class Controller:
         self._courier = Courier(self, self._sender, tried=self.figures.webhook_tries)
         self._courier.stir()
         leased = math.isfinite(self._writer.held_until)
-        self._sockets = Sockets()
         for name in self._control.lines:
             end = self._control.endpoint(name)
             may_send = self._may_send if leased else None
-            self._lines[name] = Line(end, self._clock.now, self._kick, may_send, self._sockets)
+            self._lines[name] = Line(end, self._clock.now, self._kick, may_send)
         self._pump()
         try:
             await self._connect()
@@ -189,7 +187,6 @@ class Controller:
         for line in self._lines.values():
             line.stop()
             await line.disconnected()
-        self._sockets.close()
         await self._courier.stop()
         await self._sender.close()
         if not self._over:

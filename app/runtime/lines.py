@@ -9,7 +9,6 @@ from typing import cast
 
 from app.domain.ports import Endpoint, Prompt
 from app.domain.units import Seconds
-from app.runtime.sockets import Sockets
 
 USER_TIMEOUT = 5_000
 """ms until the kernel gives up on bytes that the peer does not acknowledge. Our choice; keepalive alone is too slow."""
@@ -50,8 +49,7 @@ class Line(asyncio.Protocol):
 
     The timer is armed for the endpoint's deadline and left alone when the deadline moves back: it then fires early, finds
     nothing due and arms itself anew, which is cheaper than a new timer per packet. ``after`` is called after each input.
-    ``may_send``, if given, is asked before each write; what may not be sent is dropped. ``sockets``, if given, take TCP
-    connections over from the loop.
+    ``may_send``, if given, is asked before each write; what may not be sent is dropped.
     """
 
     __slots__ = (
@@ -65,7 +63,6 @@ class Line(asyncio.Protocol):
         "_may_send",
         "_now",
         "_prompt",
-        "_sockets",
         "_timer",
         "_transport",
         "after",
@@ -79,10 +76,8 @@ class Line(asyncio.Protocol):
         now: Callable[[], Seconds],
         after: Callable[[], None] = nothing,
         may_send: Callable[[], bool] | None = None,
-        sockets: Sockets | None = None,
     ) -> None:
         self._may_send = may_send
-        self._sockets = sockets
         self._endpoint = endpoint
         self._prompt = endpoint if isinstance(endpoint, Prompt) else None
         self._now = now
@@ -112,8 +107,6 @@ class Line(asyncio.Protocol):
         self._transport = cast(asyncio.Transport, transport)
         self.heard = self.flooded = False
         tune(transport)
-        if self._sockets is not None:
-            self._transport = self._sockets.take(self._transport, self, UNSENT_LIMIT)
         self._endpoint.connected(self._now())
         self.flush()
         self.after()

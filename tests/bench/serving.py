@@ -22,7 +22,6 @@ from app.protocols.itsc.session import Timing
 from app.runtime.clock import Clock
 from app.runtime.controller import Controller
 from app.runtime.lines import Line
-from app.runtime.sockets import Sockets
 from app.runtime.telemetry import set_up
 
 HOST = "127.0.0.1"
@@ -50,14 +49,14 @@ async def sessions(port: int, count: int, poll: float) -> None:
     loop, ids = asyncio.get_running_loop(), CmdIds(Epoch(1))
     newest: dict[VehicleId, Event] = {}
     # A vehicle that is asked seldom is not silent before it is asked: it may take longer than usual until all are connected.
-    timing, sockets = Timing(poll=Seconds(poll), silence=Seconds(poll + 2.5)), Sockets()
+    timing = Timing(poll=Seconds(poll), silence=Seconds(poll + 2.5))
 
     def told(events: Iterable[Event], _now: Seconds) -> None:
         for event in events:
             newest[event.vehicle] = event
 
     for number in range(1, count + 1):
-        line = Line(VehicleLine(told, spec_of(number), DEFAULT, ids, timing), Clock().now, sockets=sockets)
+        line = Line(VehicleLine(told, spec_of(number), DEFAULT, ids, timing), Clock().now)
         await loop.create_connection(lambda line=line: line, HOST, port)  # type: ignore[misc]
     await _for_ever()
 

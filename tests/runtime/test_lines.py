@@ -1,11 +1,8 @@
 import asyncio
 import time
 
-import pytest
-
 from app.domain.units import Seconds
 from app.runtime.lines import FLOOD, UNSENT_LIMIT, Line
-from app.runtime.sockets import Sockets
 from tests.runtime.peers import Echo, run, until
 
 
@@ -13,20 +10,13 @@ def now() -> Seconds:
     return Seconds(time.monotonic())
 
 
-@pytest.fixture(params=[True, False], ids=["taken over", "transport of the loop"])
-def taken(request: pytest.FixtureRequest) -> bool:
-    """Whether connections are taken over from the loop."""
-    return bool(request.param)
-
-
 class Wire:
     """A line served on a port of its own."""
 
-    def __init__(self, taken: bool) -> None:
+    def __init__(self) -> None:
         self.echo = Echo()
         self.inputs = 0
-        self.sockets = Sockets() if taken else None
-        self.line = Line(self.echo, now, self._input, sockets=self.sockets)
+        self.line = Line(self.echo, now, self._input)
 
     def _input(self) -> None:
         self.inputs += 1
@@ -40,15 +30,13 @@ class Wire:
         writer.close()
         self.line.stop()
         await self.line.disconnected()
-        if self.sockets is not None:
-            self.sockets.close()
         self.server.close()
         await self.server.wait_closed()
 
 
-def test_bytes_go_in_and_what_the_endpoint_says_goes_out(taken: bool) -> None:
+def test_bytes_go_in_and_what_the_endpoint_says_goes_out() -> None:
     async def scenario() -> None:
-        wire = Wire(taken)
+        wire = Wire()
         reader, writer = await wire.dial()
         writer.write(b"abc")
         assert await reader.readexactly(3) == b"ABC"
@@ -62,9 +50,9 @@ def test_bytes_go_in_and_what_the_endpoint_says_goes_out(taken: bool) -> None:
     run(scenario)
 
 
-def test_an_endpoint_that_wants_to_close_sends_its_last_bytes_first(taken: bool) -> None:
+def test_an_endpoint_that_wants_to_close_sends_its_last_bytes_first() -> None:
     async def scenario() -> None:
-        wire = Wire(taken)
+        wire = Wire()
         reader, writer = await wire.dial()
         writer.write(b"bye")
         assert await reader.read() == b"BYE"
@@ -127,9 +115,9 @@ def test_a_stopped_line_ticks_no_more() -> None:
     run(scenario)
 
 
-def test_a_peer_that_takes_no_bytes_is_cut_off(taken: bool) -> None:
+def test_a_peer_that_takes_no_bytes_is_cut_off() -> None:
     async def scenario() -> None:
-        wire = Wire(taken)
+        wire = Wire()
         _, writer = await wire.dial()
         await until(lambda: wire.line.up)
         while wire.line.up:
@@ -142,9 +130,9 @@ def test_a_peer_that_takes_no_bytes_is_cut_off(taken: bool) -> None:
     run(scenario)
 
 
-def test_a_line_serves_one_connection_after_another(taken: bool) -> None:
+def test_a_line_serves_one_connection_after_another() -> None:
     async def scenario() -> None:
-        wire = Wire(taken)
+        wire = Wire()
         reader, writer = await wire.dial()
         writer.close()
         await until(lambda: "disconnected" in wire.echo.notes)

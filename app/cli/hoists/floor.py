@@ -13,7 +13,6 @@ from app.domain.layout import PulseSet, StationKind
 from app.domain.units import Barcode
 from app.runtime.clock import Clock
 from app.runtime.lines import Line
-from app.runtime.sockets import Sockets
 from app.runtime.transports import DeviceServer
 from app.sim.oracle import Oracle
 from app.sim.plantworld import SimulatedPlant, starts
@@ -60,10 +59,9 @@ class Floor:
 
     async def serve(self) -> None:
         """Listen for the controller, one port a hoist. Raises OSError."""
-        sockets = Sockets()
         for spec in self._plant.plant.hoists:
             device = self._plant.devices[spec.id]
-            line = Line(device, self._clock, sockets=sockets)
+            line = Line(device, self._clock)
             server = DeviceServer(line, spec.host, spec.port, lambda device=device: not device.accepting)  # type: ignore[misc]
             self._servers.append(server)
             await server.start()
