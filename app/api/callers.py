@@ -187,7 +187,7 @@ def credential_of(header: bytes | str) -> bytes:
 
 def caller_of(scope: Scope) -> Caller | None:
     """Return who a request comes from; None: nobody had to say."""
-    return cast(Caller | None, scope.get(CALLER))
+    return cast("Caller | None", scope.get(CALLER))
 
 
 def _slower(wait: float, who: str) -> Problem | None:

@@ -84,6 +84,11 @@ class Changes:
                 self._store.take_file(text, self._utc())
                 return plant
             running = self._plant_of(active)
+            if running.name != plant.name:
+                raise StoreError(
+                    f"the database keeps plant {running.name}, not {plant.name}",
+                    remedy="Give each plant a database of its own, or write the plant's old name into the plant file.",
+                )
             if digest_of(text) != self._store.file_taken():
                 return self._edited(active, running, plant, text)
             logger(plant=plant.name).warning(

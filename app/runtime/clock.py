@@ -6,6 +6,9 @@ from typing import cast
 
 from app.domain.units import Seconds, Timestamp
 
+_MONOTONIC = cast(Callable[[], Seconds], time.monotonic)
+"""Made once: to write the type down takes longer than to look at the clock ten times."""
+
 
 class Clock:
     """Monotonic time for deadlines, UTC for records and people.
@@ -26,7 +29,7 @@ class Clock:
     @property
     def now(self) -> Callable[[], Seconds]:
         """What gives monotonic seconds since an arbitrary start: the system's own function, since each packet asks for it."""
-        return cast(Callable[[], Seconds], time.monotonic)
+        return _MONOTONIC
 
     def utc(self) -> Timestamp:
         """Return seconds since 1970-01-01T00:00:00Z."""

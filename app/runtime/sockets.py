@@ -4,11 +4,16 @@ import asyncio
 import os
 import select
 import socket
+import time
 
 READ = 1024
 """Bytes read at once. Our choice: some thirty packets; what is more comes with the next turn."""
-MOST = 512
-"""Sockets read in one turn of the loop, so that nothing else waits for more of them. Our choice."""
+MOST = 4096
+"""Sockets asked for at a time."""
+SLICE = 0.004
+"""Seconds after which the loop has its turn, before the rest of them is read: nothing may hold it longer than 5 ms."""
+_LOOKED_UP_EACH = 16
+"""So many are read between two looks at the clock."""
 _IN = 0x001
 _OUT = 0x004
 """EPOLLIN and EPOLLOUT, which ``select`` has on Linux only."""
@@ -22,7 +27,9 @@ class Sockets:
     epoll nothing is taken over.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, slice_of: float = SLICE) -> None:
+        self._slice = slice_of
+        self._ready: list[tuple[int, int]] = []
         self._loop = asyncio.get_running_loop()
         self._epoll = select.epoll() if hasattr(select, "epoll") else None
         self._heirs: dict[int, asyncio.Protocol] = {}
@@ -69,18 +76,24 @@ class Sockets:
         os.close(fd)
 
     def _look(self) -> None:
-        """Read what came, once from each."""
+        """Read once from each where something came; those that are left have their turn when the loop looks again."""
         if self._epoll is None:
             return
-        heirs, read = self._heirs, os.read
-        ready = self._epoll.poll(0, MOST)
-        ready.sort()
-        for fd, what in ready:
-            if what != _IN:
+        heirs, read, ready = self._heirs, os.read, self._ready
+        if not ready:
+            ready += self._epoll.poll(0, MOST)
+            ready.sort(reverse=True)
+        until, done = time.monotonic() + self._slice, 0
+        while ready:
+            if done == _LOOKED_UP_EACH:
+                if time.monotonic() > until:
+                    return
+                done = 0
+            done += 1
+            fd, what = ready.pop()
+            if what != _IN or (heir := heirs.get(fd)) is None:
                 self._see(fd, what)
                 continue
-            if (heir := heirs.get(fd)) is None:
-                continue  # it has ended since
             try:
                 data = read(fd, READ)
             except OSError as error:

@@ -1,4 +1,8 @@
-"""``python -m tests.bench [ROW...]``: run all benchmarks, or those named; all of them write ``bench/results.*``."""
+"""``python -m tests.bench [--keep] [ROW...]``: run all benchmarks, or those named.
+
+All of them write ``bench/results.*`` and the table of the READMEs; with ``--keep`` those named do so too, in place of their rows
+of the last time.
+"""
 
 import json
 import os
@@ -6,6 +10,7 @@ import platform
 import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields
 
 from tests.bench import (
     decoding,
@@ -45,21 +50,38 @@ BEGIN, END = "<!-- make bench writes from here -->\n", "<!-- to here -->\n"
 
 def main(names: list[str]) -> int:
     """Run, print one table, and write it; return the exit code."""
+    keep = "--keep" in names
+    names = [name for name in names if name != "--keep"]
     unknown = [name for name in names if name not in BENCHES]
     if unknown:
         print(f"no benchmark {', '.join(unknown)}; there are {', '.join(BENCHES)}", file=sys.stderr)
         return 2
-    found: list[Row] = []
+    found: dict[str, list[Row]] = {}
     for name in names or BENCHES:
         print(f"{name} …", file=sys.stderr, flush=True)
         try:
-            found += BENCHES[name]()
+            found[name] = list(BENCHES[name]())
         except Skipped as why:
             print(f"{name} skipped: {why}", file=sys.stderr)
-    print(table(found))
-    if not names:
-        _write(found)
+    print(table([row for rows in found.values() for row in rows]))
+    if keep or not names:
+        _write(merged(kept(), found) if names else found)
     return 0
+
+
+def kept() -> dict[str, list[Row]]:
+    """Return the rows of the last time, by benchmark."""
+    found: dict[str, list[Row]] = {}
+    for entry in json.loads((RESULTS / "results.json").read_text()):
+        known = {field.name: entry[field.name] for field in fields(Row)}
+        found.setdefault(entry["bench"], []).append(Row(**known))
+    return found
+
+
+def merged(before: dict[str, list[Row]], now: dict[str, list[Row]]) -> dict[str, list[Row]]:
+    """Return the rows of before with those of now in their place, in the order of the benchmarks."""
+    both = before | now
+    return {name: both[name] for name in BENCHES if name in both}
 
 
 def placed(text: str, rows: Sequence[Row]) -> str:
@@ -71,10 +93,12 @@ def placed(text: str, rows: Sequence[Row]) -> str:
     return f"{before}{BEGIN}{table(rows)}\n{END}{after}"
 
 
-def _write(rows: list[Row]) -> None:
+def _write(found: dict[str, list[Row]]) -> None:
     RESULTS.mkdir(exist_ok=True)
-    kept = [
+    rows = [row for of_one in found.values() for row in of_one]
+    entries = [
         {
+            "bench": name,
             "row": row.row,
             "ours": row.ours,
             "floor": row.floor,
@@ -83,10 +107,12 @@ def _write(rows: list[Row]) -> None:
             "ratio": row.ratio,
             "goal": row.goal,
             "better": row.better,
+            "note": row.note,
         }
-        for row in rows
+        for name, of_one in found.items()
+        for row in of_one
     ]
-    (RESULTS / "results.json").write_text(json.dumps(kept, indent=2, ensure_ascii=False) + "\n")
+    (RESULTS / "results.json").write_text(json.dumps(entries, indent=2, ensure_ascii=False) + "\n")
     here = f"Python {platform.python_version()}, {os.cpu_count()} processors, {platform.system()} {platform.machine()}"
     notes = "\n".join(f"* {row.row}: {row.note}." for row in rows if row.note)
     text = f"""# Benchmarks

@@ -49,7 +49,8 @@ async def sessions(port: int, count: int, poll: float) -> None:
     """Serve lines and sessions; in place of the fleet, the newest event of each vehicle is kept."""
     loop, ids = asyncio.get_running_loop(), CmdIds(Epoch(1))
     newest: dict[VehicleId, Event] = {}
-    timing, sockets = Timing(poll=Seconds(poll)), Sockets()
+    # A vehicle that is asked seldom is not silent before it is asked: it may take longer than usual until all are connected.
+    timing, sockets = Timing(poll=Seconds(poll), silence=Seconds(poll + 2.5)), Sockets()
 
     def told(events: Iterable[Event], _now: Seconds) -> None:
         for event in events:

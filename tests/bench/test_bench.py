@@ -78,6 +78,18 @@ def test_both_readmes_have_a_place_for_the_table_and_keep_all_around_it() -> Non
         assert bench.placed(text, [row]) == f"{before}{bench.BEGIN}{table([row])}\n{bench.END}{after}"
 
 
+def test_rows_of_one_benchmark_take_the_place_of_those_of_the_last_time() -> None:
+    old, new = Row("old", 3.0, 2.0, None, "us", 1.8), Row("new", 2.0, 2.0, None, "us", 1.8)
+    before = {"decode": [old], "route": [old, old], "hoists": [old]}
+    assert bench.merged(before, {"route": [new]}) == {"decode": [old], "route": [new], "hoists": [old]}
+    assert list(bench.merged({"hoists": [old]}, {"session": [new]})) == ["session", "hoists"]
+
+
+def test_the_rows_of_the_last_time_are_read_back() -> None:
+    rows = [row for of_one in bench.kept().values() for row in of_one]
+    assert f"{table(rows)}\n" in (bench.RESULTS / "results.md").read_text()
+
+
 def test_a_text_without_marks_is_refused() -> None:
     with pytest.raises(ValueError, match="no place for the table"):
         bench.placed("nothing here", [])

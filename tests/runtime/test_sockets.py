@@ -6,7 +6,7 @@ import pytest
 
 from app.domain.units import Seconds
 from app.runtime.lines import UNSENT_LIMIT, Line
-from app.runtime.sockets import READ, Sockets
+from app.runtime.sockets import READ, SLICE, Sockets
 from tests.runtime.peers import Echo, run, until
 
 MUCH = 50 * READ
@@ -19,8 +19,8 @@ def now() -> Seconds:
 class Hall:
     """Lines whose connections are taken over, each served at one port, and what their peers hold."""
 
-    def __init__(self) -> None:
-        self.sockets = Sockets()
+    def __init__(self, slice_of: float = SLICE) -> None:
+        self.sockets = Sockets(slice_of)
         self.echoes: list[Echo] = []
         self.lines: list[Line] = []
 
@@ -45,9 +45,10 @@ class Hall:
         await until(lambda: not any(line.up for line in self.lines))
 
 
-def test_many_connections_are_answered_each_by_its_own() -> None:
+@pytest.mark.parametrize("slice_of", [SLICE, -1.0], ids=["in a slice", "some a turn"])
+def test_many_connections_are_answered_each_by_its_own(slice_of: float) -> None:
     async def scenario() -> None:
-        hall = Hall()
+        hall = Hall(slice_of)
         await hall.serve()
         peers = [await hall.dial() for _ in range(40)]
         for number, (_, writer) in reversed(list(enumerate(peers))):

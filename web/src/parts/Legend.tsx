@@ -1,5 +1,7 @@
 /** What the colours and forms on the map mean; what the plant does not have is left out. */
 import { heatShown, layers } from "../layers";
+import { closedWays } from "../closed";
+import { plan } from "../plan";
 import { LOOKS, type Look } from "../shows";
 import { layout } from "../store";
 import { t, type Word } from "../texts";
@@ -23,6 +25,24 @@ export function Legend() {
         <i class="box" />
         {t("legend_carrier")}
       </span>
+      {layers.value.grants && (
+        <span>
+          <i class="path granted" />
+          {t("legend_granted")}
+        </span>
+      )}
+      {plan.value.length > 0 && (
+        <span>
+          <i class="path planned" />
+          {t("legend_planned")}
+        </span>
+      )}
+      {layers.value.closures && closedWays.value.length > 0 && (
+        <span>
+          <i class="path closed">×</i>
+          {t("closed")}
+        </span>
+      )}
       {zones.some((zone) => zone.no_stop && !zone.soft) && (
         <span>
           <i class="zone" />

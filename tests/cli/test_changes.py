@@ -1,0 +1,116 @@
+"""With which version a controller starts: whichever was changed last counts, the plant file or the active version."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from app.cli.changes import Changes
+from app.cli.running import plant_and_text_of
+from app.domain.errors import StoreError
+from app.domain.ids import Actor, StationId
+from app.domain.layout import Plant
+from app.domain.units import Timestamp
+from app.domain.versions import Origin
+from app.store.ledger import SqlLedger
+from tests.store.samples import job
+
+TEXT = (Path(__file__).parents[2] / "plants" / "small.yaml").read_text(encoding="utf-8")
+WITH_P9 = TEXT.replace("  B1: {", "  P9: {kind: port, at: 108, dest: {shft: 5, rota: 5, lift: 5}}\n  B1: {")
+WITHOUT_P2 = "\n".join(line for line in TEXT.splitlines() if not line.startswith("  P2:")) + "\n"
+NOW = Timestamp(1000.0)
+KIM = Actor("kim")
+Start = Callable[[str], tuple[Plant, Changes]]
+
+
+@pytest.fixture
+def url(tmp_path: Path) -> str:
+    return f"sqlite:///{tmp_path}/plant.db"
+
+
+@pytest.fixture
+def start(tmp_path: Path, url: str) -> Iterator[Start]:
+    """Start as ``hoistway serve`` does, with a plant file that says this."""
+    file, begun = tmp_path / "small.yaml", list[Changes]()
+
+    def started(text: str) -> tuple[Plant, Changes]:
+        file.write_text(text, encoding="utf-8")
+        changes = Changes(file, url, lambda: NOW)
+        begun.append(changes)
+        return changes.begin(*plant_and_text_of(file)), changes
+
+    yield started
+    for changes in begun:
+        changes.close()
+
+
+def stations(plant: Plant) -> set[str]:
+    return {station.id for station in plant.stations}
+
+
+def states(changes: Changes) -> dict[int, str]:
+    return {version.number: version.state.value for version in changes.versions.store.versions()}
+
+
+def activated(changes: Changes, text: str) -> None:
+    """Activate a version as people do over REST."""
+    store = changes.versions.store
+    made = store.stage(text, Origin.UPLOAD, KIM, "a port more", NOW)
+    number = getattr(made, "number")  # noqa: B009
+    store.ask(number, KIM, "it is built", NOW, patient=False)
+    store.activate(number, NOW)
+
+
+def test_the_plant_file_is_version_1_and_stays_it(start: Start) -> None:
+    for _ in range(2):
+        _, changes = start(TEXT)
+        assert (changes.number, states(changes)) == (1, {1: "active"})
+
+
+def test_a_file_that_was_edited_is_a_new_version_and_an_old_one_put_back_is_the_old_version(start: Start) -> None:
+    start(TEXT)
+    plant, changes = start(WITH_P9)
+    assert "P9" in stations(plant)
+    assert (changes.number, states(changes)) == (2, {1: "former", 2: "active"})
+    plant, changes = start(TEXT)
+    assert "P9" not in stations(plant)
+    assert (changes.number, states(changes)) == (1, {1: "active", 2: "former"})
+
+
+def test_a_version_that_was_activated_since_goes_before_a_file_that_was_not_edited(start: Start) -> None:
+    _, changes = start(TEXT)
+    activated(changes, WITH_P9)
+    plant, changes = start(TEXT)
+    assert "P9" in stations(plant)
+    assert changes.number == 2
+    plant, changes = start(WITHOUT_P2)
+    assert stations(plant) == stations(start(WITHOUT_P2)[0])
+    assert "P2" not in stations(plant)
+    assert states(changes) == {1: "former", 2: "former", 3: "active"}
+
+
+def test_an_edited_file_that_breaks_something_under_way_stays_staged_until_it_breaks_nothing(
+    start: Start, url: str
+) -> None:
+    start(TEXT)
+    waiting = job(1, source=StationId("P1"), destination=StationId("P2"))
+    ledger = SqlLedger(url, "small", "a test", lambda: NOW)
+    ledger.load()
+    ledger.commit([waiting])
+    ledger.close()
+    plant, changes = start(WITHOUT_P2)
+    assert "P2" in stations(plant)
+    assert (changes.number, states(changes)) == (1, {1: "active", 2: "staged"})
+
+
+def test_words_that_change_nothing_make_no_version(start: Start) -> None:
+    start(TEXT)
+    _, changes = start(TEXT + "# a remark\n")
+    assert (changes.number, states(changes)) == (1, {1: "active"})
+
+
+def test_the_file_of_another_plant_is_refused_and_makes_no_version(start: Start) -> None:
+    _, changes = start(TEXT)
+    with pytest.raises(StoreError, match="keeps plant small, not other"):
+        start(TEXT.replace("name: small", "name: other"))
+    assert states(changes) == {1: "active"}
