@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 from app.cli.bench import commands
 from app.cli.traffic import report
 from app.cli.traffic.report import FULL, PARTS, Extent, Report
-from app.cli.traffic.table import BEGIN, END, table
+from app.cli.traffic.table import BEGIN, END, Kept, table
 from app.cli.traffic.trials import Outcome
 from app.plant.fab import SIZES
 
@@ -118,6 +118,15 @@ def test_parts_run_one_by_one_make_one_table_that_says_whether_each_goal_is_met(
     assert routes == "| routes of 20 random pairs against networkx's | 0 dearer | equal costs | yes |"
     assert page.read_text().endswith(f"{END}After.\n")
     assert asked.output.endswith(f"{rules}\n{routes}\n")
+
+
+def test_a_file_of_findings_reads_back_and_has_rows_of_numbers_on_one_line(tmp_path: Path) -> None:
+    file = tmp_path / "found.json"
+    kept = Kept(file, ())
+    kept.found |= {"soak": {"per_minute": list(range(480)), "hours": [8.5, 7.0]}, "goals": {"soak": []}}
+    kept.keep()
+    assert Kept(file, ()).found == kept.found
+    assert len(file.read_text().splitlines()) == 9
 
 
 def test_a_part_run_again_replaces_what_was_found_before(small: Report) -> None:

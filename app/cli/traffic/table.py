@@ -1,5 +1,6 @@
 """What was found, as one table: a row for each figure, with its goal and whether it was met."""
 
+import re
 from collections.abc import Mapping, Sequence
 from json import JSONDecodeError, dumps, loads
 from pathlib import Path
@@ -7,6 +8,8 @@ from typing import Any
 
 from app.cli.plainly import CannotStart, said, text_of
 
+ROW = re.compile(r"\[[\d\s.,]*\]")
+"""Numbers in a row: they stand on one line of the file, hundreds of them."""
 BEGIN, END = "<!-- hoistway bench traffic writes from here -->\n", "<!-- to here -->\n"
 """Between them stands the table in a file that has more than that."""
 
@@ -29,7 +32,8 @@ class Kept:
     def keep(self) -> None:
         """Write what is known by now. Raises: CannotStart."""
         if self._json is not None:
-            _write(self._json, dumps(self.found, indent=1) + "\n")
+            text = ROW.sub(lambda row: " ".join(row[0].split()), dumps(self.found, indent=1))
+            _write(self._json, f"{text}\n")
         for file in self._into:
             before = text_of(file) if file.exists() else ""
             if before and BEGIN not in before and not before.startswith("| "):
