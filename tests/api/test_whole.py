@@ -82,6 +82,6 @@ async def test_every_page_of_the_api_answers_on_a_fresh_plant(tmp_path: Path) ->
             if "get" in operations and "{" not in path and not path.endswith("/stream"):
                 needs = any(parameter.get("required") for parameter in operations["get"].get("parameters", ()))
                 answer = await client.get(f"http://localhost{path}")
-                off = "/history/" in path  # playback is off here
+                off = "/history/" in path or path.endswith("/layout/versions")  # neither is kept here
                 assert answer.status_code == (422 if needs else 409 if off else 200), path
         assert (await client.get("/vehicles/V001/frames")).json()["items"] == []

@@ -22,6 +22,7 @@ from tests.e2e.processes import (
     running,
     wait_until,
 )
+from tests.shares import shared
 
 NEW = "  P9: {kind: port, at: 108, dest: {shft: 5, rota: 5, lift: 5}}\n"
 
@@ -171,12 +172,15 @@ def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back
 
 @pytest.mark.parametrize(
     ("point", "when"),
-    [
-        ("app.store.versions:VersionStore.ask", "after"),
-        ("app.runtime.controller:Controller.stop", "before"),
-        ("app.store.versions:VersionStore.activate", "before"),
-        ("app.store.versions:VersionStore.activate", "after"),
-    ],
+    shared(
+        [
+            ("app.store.versions:VersionStore.activate", "after"),
+            ("app.store.versions:VersionStore.ask", "after"),
+            ("app.runtime.controller:Controller.stop", "before"),
+            ("app.store.versions:VersionStore.activate", "before"),
+        ],
+        1,
+    ),
 )
 def test_a_controller_killed_in_a_change_over_goes_on_with_one_version_and_all_jobs(
     plant: Plant, point: str, when: str
