@@ -11,6 +11,7 @@ from app.domain.layout import Plant
 from app.domain.requests import CreateJob
 from app.plant import read
 from app.sim.world import World
+from tests.shares import shared
 
 V1 = VehicleId("V001")
 ARRIVED = 0.006
@@ -96,7 +97,7 @@ def test_a_kill_at_any_commit_loses_no_job_and_repeats_no_pickup(*, durable: boo
         assert world._life == 1, n
 
 
-@pytest.mark.parametrize("arrived", [True, False], ids=["it has arrived", "it is lost"])
+@pytest.mark.parametrize("arrived", shared([False, True], 1), ids=["it is lost", "it has arrived"])
 def test_a_kill_at_any_packet_loses_no_job_and_repeats_no_pickup(*, arrived: bool) -> None:
     for n in range(1, undisturbed().packets + 1):
         world = OneJob(at_packet=n, arrived=arrived).judged()

@@ -83,6 +83,7 @@ def test_events_come_in_storms_so_that_the_time_after_one_can_be_judged() -> Non
     assert all(at % CYCLE <= STORM + 1.0 for at in since)
 
 
+@pytest.mark.campaign
 def test_a_whole_drill_compares_each_storm_with_the_same_fab_undisturbed() -> None:
     found = drill(FAB, 12, 0.5, 40.0, 1, settle=300.0)
     assert found.events == sum(storm.events for storm in found.storms) == 20
