@@ -1,6 +1,7 @@
 """Playback: the plant as it was at a moment, what changed in a period, and an incident as one file (DOMAIN section 1)."""
 
 from collections.abc import Iterator
+from itertools import islice
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
@@ -163,7 +164,7 @@ def _incident(controller: Controller, asked: Period, actor: str) -> Incident:
             raise Problem("not-found", "Nothing was recorded in that time.", "See GET /api/v1/history/span.", "from")
         first = start.at
     changes = [change for _, change in playback.changes(first, asked.end, limit=MOST_EXPORTED + 1)]
-    events = list(_events(controller, Period(first, asked.end)))
+    events = list(islice(_events(controller, Period(first, asked.end)), MOST_EXPORTED + 1))
     if max(len(changes), len(events)) > MOST_EXPORTED:
         raise Problem("invalid", f"More than {MOST_EXPORTED:,} changes in that time.", "Ask for less.", "from")
     made = Timestamp(controller.utc())

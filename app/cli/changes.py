@@ -250,9 +250,17 @@ class Changes:
             raise
         except (StoreError, CannotStart) as trouble:
             _refused(log, NOT_CHANGED, trouble)
+            if isinstance(trouble, CannotStart):
+                self._let_go(trouble)
             return plant
         self.number, self._changed = awaited.number, True
         return following
+
+    def _let_go(self, trouble: CannotStart) -> None:
+        """What cannot be read is not waited for: the controller would stop for it again and again."""
+        awaited = self._store.awaited()
+        if awaited is not None:
+            self._store.give_up(awaited.number, said(trouble), self._utc())
 
     def _is_file(self, version: PlantVersion) -> bool:
         try:

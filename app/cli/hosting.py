@@ -5,6 +5,7 @@ import gc
 import os
 import resource
 import socket
+import ssl
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -19,7 +20,7 @@ from app.api.streams import Stream
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
 from app.cli.running import COLLECTED
-from app.cli.tls import checked, files_of, renewed
+from app.cli.tls import context_of, renewed
 from app.domain.errors import PlantError
 from app.domain.layout import Plant
 from app.runtime.controller import Controller
@@ -77,7 +78,7 @@ async def serve(
     Raises CannotStart (an address or a certificate cannot be used), PlantHeld, StoreError, TracesMissing, TargetsError.
     """
     notify = notify or Notifier({})
-    checked(settings)
+    context = context_of(settings)
     traces = Traces(provider(plant.name, VERSION, os.environ)) if settings.traces else None
     try:
         while True:
@@ -85,7 +86,7 @@ async def serve(
             plant, restored = controller.plant, False
             try:
                 seen(controller)
-                following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes)
+                following = await _serve(controller, settings, listening.dup(), stop, ready, notify, changes, context)
             finally:
                 await controller.stop()
             if controller.lost.done():
@@ -140,13 +141,13 @@ async def _serve(
     ready: Callable[[str], None],
     notify: Notifier,
     changes: Changes | None,
+    context: ssl.SSLContext | None,
 ) -> Plant | None:
     """Serve requests until something ends that; return the plant to go on with, None if there is none."""
     log = logger(plant=controller.plant.name)
-    config = _configured(controller, settings)
-    server = _Server(config)
+    server = _Server(_configured(controller, settings, context))
     serving = asyncio.create_task(server.serve([listening]))
-    renewing = asyncio.create_task(renewed(config, settings, log))
+    renewing = asyncio.create_task(renewed(context, settings, log))
     stopping = asyncio.create_task(stop.wait())
     changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
     while not server.started and not serving.done():
@@ -232,8 +233,18 @@ def who_may_call(controller: Controller, settings: Settings) -> str:
     return "Everybody on this machine may do everything: nobody has to log in until there is a user (docs/access.md)."
 
 
-def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
-    return uvicorn.Config(
+class _Config(uvicorn.Config):
+    """Settings of a server that speaks TLS by a context of ours, which outlives it."""
+
+    context: ssl.SSLContext | None = None
+
+    def load(self) -> None:
+        super().load()
+        self.ssl = self.context
+
+
+def _configured(controller: Shown, settings: Settings, context: ssl.SSLContext | None = None) -> uvicorn.Config:
+    config = _Config(
         application(controller, settings),
         loop="none",
         http=bounded(min(settings.connections, _files() // 2)),
@@ -246,6 +257,7 @@ def _configured(controller: Shown, settings: Settings) -> uvicorn.Config:
         lifespan="off",
         timeout_graceful_shutdown=GRACE,
         server_header=False,
-        **files_of(settings),
         h11_max_incomplete_event_size=None,
     )
+    config.context = context
+    return config

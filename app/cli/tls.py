@@ -3,9 +3,7 @@
 import asyncio
 import ssl
 from pathlib import Path
-from typing import TypedDict
 
-import uvicorn
 from structlog.typing import FilteringBoundLogger
 
 from app.cli.plainly import CannotStart, said
@@ -15,29 +13,17 @@ LOOK = 60.0
 """Seconds between two looks at the files. Our choice."""
 
 
-class Files(TypedDict, total=False):
-    """The server's own names for what it needs."""
-
-    ssl_certfile: str
-    ssl_keyfile: str | None
-
-
-def files_of(settings: Settings) -> Files:
-    """Return what the server needs to speak TLS; nothing where it does not."""
+def context_of(settings: Settings) -> ssl.SSLContext | None:
+    """Return what the server speaks TLS by; None: it does not. Raises CannotStart: certificate and key cannot be used."""
     if settings.tls_certificate is None:
-        return Files()
-    key = settings.tls_key
-    return Files(ssl_certfile=str(settings.tls_certificate), ssl_keyfile=None if key is None else str(key))
-
-
-def checked(settings: Settings) -> None:
-    """Look whether certificate and key can be read and belong together. Raises CannotStart."""
-    if settings.tls_certificate is not None:
-        take(ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER), settings.tls_certificate, settings.tls_key)
+        return None
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    take(context, settings.tls_certificate, settings.tls_key)
+    return context
 
 
 def take(context: ssl.SSLContext, certificate: Path, key: Path | None) -> None:
-    """Let new connections see the certificate that the files hold now. Raises CannotStart; the old one stays then."""
+    """Let new connections see the certificate that the files hold now. Raises CannotStart: the context is lost then."""
     try:
         for file in (certificate, key):
             if file is not None:
@@ -67,10 +53,12 @@ class Seen:
         self._last = self._now()
 
     def changed(self) -> bool:
-        """Whether one of them is another since this was last asked."""
-        now = self._now()
-        before, self._last = self._last, now
-        return now != before
+        """Whether one of them is another than when they were last taken."""
+        return self._now() != self._last
+
+    def taken(self) -> None:
+        """Note that they are taken as they are now."""
+        self._last = self._now()
 
     def _now(self) -> list[tuple[int, int] | None]:
         return [_mark(file) for file in self._files]
@@ -84,24 +72,30 @@ def _mark(file: Path) -> tuple[int, int] | None:
     return state.st_mtime_ns, state.st_ino
 
 
-async def renewed(config: uvicorn.Config, settings: Settings, log: FilteringBoundLogger, every: float = LOOK) -> None:
+async def renewed(
+    context: ssl.SSLContext | None, settings: Settings, log: FilteringBoundLogger, every: float = LOOK
+) -> None:
     """Take the certificate anew whenever its files change: whoever renews it need not restart the controller."""
     certificate, key = settings.tls_certificate, settings.tls_key
-    if certificate is None:
+    if certificate is None or context is None:
         return
-    files = Seen(certificate, key)
+    files, told = Seen(certificate, key), None
     while True:
         await asyncio.sleep(every)
-        if not files.changed() or config.ssl is None:
+        if not files.changed():
             continue
-        if (trouble := _trouble(config.ssl, certificate, key)) is None:
+        if (trouble := _trouble(context, certificate, key)) is None:
+            files.taken()
             log.info("the certificate was taken anew", file=str(certificate))
-        else:
+        elif trouble != told:
             log.error("the certificate is not taken anew", reason=trouble, goes_on="with the one before")
+        told = trouble
 
 
 def _trouble(context: ssl.SSLContext, certificate: Path, key: Path | None) -> str | None:
+    """Take the files, if a context of their own does: one that fails has lost the certificate that it had."""
     try:
+        take(ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER), certificate, key)
         take(context, certificate, key)
     except CannotStart as wrong:
         return wrong.message

@@ -51,6 +51,7 @@ class Notifier:
 
         ``told`` hears once why it is not fed any more.
         """
+        self.rest()
         if self.within is None:
             return
         silent = heart.silent_for()

@@ -15,10 +15,11 @@ import sqlalchemy as sa
 
 from app.domain.errors import StoreError
 from app.domain.units import Timestamp
+from app.domain.versions import VersionState
 from app.store import tables
 from app.store.chain import head_of
 from app.store.engine import file_of, parsed, reading, told, writing
-from app.store.lease import LEASE_SECONDS
+from app.store.lease import LEASE_SECONDS, Lease
 from app.store.opening import opened
 from app.store.schema import create, current, newest
 
@@ -94,13 +95,20 @@ def put_back(file: Path, url: str, holder: str, now: Timestamp) -> tuple[Stock, 
         try:
             _refuse_other_plant(engine, stock.plant)
             before = _keep(url, file, now)
+            _renewed(engine, lease)
             with _prepared(file, file.resolve().parent if path is None else path.parent, now) as prepared:
-                _fill(engine, prepared) if path is None else _exchange(engine, prepared, path)
+                _fill(engine, prepared, lease) if path is None else _exchange(engine, prepared, path)
         finally:
             lease.release()
     finally:
         engine.dispose()
     return stock, before
+
+
+def _renewed(engine: sa.Engine, lease: Lease) -> None:
+    """Keep the lease after something that may take long. Raises PlantHeld: another controller has come meanwhile."""
+    with told("the lease of the plant cannot be renewed"), engine.begin() as connection:
+        lease.verify(connection)
 
 
 def _refuse_other_schema(url: str) -> None:
@@ -150,6 +158,7 @@ def _prepared(file: Path, directory: Path, now: Timestamp) -> Iterator[Path]:
                 opened(_url(copy), engine, "(any)", "hoistway db restore", now, LEASE_SECONDS).release()
                 with engine.begin() as connection:
                     connection.execute(tables.restored.delete())
+                    _let_no_layout_be_awaited(connection)
                     connection.execute(tables.restored.insert(), {"one": 1, "at": now, "source": str(file)})
                 _into_one_file(engine)
             finally:
@@ -158,6 +167,15 @@ def _prepared(file: Path, directory: Path, now: Timestamp) -> Iterator[Path]:
     finally:
         for leftover in (copy, *(Path(f"{copy}{end}") for end in ("-wal", "-shm", ".lock"))):
             leftover.unlink(missing_ok=True)
+
+
+def _let_no_layout_be_awaited(connection: sa.Connection) -> None:
+    """A wish of that time to change the layout is no wish of today."""
+    versions = tables.plant_versions
+    never = versions.c.activated.is_(None)
+    rest = sa.case((never, VersionState.STAGED.value), else_=VersionState.FORMER.value)
+    awaited = versions.c.state == VersionState.AWAITED.value
+    connection.execute(versions.update().where(awaited).values(state=rest, note="a backup was put back"))
 
 
 def _exchange(engine: sa.Engine, prepared: Path, path: Path) -> None:
@@ -176,11 +194,12 @@ def _exchange(engine: sa.Engine, prepared: Path, path: Path) -> None:
         _flush(path.parent)
 
 
-def _fill(engine: sa.Engine, prepared: Path) -> None:
-    """Replace the rows of a database by those of the file, in one transaction."""
+def _fill(engine: sa.Engine, prepared: Path, lease: Lease) -> None:
+    """Replace the rows of a database by those of the file, in one transaction that nobody else's controller can come between."""
     source = reading(_url(prepared))
     try:
         with told("the backup cannot be put back"), source.connect() as rows, engine.begin() as connection:
+            lease.verify(connection)
             for table in reversed(tables.metadata.sorted_tables):
                 if table.name not in OTHERS:
                     connection.execute(table.delete())

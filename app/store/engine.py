@@ -21,14 +21,20 @@ def parsed(url: str) -> sa.URL:
     """Return the URL with its driver. Raises StoreError for what is neither SQLite nor PostgreSQL."""
     try:
         made = sa.make_url(url)
-    except sa.exc.ArgumentError as cause:
-        raise StoreError(f"{url!r} is not the URL of a database", remedy=_EXAMPLES) from cause
+    except (sa.exc.ArgumentError, ValueError) as cause:  # a port that is no number is a ValueError
+        raise StoreError(f"{_without_password(url)!r} is not the URL of a database", remedy=_EXAMPLES) from cause
     if made.drivername in {"sqlite", "sqlite+pysqlite"}:
         return made.set(drivername="sqlite+pysqlite", database=made.database or MEMORY)
     if made.drivername in {"postgresql", "postgres", "postgresql+psycopg"}:
         query = {**{key: str(value) for key, value in _CONNECT.items()}, **made.query}
         return made.set(drivername="postgresql+psycopg", query=query)
     raise StoreError(f"{made.drivername} is not a database that Hoistway keeps a plant in", remedy=_EXAMPLES)
+
+
+def _without_password(url: str) -> str:
+    """Return what was given without what stands before an @."""
+    scheme, mark, rest = url.partition("://")
+    return f"{scheme}{mark}…{rest[rest.rindex('@') :]}" if "@" in rest else url
 
 
 _EXAMPLES = "Write sqlite:///var/plant.db or postgresql://user@host/database."

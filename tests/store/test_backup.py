@@ -7,16 +7,20 @@ import pytest
 import sqlalchemy as sa
 
 from app.domain.errors import PlantHeld, StoreError
+from app.domain.ids import Actor
 from app.domain.units import Timestamp
+from app.domain.versions import Origin, VersionState
 from app.store import tables
 from app.store.backup import Stock, back_up, look, put_back
 from app.store.engine import parsed, writing
 from app.store.reading import Reader
 from app.store.schema import newest
+from app.store.versions import VersionStore
 from tests.store.conftest import Open
 from tests.store.samples import audit, dest, event, intent, job
 
 LATER = Timestamp(2000.0)
+KIM = Actor("kim")
 ALL = (job(1), job(2), event(1, "J1"), intent(7), audit("a"), audit("b"), dest(1))
 
 
@@ -183,3 +187,23 @@ def test_a_backup_cannot_be_put_back_over_itself(sqlite_url: str, open_ledger: O
     open_ledger(sqlite_url).close()
     with pytest.raises(StoreError, match="is the database itself"):
         put_back(tmp_path / "plant.db", sqlite_url, "me", LATER)
+
+
+def test_a_layout_that_was_awaited_then_is_not_awaited_after_a_backup_was_put_back(
+    sqlite_url: str, open_ledger: Open, tmp_path: Path
+) -> None:
+    ledger = open_ledger(sqlite_url)
+    ledger.load()
+    ledger.close()
+    store = VersionStore(sqlite_url)
+    store.begin("name: P1", KIM, LATER)
+    store.stage("name: P1 # wider", Origin.UPLOAD, KIM, "wider", LATER)
+    store.ask(2, KIM, "wider", LATER, patient=True)
+    store.close()
+    file = tmp_path / "one.backup"
+    back_up(sqlite_url, file)
+    put_back(file, sqlite_url, "me", LATER)
+    store = VersionStore(sqlite_url)
+    found = [(one.number, one.state, one.note) for one in store.versions()]
+    store.close()
+    assert found == [(2, VersionState.STAGED, "a backup was put back"), (1, VersionState.ACTIVE, "")]

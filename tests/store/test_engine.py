@@ -95,3 +95,10 @@ def test_a_server_that_cannot_be_reached_is_trouble_with_a_remedy(tmp_path: Path
     with pytest.raises(StoreError, match=r"^it: .*connection") as caught, told("it"):
         engine.connect()
     assert caught.value.remedy == "See that the database server runs and can be reached."
+
+
+def test_a_url_that_is_none_is_refused_without_its_password() -> None:
+    with pytest.raises(StoreError) as caught:
+        parsed("postgresql://kim:secret@host:many/plant")
+    assert "secret" not in caught.value.message
+    assert "@host" in caught.value.message

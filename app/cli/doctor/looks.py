@@ -51,7 +51,7 @@ def _shown(url: str) -> str:
     try:
         return parsed(url).render_as_string(hide_password=True)
     except HoistwayError:
-        return url
+        return "that is none of ours"  # it may hold a password
 
 
 def _database(settings: Settings) -> tuple[bool, list[Found]]:

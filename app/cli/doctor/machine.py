@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from app.cli.doctor.found import Found, doubtful, well, wrong
+from app.cli.plainly import said
 
 LEAST, FEW = 100 << 20, 1 << 30
 """Bytes on the disk below which a controller soon stops, and below which a person should look. Our choice."""
@@ -82,13 +83,16 @@ def disk(database: Path) -> Iterator[Found]:
 
 def _flushing(directory: Path) -> Found:
     took = []
-    with tempfile.TemporaryFile(dir=directory) as file:
-        for _ in range(FLUSHES):
-            file.write(bytes(4096))
-            file.flush()
-            begin = time.perf_counter()
-            os.fsync(file.fileno())
-            took.append(time.perf_counter() - begin)
+    try:
+        with tempfile.TemporaryFile(dir=directory) as file:
+            for _ in range(FLUSHES):
+                file.write(bytes(4096))
+                file.flush()
+                begin = time.perf_counter()
+                os.fsync(file.fileno())
+                took.append(time.perf_counter() - begin)
+    except OSError as error:
+        return wrong("disk", f"{directory} cannot be written to: {said(error)}", "Make room, or mount it for writing.")
     median = statistics.median(took)
     told = f"a flush takes {median * 1000:.1f} ms"
     if median > SLOW:
