@@ -153,6 +153,9 @@ def choose(page: Page, vehicle: str) -> Locator:
 
 def recover_an_alarm(page: Page, hands: str) -> None:
     """A hoist has an alarm: say that one knows of it, look what helps, recover it, and see that it works again."""
+    # Not on its way: a hoist that stops somewhere with an alarm may be held besides, until a person has looked.
+    room(page, "Map")
+    expect(page.locator(".chip", has_text="V002")).to_contain_text("idle")
     HTTP.post(f"{hands}/hoists/V002/alarm", json={"alarm": 105}).raise_for_status()
     room(page, "Alarms")
     alarm = page.locator('[data-alarm="vehicle V002"]')

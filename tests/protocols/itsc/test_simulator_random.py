@@ -108,11 +108,20 @@ def test_whatever_is_asked_the_vehicle_stays_on_its_rail_and_keeps_its_foup(acts
         transferred[0] |= rig.vehicle.working in TRANSFERS
         return False
 
+    # Looked at whenever time passes in the vehicle: a handling may begin and end within one wait.
+    tick = rig.vehicle.tick
+
+    def ticking(now: Seconds) -> None:
+        note(rig)
+        tick(now)
+        note(rig)
+
+    rig.vehicle.tick = ticking  # type: ignore[method-assign]
     for act in acts:
         before = rig.vehicle.state.foup
         transferred[0] = False
-        act(rig)
         note(rig)
+        act(rig)
         rig._live(rig.now + 0.2, lambda: note(rig))
         _check(rig, (before, transferred[0]))
     if not rig.up and rig.vehicle.accepting:
