@@ -10,15 +10,13 @@ from starlette.responses import Response
 from app.api.policy import API, OUTSIDE, ROUTES
 from app.api.problems import CODES, MEDIA_TYPE, TYPE_PREFIX
 from app.api.room_declared import ROOM
+from app.api.schemas import FLAG, REF, TEXT, TIME, WHOLE, Json, list_of, nullable, record, ref
 from app.api.teaching_declared import TEACHING
 from app.api.version_declared import VERSIONS
 from app.api.webhook_declared import WEBHOOKS
 from app.domain.access import Scope, who_may
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
-
-Json = dict[str, Any]
-REF = "#/components/schemas/"
 
 DESCRIPTION = """Transfers, vehicles, stations and carriers of one plant, and all that happens to them.
 
@@ -47,11 +45,6 @@ class Raw(Response):
     """An answer whose schema the route declares by :func:`gives`."""
 
 
-def ref(name: str) -> Json:
-    """Return a reference to a schema."""
-    return {"$ref": REF + name}
-
-
 def gives(name: str | None, status: int = 200, description: str = "The answer.", **others: int) -> Json:
     """Return a route's arguments that declare what it gives: a schema, a list of it (``Name[]``), or nothing (None).
 
@@ -68,30 +61,14 @@ def _response(name: str | None, description: str) -> Json:
         return {"description": description}
     schema = ref(name)
     if name.endswith("[]"):
-        schema = _object({"items": {"type": "array", "items": ref(name[:-2])}, "next": _NEXT}, required=["items"])
+        schema = record({"items": {"type": "array", "items": ref(name[:-2])}, "next": _NEXT}, required=["items"])
     return {"description": description, "content": {"application/json": {"schema": schema}}}
 
 
 _NEXT = {"anyOf": [{"type": "integer"}, {"type": "null"}], "description": "Send it as `after` for more; null: the end."}
-_TEXT = {"type": "string"}
-_TIME = {"type": "string", "format": "date-time"}
-_WHOLE = {"type": "integer"}
-_FLAG = {"type": "boolean"}
 
 
-def _object(properties: Json, required: list[str] | None = None) -> Json:
-    return {"type": "object", "properties": properties, "required": required or list(properties)}
-
-
-def _list(item: Json) -> Json:
-    return {"type": "array", "items": item}
-
-
-def _nullable(schema: Json) -> Json:
-    return {"anyOf": [schema, {"type": "null"}]}
-
-
-_SPAN = _nullable({"type": "number"})
+_SPAN = nullable({"type": "number"})
 
 OTHERS: Json = {
     "Problem": {
@@ -99,20 +76,20 @@ OTHERS: Json = {
         "description": "RFC 9457. `code` is stable; `remedy` says what would help and may be empty.",
         "properties": {
             "type": {"type": "string", "format": "uri-reference", "examples": [f"{TYPE_PREFIX}not-now"]},
-            "title": _TEXT,
-            "status": _WHOLE,
-            "detail": _TEXT,
+            "title": TEXT,
+            "status": WHOLE,
+            "detail": TEXT,
             "code": {"type": "string", "enum": list(CODES)},
-            "remedy": _TEXT,
+            "remedy": TEXT,
             "field": {"type": "string", "description": "The offending part of the request."},
-            "errors": _list(
-                _object(
+            "errors": list_of(
+                record(
                     {
-                        "field": _TEXT,
-                        "message": _TEXT,
-                        "remedy": _TEXT,
+                        "field": TEXT,
+                        "message": TEXT,
+                        "remedy": TEXT,
                         "line": {"type": "integer", "description": "In a file that was sent; from 1."},
-                        "column": _WHOLE,
+                        "column": WHOLE,
                         "severity": {"type": "string", "enum": ["error", "warning"]},
                     },
                     required=["field", "message"],
@@ -121,87 +98,87 @@ OTHERS: Json = {
         },
         "required": ["type", "title", "status", "detail"],
     },
-    "ProblemKind": _object({"code": _TEXT, "status": _WHOLE, "title": _TEXT}),
-    "JobWithHistory": {"allOf": [ref("Job"), _object({"history": _list(ref("Event"))})]},
-    "JobWhy": _object(
+    "ProblemKind": record({"code": TEXT, "status": WHOLE, "title": TEXT}),
+    "JobWithHistory": {"allOf": [ref("Job"), record({"history": list_of(ref("Event"))})]},
+    "JobWhy": record(
         {
-            "job": _TEXT,
-            "state": _TEXT,
+            "job": TEXT,
+            "state": TEXT,
             "reason": {"type": "string", "description": "What it waits for now; empty: for nothing."},
-            "created": _TIME,
+            "created": TIME,
             "queued": _SPAN | {"description": "Seconds until it first got a vehicle."},
             "fetching": _SPAN | {"description": "Seconds from then until the pick-up."},
             "carrying": _SPAN | {"description": "Seconds from then until its end."},
-            "assignments": _list(
-                _object(
+            "assignments": list_of(
+                record(
                     {
-                        "at": _TIME,
-                        "vehicle": _TEXT,
+                        "at": TIME,
+                        "vehicle": TEXT,
                         "seconds": {"type": "number", "description": "The vehicle's way to the source."},
-                        "priority": _WHOLE,
-                        "hot": _FLAG,
+                        "priority": WHOLE,
+                        "hot": FLAG,
                         "waited": {"type": "number", "description": "What its waiting was worth, seconds of driving."},
                         "switch": {"type": "number", "description": "What a change had to save besides, seconds."},
-                        "before": _nullable(_TEXT) | {"description": "The vehicle that had the job until then."},
+                        "before": nullable(TEXT) | {"description": "The vehicle that had the job until then."},
                         "saved": _SPAN | {"description": "So many seconds is it nearer than that one."},
-                        "candidates": _list(_object({"vehicle": _TEXT, "seconds": _SPAN, "why_not": _TEXT})),
+                        "candidates": list_of(record({"vehicle": TEXT, "seconds": _SPAN, "why_not": TEXT})),
                     }
                 )
             ),
-            "waits": _list(_object({"since": _TIME, "until": _nullable(_TIME), "seconds": _SPAN, "reason": _TEXT})),
+            "waits": list_of(record({"since": TIME, "until": nullable(TIME), "seconds": _SPAN, "reason": TEXT})),
             "left_out": {"type": "integer", "description": "Assignments and waits between the first and the latest."},
         }
     ),
-    "Pulses": _object({"shft": _WHOLE, "rota": _WHOLE, "lift": _WHOLE}),
-    "Frame": _object(
+    "Pulses": record({"shft": WHOLE, "rota": WHOLE, "lift": WHOLE}),
+    "Frame": record(
         {
-            "at": _TIME,
+            "at": TIME,
             "direction": {"type": "string", "enum": ["in", "out"]},
-            "hex": _TEXT,
+            "hex": TEXT,
             "frames": {"type": "array", "items": {"type": "object"}, "description": "What the bytes say."},
         }
     ),
-    "Audit": _object(
+    "Audit": record(
         {
-            "seq": _WHOLE,
-            "at": _TIME,
-            "actor": _TEXT,
-            "action": _TEXT,
-            "target": _TEXT,
-            "detail": _TEXT,
-            "accepted": _FLAG,
+            "seq": WHOLE,
+            "at": TIME,
+            "actor": TEXT,
+            "action": TEXT,
+            "target": TEXT,
+            "detail": TEXT,
+            "accepted": FLAG,
         }
     ),
     "Taken": {
         "description": "Under way. `cmd_id` null: the command follows when the vehicle has its track.",
-        **_object({"vehicle": _TEXT, "cmd_id": _nullable(_TEXT)}),
+        **record({"vehicle": TEXT, "cmd_id": nullable(TEXT)}),
     },
-    "Jog": _object({"drive": _TEXT, "jog": _TEXT, "hold": {"type": "number", "description": "Seconds."}}),
-    "Watch": _object({"watch": _TEXT, "drive": _TEXT, "parameters": _list(_TEXT), "seconds": {"type": "number"}}),
-    "Backup": _object(
+    "Jog": record({"drive": TEXT, "jog": TEXT, "hold": {"type": "number", "description": "Seconds."}}),
+    "Watch": record({"watch": TEXT, "drive": TEXT, "parameters": list_of(TEXT), "seconds": {"type": "number"}}),
+    "Backup": record(
         {
-            "id": _WHOLE,
-            "drive": _TEXT,
-            "model": _TEXT,
-            "at": _TIME,
-            "actor": _TEXT,
-            "note": _TEXT,
+            "id": WHOLE,
+            "drive": TEXT,
+            "model": TEXT,
+            "at": TIME,
+            "actor": TEXT,
+            "note": TEXT,
             "parameters": {"type": "integer", "description": "How many it has."},
         }
     ),
     "BackupWithValues": {
         "allOf": [
             ref("Backup"),
-            _object(
+            record(
                 {
-                    "values": _list(
-                        _object(
+                    "values": list_of(
+                        record(
                             {
-                                "parameter": _TEXT,
-                                "raw": _WHOLE,
-                                "name": _TEXT,
-                                "value": _nullable({"type": "number"}),
-                                "unit": _TEXT,
+                                "parameter": TEXT,
+                                "raw": WHOLE,
+                                "name": TEXT,
+                                "value": nullable({"type": "number"}),
+                                "unit": TEXT,
                             }
                         )
                     )
@@ -209,24 +186,24 @@ OTHERS: Json = {
             ),
         ]
     },
-    "Catalogue": _object(
+    "Catalogue": record(
         {
-            "model": _TEXT,
-            "description": _TEXT,
-            "parameters": _list(
-                _object(
+            "model": TEXT,
+            "description": TEXT,
+            "parameters": list_of(
+                record(
                     {
-                        "number": _TEXT,
-                        "name": _TEXT,
-                        "unit": _TEXT,
+                        "number": TEXT,
+                        "name": TEXT,
+                        "unit": TEXT,
                         "scale": {"type": "number"},
                         "lowest": {"type": "number"},
                         "highest": {"type": "number"},
-                        "default": _nullable({"type": "number"}),
-                        "read_only": _FLAG,
-                        "while_running": _FLAG,
-                        "description": _TEXT,
-                        "choices": {"type": "object", "additionalProperties": _TEXT},
+                        "default": nullable({"type": "number"}),
+                        "read_only": FLAG,
+                        "while_running": FLAG,
+                        "description": TEXT,
+                        "choices": {"type": "object", "additionalProperties": TEXT},
                     }
                 )
             ),
@@ -234,140 +211,140 @@ OTHERS: Json = {
     ),
     "DeviceTaken": {
         "description": "Under way. `cmd_id` null: nothing had to be sent.",
-        **_object({"device": _TEXT, "cmd_id": _nullable(_TEXT)}),
+        **record({"device": TEXT, "cmd_id": nullable(TEXT)}),
     },
     "AuditCheck": {
         "description": "`broken`: number of the first row that does not follow from the one before it; null: none.",
-        **_object(
+        **record(
             {
                 "rows": {"type": "integer", "description": "How many were looked at and follow."},
                 "last": {
                     "type": "integer",
                     "description": "The last of them; note it elsewhere together with its hash.",
                 },
-                "hash": _TEXT,
-                "broken": _nullable(_WHOLE),
-                "reason": _TEXT,
+                "hash": TEXT,
+                "broken": nullable(WHOLE),
+                "reason": TEXT,
                 "next": _NEXT,
             }
         ),
     },
     "Session": {
         "description": "The token is shown once. It is good until `expires`, and can be renewed until `until`.",
-        **_object({"token": _TEXT, "expires": _TIME, "until": _TIME, "name": _TEXT, "roles": _list(_TEXT)}),
+        **record({"token": TEXT, "expires": TIME, "until": TIME, "name": TEXT, "roles": list_of(TEXT)}),
     },
     "Caller": {
         "description": "Who calls. `open`: nobody has to say who they are; then the name is null, and all is allowed.",
-        **_object(
-            {"open": _FLAG, "name": _nullable(_TEXT), "person": _FLAG, "roles": _list(_TEXT), "scopes": _list(_TEXT)}
+        **record(
+            {"open": FLAG, "name": nullable(TEXT), "person": FLAG, "roles": list_of(TEXT), "scopes": list_of(TEXT)}
         ),
     },
     "Call": {
         "description": "Method and path under /api/v1, which roles may, and whether the caller may (all, where nobody has to "
         "say who they are).",
-        **_object({"call": _TEXT, "roles": _list(_TEXT), "allowed": _FLAG}),
+        **record({"call": TEXT, "roles": list_of(TEXT), "allowed": FLAG}),
     },
-    "User": _object(
+    "User": record(
         {
-            "name": _TEXT,
-            "roles": _list(_TEXT),
-            "created": _TIME,
-            "created_by": _TEXT,
-            "disabled": _FLAG,
-            "logged_in": _nullable(_TIME) | {"description": "When last."},
+            "name": TEXT,
+            "roles": list_of(TEXT),
+            "created": TIME,
+            "created_by": TEXT,
+            "disabled": FLAG,
+            "logged_in": nullable(TIME) | {"description": "When last."},
         }
     ),
-    "Key": _object(
+    "Key": record(
         {
-            "name": _TEXT,
-            "roles": _list(_TEXT),
-            "created": _TIME,
-            "created_by": _TEXT,
-            "expires": _nullable(_TIME),
-            "revoked": _nullable(_TIME),
-            "used": _nullable(_TIME) | {"description": "When last, to the minute."},
+            "name": TEXT,
+            "roles": list_of(TEXT),
+            "created": TIME,
+            "created_by": TEXT,
+            "expires": nullable(TIME),
+            "revoked": nullable(TIME),
+            "used": nullable(TIME) | {"description": "When last, to the minute."},
             "state": {"type": "string", "enum": ["active", "expired", "revoked"]},
         }
     ),
     "NewKey": {
         "description": "The key itself is shown now and never again.",
-        "allOf": [ref("Key"), _object({"key": _TEXT})],
+        "allOf": [ref("Key"), record({"key": TEXT})],
     },
-    "Ticket": _object({"ticket": _TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
-    "Health": _object({"status": _TEXT}),
-    "Readiness": _object({"ready": _FLAG, "reasons": _list(_TEXT)}),
+    "Ticket": record({"ticket": TEXT, "expires_in": {"type": "number", "description": "Seconds."}}),
+    "Health": record({"status": TEXT}),
+    "Readiness": record({"ready": FLAG, "reasons": list_of(TEXT)}),
     "RouteView": {
         "description": "Seconds of driving at the present delays, and on an empty track; length in mm; which version of the map.",
-        **_object(
+        **record(
             {
-                "barcodes": _list(_TEXT),
-                "length": _WHOLE,
+                "barcodes": list_of(TEXT),
+                "length": WHOLE,
                 "seconds": {"type": "number"},
                 "free_flow_seconds": {"type": "number"},
-                "version": _WHOLE,
+                "version": WHOLE,
             }
         ),
     },
-    "Layout": _object(
+    "Layout": record(
         {
-            "name": _TEXT,
-            "version": _nullable(_WHOLE) | {"description": "Of the plant; null where no versions are kept."},
-            "points": _list(_object({"barcode": _TEXT, "x": _WHOLE, "y": _WHOLE, "park": _FLAG})),
-            "edges": _list(
-                _object(
+            "name": TEXT,
+            "version": nullable(WHOLE) | {"description": "Of the plant; null where no versions are kept."},
+            "points": list_of(record({"barcode": TEXT, "x": WHOLE, "y": WHOLE, "park": FLAG})),
+            "edges": list_of(
+                record(
                     {
-                        "start": _TEXT,
-                        "end": _TEXT,
-                        "length": _WHOLE,
-                        "speed": _WHOLE,
-                        "sensor": _WHOLE,
-                        "curve": _FLAG,
+                        "start": TEXT,
+                        "end": TEXT,
+                        "length": WHOLE,
+                        "speed": WHOLE,
+                        "sensor": WHOLE,
+                        "curve": FLAG,
                     }
                 )
             ),
-            "stations": _list(
-                _object({"id": _TEXT, "kind": _TEXT, "barcode": _TEXT, "display": _TEXT, "buffer": _nullable(_TEXT)})
+            "stations": list_of(
+                record({"id": TEXT, "kind": TEXT, "barcode": TEXT, "display": TEXT, "buffer": nullable(TEXT)})
             ),
-            "zones": _list(
-                _object(
+            "zones": list_of(
+                record(
                     {
-                        "id": _TEXT,
-                        "name": _TEXT,
-                        "barcodes": _list(_TEXT),
-                        "capacity": _WHOLE,
-                        "no_stop": _FLAG,
-                        "soft": _nullable(_object({"share": {"type": "number"}, "patience": {"type": "number"}}))
+                        "id": TEXT,
+                        "name": TEXT,
+                        "barcodes": list_of(TEXT),
+                        "capacity": WHOLE,
+                        "no_stop": FLAG,
+                        "soft": nullable(record({"share": {"type": "number"}, "patience": {"type": "number"}}))
                         | {"description": "No hard cap: a share of its slots is filled from outside, for so many s."},
                     }
                 )
             ),
-            "vehicles": _list(
-                _object(
+            "vehicles": list_of(
+                record(
                     {
-                        "id": _TEXT,
-                        "kind": _TEXT,
-                        "link": _nullable(_TEXT),
-                        "length": _WHOLE,
-                        "max_speed": _WHOLE,
-                        "curve_speed": _WHOLE,
+                        "id": TEXT,
+                        "kind": TEXT,
+                        "link": nullable(TEXT),
+                        "length": WHOLE,
+                        "max_speed": WHOLE,
+                        "curve_speed": WHOLE,
                     }
                 )
             ),
-            "links": _list(_object({"id": _TEXT, "protocol": _TEXT, "address": _TEXT})),
-            "doors": _list(
-                _object(
+            "links": list_of(record({"id": TEXT, "protocol": TEXT, "address": TEXT})),
+            "doors": list_of(
+                record(
                     {
-                        "id": _TEXT,
-                        "link": _TEXT,
-                        "number": _WHOLE,
-                        "passages": _list(_list(_TEXT)),
-                        "normally_open": _FLAG,
+                        "id": TEXT,
+                        "link": TEXT,
+                        "number": WHOLE,
+                        "passages": list_of(list_of(TEXT)),
+                        "normally_open": FLAG,
                     }
                 )
             ),
-            "buffers": _list(_object({"id": _TEXT, "link": _TEXT, "number": _WHOLE})),
-            "chargers": _list(_object({"id": _TEXT, "barcode": _TEXT, "alias": _nullable(_TEXT)})),
-            "drives": _list(_object({"id": _TEXT, "name": _TEXT, "line": _TEXT, "address": _WHOLE, "model": _TEXT})),
+            "buffers": list_of(record({"id": TEXT, "link": TEXT, "number": WHOLE})),
+            "chargers": list_of(record({"id": TEXT, "barcode": TEXT, "alias": nullable(TEXT)})),
+            "drives": list_of(record({"id": TEXT, "name": TEXT, "line": TEXT, "address": WHOLE, "model": TEXT})),
         }
     ),
 }
@@ -391,8 +368,8 @@ def _as_encoded(name: str, schema: Json) -> Json:
 
 
 def _timely(schema: Json) -> Json:
-    nullable = any(part.get("type") == "null" for part in schema.get("anyOf", []))
-    return _nullable(_TIME) if nullable else dict(_TIME)
+    may_be_null = any(part.get("type") == "null" for part in schema.get("anyOf", []))
+    return nullable(TIME) if may_be_null else dict(TIME)
 
 
 def _renamed(node: Any) -> Any:

@@ -1,44 +1,23 @@
 """Schemas of what the control room asks for that is no view."""
 
-from typing import Any
+from app.api.schemas import FLAG, NUMBER, TEXT, TIME, WHOLE, Json, list_of, nullable, record
 
-Json = dict[str, Any]
+_MAYBE, _MAYBE_NUMBER = nullable(TEXT), nullable(NUMBER)
 
-
-def _object(properties: Json, description: str = "") -> Json:
-    schema: Json = {"type": "object", "properties": properties, "required": list(properties)}
-    return {**schema, "description": description} if description else schema
-
-
-def _list(item: Json, description: str = "") -> Json:
-    schema: Json = {"type": "array", "items": item}
-    return {**schema, "description": description} if description else schema
-
-
-def _nullable(schema: Json) -> Json:
-    return {"anyOf": [schema, {"type": "null"}]}
-
-
-_FLAG = {"type": "boolean"}
-_TEXT, _WHOLE, _NUMBER = {"type": "string"}, {"type": "integer"}, {"type": "number"}
-
-_TIME = {"type": "string", "format": "date-time"}
-_MAYBE, _MAYBE_NUMBER = _nullable(_TEXT), _nullable(_NUMBER)
-
-_MAYBE_FLAG = _nullable(_FLAG)
+_MAYBE_FLAG = nullable(FLAG)
 
 ROOM: Json = {
-    "Times": _object(
-        {"count": _WHOLE, "mean": _MAYBE_NUMBER, "p50": _MAYBE_NUMBER, "p95": _MAYBE_NUMBER, "longest": _MAYBE_NUMBER},
+    "Times": record(
+        {"count": WHOLE, "mean": _MAYBE_NUMBER, "p50": _MAYBE_NUMBER, "p95": _MAYBE_NUMBER, "longest": _MAYBE_NUMBER},
         "How long something took, seconds; null if it never happened.",
     ),
-    "Statistics": _object(
+    "Statistics": record(
         {
-            "from": _TIME,
-            "to": _TIME,
+            "from": TIME,
+            "to": TIME,
             "jobs": {
                 "type": "object",
-                "additionalProperties": _WHOLE,
+                "additionalProperties": WHOLE,
                 "description": "How many ended in each terminal state.",
             },
             "phases": {
@@ -47,52 +26,52 @@ ROOM: Json = {
                 "description": "Of completed jobs: queued, fetching, acquiring, carrying, depositing, total.",
             },
             "empty_share": {**_MAYBE_NUMBER, "description": "Of the time driven, that to sources, 0 to 1."},
-            "intervals": _list(
-                _object(
+            "intervals": list_of(
+                record(
                     {
-                        "begin": _TIME,
-                        "ordered": _WHOLE,
-                        "completed": _WHOLE,
-                        "unfinished": {**_WHOLE, "description": "Failed, cancelled or aborted."},
-                        "queue": {**_NUMBER, "description": "Jobs without a vehicle, on the average."},
+                        "begin": TIME,
+                        "ordered": WHOLE,
+                        "completed": WHOLE,
+                        "unfinished": {**WHOLE, "description": "Failed, cancelled or aborted."},
+                        "queue": {**NUMBER, "description": "Jobs without a vehicle, on the average."},
                         "delivery": {"$ref": "#/components/schemas/Times"},
                     }
                 )
             ),
-            "vehicles": _list(
+            "vehicles": list_of(
                 {
                     "allOf": [
-                        _object(
+                        record(
                             {
-                                "vehicle": _TEXT,
-                                "completed": _WHOLE,
-                                "fetching": {**_NUMBER, "description": "Seconds empty to sources."},
-                                "acquiring": _NUMBER,
-                                "carrying": {**_NUMBER, "description": "Seconds loaded to destinations."},
-                                "depositing": _NUMBER,
-                                "busy_share": {**_NUMBER, "description": "Of the period, with jobs that ended in it."},
+                                "vehicle": TEXT,
+                                "completed": WHOLE,
+                                "fetching": {**NUMBER, "description": "Seconds empty to sources."},
+                                "acquiring": NUMBER,
+                                "carrying": {**NUMBER, "description": "Seconds loaded to destinations."},
+                                "depositing": NUMBER,
+                                "busy_share": {**NUMBER, "description": "Of the period, with jobs that ended in it."},
                             }
                         ),
                         {"$ref": "#/components/schemas/Reliability"},
                     ]
                 }
             ),
-            "waits": _list(
-                _object(
+            "waits": list_of(
+                record(
                     {
-                        "cause": {**_TEXT, "description": "The reason, each name in it a dash."},
-                        "times": _WHOLE,
-                        "seconds": _NUMBER,
+                        "cause": {**TEXT, "description": "The reason, each name in it a dash."},
+                        "times": WHOLE,
+                        "seconds": NUMBER,
                     }
                 ),
                 "The longest altogether first.",
             ),
-            "waits_of": {**_WHOLE, "description": "Waits are those of so many jobs: all, or the newest."},
+            "waits_of": {**WHOLE, "description": "Waits are those of so many jobs: all, or the newest."},
         }
     ),
-    "Moment": _object(
+    "Moment": record(
         {
-            "at": _TIME,
+            "at": TIME,
             "objects": {
                 "type": "object",
                 "description": "Topic, then key, to object. Of vehicles what a map shows: barcode, state, activity, job ...",
@@ -101,32 +80,32 @@ ROOM: Json = {
         },
         "The plant as it was.",
     ),
-    "Span": _object(
+    "Span": record(
         {
-            "from": _nullable(_TIME),
-            "to": _nullable(_TIME),
-            "bytes": _WHOLE,
+            "from": nullable(TIME),
+            "to": nullable(TIME),
+            "bytes": WHOLE,
             "incident": {
-                **_nullable(_object({"by": _TEXT, "made": _TIME})),
+                **nullable(record({"by": TEXT, "made": TIME})),
                 "description": "Who exported it, and when: it is a file under `hoistway replay`; null: the plant itself.",
             },
         },
         "What playback there is.",
     ),
-    "PlaybackChange": _object(
+    "PlaybackChange": record(
         {
-            "at": _TIME,
-            "topic": _TEXT,
-            "key": _TEXT,
+            "at": TIME,
+            "topic": TEXT,
+            "key": TEXT,
             "value": {
                 "type": ["object", "null"],
                 "description": "The whole object, of a vehicle the fields that are other than before; null: it is gone.",
             },
         }
     ),
-    "WalkPlace": _object(
+    "WalkPlace": record(
         {
-            "station": _TEXT,
+            "station": TEXT,
             "believed": {**_MAYBE_FLAG, "description": "Whether something was there by the books when the walk began."},
             "believed_carrier": _MAYBE,
             "now": {**_MAYBE_FLAG, "description": "The same by the books of now."},
@@ -134,7 +113,7 @@ ROOM: Json = {
             "seen": {**_MAYBE_FLAG, "description": "What was entered; null: nothing yet."},
             "seen_carrier": _MAYBE,
             "by": _MAYBE,
-            "at": _nullable(_TIME),
+            "at": nullable(TIME),
             "finding": {
                 "type": "string",
                 "enum": ["not_seen", "agrees", "differs", "moved"],
@@ -143,58 +122,58 @@ ROOM: Json = {
         },
         "A place of an audit walk. After the walk has ended `now` may be long past what was seen.",
     ),
-    "AlarmCount": _object(
+    "AlarmCount": record(
         {
             "kind": _MAYBE,
             "source": _MAYBE,
             "code": _MAYBE,
-            "times": _WHOLE,
-            "minutes": {**_NUMBER, "description": "Within the period, altogether."},
-            "share": {**_NUMBER, "description": "Of the minutes of all rows, 0 to 1."},
-            "newest": _TIME,
+            "times": WHOLE,
+            "minutes": {**NUMBER, "description": "Within the period, altogether."},
+            "share": {**NUMBER, "description": "Of the minutes of all rows, 0 to 1."},
+            "newest": TIME,
         },
         "How often and how long something was wrong; null: not told apart by that.",
     ),
-    "Reliability": _object(
+    "Reliability": record(
         {
-            "vehicle": _TEXT,
-            "failures": {**_WHOLE, "description": "Alarms and holds for a doubt; those that overlap are one."},
-            "down_minutes": _NUMBER,
+            "vehicle": TEXT,
+            "failures": {**WHOLE, "description": "Alarms and holds for a doubt; those that overlap are one."},
+            "down_minutes": NUMBER,
             "mtbf_hours": _MAYBE_NUMBER,
             "mttr_minutes": _MAYBE_NUMBER,
-            "availability": {**_NUMBER, "description": "Share of the period without a failure, 0 to 1."},
+            "availability": {**NUMBER, "description": "Share of the period without a failure, 0 to 1."},
         }
     ),
-    "Zone": _object(
+    "Zone": record(
         {
-            "id": _TEXT,
-            "name": _TEXT,
-            "capacity": _WHOLE,
-            "no_stop": _FLAG,
-            "state": {**_TEXT, "enum": ["auto", "paused", "stopped"]},
-            "pause": _nullable({"$ref": "#/components/schemas/Pause"}),
-            "vehicles": _list(_TEXT, "Those that hold track in it."),
+            "id": TEXT,
+            "name": TEXT,
+            "capacity": WHOLE,
+            "no_stop": FLAG,
+            "state": {**TEXT, "enum": ["auto", "paused", "stopped"]},
+            "pause": nullable({"$ref": "#/components/schemas/Pause"}),
+            "vehicles": list_of(TEXT, "Those that hold track in it."),
         },
         "A zone of the plant.",
     ),
-    "ClosurePreview": _object(
+    "ClosurePreview": record(
         {
-            "place": _TEXT,
-            "barcodes": _list(_TEXT),
-            "stations": _list(_TEXT, "Stations that it closes."),
-            "cut_off": _list(_TEXT, "Stations that could not be reached, or not be left, any more."),
-            "inside": _list(_TEXT, "Vehicles that would have to drive out."),
-            "shut_in": _list(_TEXT, "Vehicles that could not get out, or round, any more."),
-            "jobs_touched": _WHOLE,
-            "jobs": _list(_object({"job": _TEXT, "why": _TEXT}), "The first of them."),
-            "routes": _object(
+            "place": TEXT,
+            "barcodes": list_of(TEXT),
+            "stations": list_of(TEXT, "Stations that it closes."),
+            "cut_off": list_of(TEXT, "Stations that could not be reached, or not be left, any more."),
+            "inside": list_of(TEXT, "Vehicles that would have to drive out."),
+            "shut_in": list_of(TEXT, "Vehicles that could not get out, or round, any more."),
+            "jobs_touched": WHOLE,
+            "jobs": list_of(record({"job": TEXT, "why": TEXT}), "The first of them."),
+            "routes": record(
                 {
-                    "compared": {**_WHOLE, "description": "Pairs of stations that were compared: all, or a sample."},
-                    "longer": {**_WHOLE, "description": "Pairs whose route would take longer."},
-                    "lost": {**_WHOLE, "description": "Pairs that would have no route any more."},
-                    "mean_seconds": {**_NUMBER, "description": "Of the pairs that stay connected, now."},
-                    "mean_seconds_after": _NUMBER,
-                    "worst": _list(_object({"from": _TEXT, "to": _TEXT, "seconds": _NUMBER, "seconds_after": _NUMBER})),
+                    "compared": {**WHOLE, "description": "Pairs of stations that were compared: all, or a sample."},
+                    "longer": {**WHOLE, "description": "Pairs whose route would take longer."},
+                    "lost": {**WHOLE, "description": "Pairs that would have no route any more."},
+                    "mean_seconds": {**NUMBER, "description": "Of the pairs that stay connected, now."},
+                    "mean_seconds_after": NUMBER,
+                    "worst": list_of(record({"from": TEXT, "to": TEXT, "seconds": NUMBER, "seconds_after": NUMBER})),
                 }
             ),
         },

@@ -1,151 +1,130 @@
 """Schemas of what teaching answers that is no view."""
 
-from typing import Any
+from app.api.schemas import FLAG, TEXT, TIME, WHOLE, Json, list_of, nullable, record, ref
 
-Json = dict[str, Any]
-
-
-def _ref(name: str) -> Json:
-    return {"$ref": f"#/components/schemas/{name}"}
-
-
-def _object(properties: Json) -> Json:
-    return {"type": "object", "properties": properties, "required": list(properties)}
-
-
-def _nullable(schema: Json) -> Json:
-    return {"anyOf": [schema, {"type": "null"}]}
-
-
-def _list(item: Json) -> Json:
-    return {"type": "array", "items": item}
-
-
-_TEXT, _WHOLE, _FLAG = {"type": "string"}, {"type": "integer"}, {"type": "boolean"}
-_TIME = {"type": "string", "format": "date-time"}
 _SIDE = {"type": "string", "enum": ["dest", "offset"]}
-_CHANGES = {**_list(_ref("TaughtChange")), "description": "Every port and vehicle whose pulses change."}
+_CHANGES = {**list_of(ref("TaughtChange")), "description": "Every port and vehicle whose pulses change."}
 
 TEACHING: Json = {
     "PulsesVersion": {
         "allOf": [
-            _ref("Axes"),
-            _object(
+            ref("Axes"),
+            record(
                 {
-                    "version": _WHOLE,
-                    "actor": _TEXT,
-                    "source": {**_TEXT, "description": "plant file, rest, teaching, roll-back or import."},
-                    "at": _TIME,
-                    "basis": {**_list(_ref("Basis")), "description": "Empty where a person wrote the values."},
-                    "proposal": _nullable(_WHOLE),
-                    "restores": _nullable(_WHOLE),
-                    "reason": _TEXT,
+                    "version": WHOLE,
+                    "actor": TEXT,
+                    "source": {**TEXT, "description": "plant file, rest, teaching, roll-back or import."},
+                    "at": TIME,
+                    "basis": {**list_of(ref("Basis")), "description": "Empty where a person wrote the values."},
+                    "proposal": nullable(WHOLE),
+                    "restores": nullable(WHOLE),
+                    "reason": TEXT,
                 }
             ),
         ]
     },
     "Basis": {
         "description": "Where one axis comes from: value = raw - less, where less is of version `version` of `against`.",
-        **_object(
+        **record(
             {
-                "axis": _TEXT,
-                "raw": _WHOLE,
-                "vehicle": _TEXT,
-                "barcode": _TEXT,
-                "events": _list(_WHOLE),
-                "against": _TEXT,
-                "version": _nullable(_WHOLE),
-                "less": _WHOLE,
+                "axis": TEXT,
+                "raw": WHOLE,
+                "vehicle": TEXT,
+                "barcode": TEXT,
+                "events": list_of(WHOLE),
+                "against": TEXT,
+                "version": nullable(WHOLE),
+                "less": WHOLE,
             }
         ),
     },
     "TaughtChange": {
         "description": "What one vehicle is sent at one port, before and after, in pulses.",
-        **_object({"station": _TEXT, "vehicle": _TEXT, "old": _ref("Axes"), "new": _ref("Axes"), "beyond": _TEXT}),
+        **record({"station": TEXT, "vehicle": TEXT, "old": ref("Axes"), "new": ref("Axes"), "beyond": TEXT}),
     },
     "TeachingSessionDetail": {
         "allOf": [
-            _ref("TeachingSession"),
-            _object({"proposals": _list(_ref("Proposal")), "advice": {**_TEXT, "description": "What to do next."}}),
+            ref("TeachingSession"),
+            record({"proposals": list_of(ref("Proposal")), "advice": {**TEXT, "description": "What to do next."}}),
         ]
     },
     "ProposalDetail": {
         "allOf": [
-            _ref("Proposal"),
-            _object({"present": _nullable(_ref("PulsesVersion")), "changes": _CHANGES, "drift": _TEXT}),
+            ref("Proposal"),
+            record({"present": nullable(ref("PulsesVersion")), "changes": _CHANGES, "drift": TEXT}),
         ]
     },
-    "TeachingEvent": _object(
+    "TeachingEvent": record(
         {
-            "number": _WHOLE,
-            "at": _TIME,
-            "vehicle": _TEXT,
-            "barcode": _TEXT,
-            "code": _TEXT,
-            "axis": _nullable(_TEXT),
-            "position": _WHOLE,
-            "cmd_id": _TEXT,
-            "connection": _TEXT,
-            "asked_by": _nullable(_TEXT),
+            "number": WHOLE,
+            "at": TIME,
+            "vehicle": TEXT,
+            "barcode": TEXT,
+            "code": TEXT,
+            "axis": nullable(TEXT),
+            "position": WHOLE,
+            "cmd_id": TEXT,
+            "connection": TEXT,
+            "asked_by": nullable(TEXT),
         }
     ),
     "TaughtTarget": {
         "description": "What a vehicle would be sent at a port. `refusal`: why a job would be refused, empty if not.",
         "allOf": [
-            _ref("Axes"),
-            _object(
+            ref("Axes"),
+            record(
                 {
-                    "station": _TEXT,
-                    "vehicle": _TEXT,
-                    "complete": _FLAG,
-                    "refusal": _TEXT,
-                    "reference": _FLAG,
-                    "dest": _nullable(_ref("PulsesVersion")),
-                    "offset": _nullable(_ref("PulsesVersion")),
+                    "station": TEXT,
+                    "vehicle": TEXT,
+                    "complete": FLAG,
+                    "refusal": TEXT,
+                    "reference": FLAG,
+                    "dest": nullable(ref("PulsesVersion")),
+                    "offset": nullable(ref("PulsesVersion")),
                 }
             ),
         ],
     },
-    "TaughtComparison": _object(
+    "TaughtComparison": record(
         {
-            "old": _ref("PulsesVersion"),
-            "new": _ref("PulsesVersion"),
-            "differences": _ref("Axes"),
+            "old": ref("PulsesVersion"),
+            "new": ref("PulsesVersion"),
+            "differences": ref("Axes"),
             "changes": _CHANGES,
         }
     ),
-    "VehicleComparison": _object(
+    "VehicleComparison": record(
         {
-            "one": {"allOf": [_ref("Axes"), _object({"vehicle": _TEXT})]},
-            "other": {"allOf": [_ref("Axes"), _object({"vehicle": _TEXT})]},
-            "differences": _ref("Axes"),
-            "stations": _list(_object({"station": _TEXT, "one": _ref("Axes"), "other": _ref("Axes")})),
+            "one": {"allOf": [ref("Axes"), record({"vehicle": TEXT})]},
+            "other": {"allOf": [ref("Axes"), record({"vehicle": TEXT})]},
+            "differences": ref("Axes"),
+            "stations": list_of(record({"station": TEXT, "one": ref("Axes"), "other": ref("Axes")})),
         }
     ),
-    "DriftRow": _object(
+    "DriftRow": record(
         {
             "side": _SIDE,
-            "name": _TEXT,
-            "drift": _TEXT,
-            "old": _ref("PulsesVersion"),
-            "new": _ref("PulsesVersion"),
+            "name": TEXT,
+            "drift": TEXT,
+            "old": ref("PulsesVersion"),
+            "new": ref("PulsesVersion"),
         }
     ),
-    "TaughtDest": {"allOf": [_ref("PulsesVersion"), _object({"station": _TEXT})]},
-    "TaughtOffset": {"allOf": [_ref("PulsesVersion"), _object({"vehicle": _TEXT})]},
-    "ImportReport": _object(
+    "TaughtDest": {"allOf": [ref("PulsesVersion"), record({"station": TEXT})]},
+    "TaughtOffset": {"allOf": [ref("PulsesVersion"), record({"vehicle": TEXT})]},
+    "ImportReport": record(
         {
-            "dry_run": _FLAG,
-            "counts": _object(dict.fromkeys(("new", "changed", "same", "error"), _WHOLE)),
-            "items": _list(
-                _object(
+            "dry_run": FLAG,
+            "counts": record(dict.fromkeys(("new", "changed", "same", "error"), WHOLE)),
+            "items": list_of(
+                record(
                     {
-                        "line": _WHOLE,
-                        "name": _TEXT,
+                        "line": WHOLE,
+                        "name": TEXT,
                         "fate": {"type": "string", "enum": ["new", "changed", "same", "error"]},
-                        "detail": _TEXT,
-                        "remedy": _TEXT,
-                        "version": _nullable(_WHOLE),
+                        "detail": TEXT,
+                        "remedy": TEXT,
+                        "version": nullable(WHOLE),
                     }
                 )
             ),

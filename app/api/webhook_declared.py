@@ -1,37 +1,23 @@
 """Schemas of webhooks."""
 
-from typing import Any
-
-Json = dict[str, Any]
-_TEXT, _WHOLE, _FLAG = {"type": "string"}, {"type": "integer"}, {"type": "boolean"}
-_TIME = {"type": "string", "format": "date-time"}
-
-
-def _object(properties: Json, description: str = "") -> Json:
-    schema: Json = {"type": "object", "properties": properties, "required": list(properties)}
-    return {**schema, "description": description} if description else schema
-
-
-def _nullable(schema: Json, description: str) -> Json:
-    return {"anyOf": [schema, {"type": "null"}], "description": description}
-
+from app.api.schemas import FLAG, TEXT, TIME, WHOLE, Json, nullable, record
 
 WEBHOOKS: Json = {
-    "Webhook": _object(
+    "Webhook": record(
         {
-            "id": _WHOLE,
-            "url": _TEXT,
-            "events": {"type": "array", "items": _TEXT, "description": "Names; none: all."},
-            "note": _TEXT,
+            "id": WHOLE,
+            "url": TEXT,
+            "events": {"type": "array", "items": TEXT, "description": "Names; none: all."},
+            "note": TEXT,
             "state": {"type": "string", "enum": ["active", "paused", "failed"]},
             "reason": {"type": "string", "description": "Why it has failed."},
-            "actor": _TEXT,
-            "created": _TIME,
+            "actor": TEXT,
+            "created": TIME,
             "position": {"type": "integer", "description": "Events up to this number are delivered, or not wanted."},
             "behind": {"type": "integer", "description": "Events above it."},
-            "delivered": _WHOLE,
-            "last": _nullable(_TIME, "When an event was last taken."),
-            "failing": _nullable(_TIME, "Since when the present event is not taken."),
+            "delivered": WHOLE,
+            "last": nullable(TIME, "When an event was last taken."),
+            "failing": nullable(TIME, "Since when the present event is not taken."),
             "attempts": {"type": "integer", "description": "How often the present event has been tried."},
             "error": {"type": "string", "description": "Why it was not taken."},
         }
@@ -39,27 +25,27 @@ WEBHOOKS: Json = {
     "WebhookWithSecret": {
         "allOf": [
             {"$ref": "#/components/schemas/Webhook"},
-            _object({"secret": {"type": "string", "description": "`whsec_` and base64. It is not shown again."}}),
+            record({"secret": {"type": "string", "description": "`whsec_` and base64. It is not shown again."}}),
         ]
     },
-    "WebhookDelivery": _object(
+    "WebhookDelivery": record(
         {
-            "number": _WHOLE,
-            "at": _TIME,
-            "event": _TEXT,
-            "seq": _nullable(_WHOLE, "The event's number; null for a ping."),
-            "attempt": _WHOLE,
-            "status": _nullable(_WHOLE, "The answer's; null if there was none."),
+            "number": WHOLE,
+            "at": TIME,
+            "event": TEXT,
+            "seq": nullable(WHOLE, "The event's number; null for a ping."),
+            "attempt": WHOLE,
+            "status": nullable(WHOLE, "The answer's; null if there was none."),
             "seconds": {"type": "number"},
-            "taken": _FLAG,
-            "error": _TEXT,
+            "taken": FLAG,
+            "error": TEXT,
         }
     ),
-    "WebhookMessage": _object(
+    "WebhookMessage": record(
         {
             "type": {"type": "string", "description": "The event's name, or Ping."},
-            "timestamp": _TIME,
-            "data": {"anyOf": [{"$ref": "#/components/schemas/Event"}, _object({"webhook": _WHOLE})]},
+            "timestamp": TIME,
+            "data": {"anyOf": [{"$ref": "#/components/schemas/Event"}, record({"webhook": WHOLE})]},
         },
         "What a receiver gets (headers webhook-id, webhook-timestamp, webhook-signature: Standard Webhooks).",
     ),
