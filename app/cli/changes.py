@@ -83,13 +83,19 @@ class Changes:
             if digest_of(text) == active.digest:
                 self._store.take_file(text, self._utc())
                 return plant
-            running = self._plant_of(active)
+            edited = digest_of(text) != self._store.file_taken()
+            try:
+                running = self._plant_of(active)
+            except CannotStart as unreadable:
+                if not edited:
+                    raise
+                return self._instead_of_unreadable(active, plant, text, unreadable)
             if running.name != plant.name:
                 raise StoreError(
                     f"the database keeps plant {running.name}, not {plant.name}",
                     remedy="Give each plant a database of its own, or write the plant's old name into the plant file.",
                 )
-            if digest_of(text) != self._store.file_taken():
+            if edited:
                 return self._edited(active, running, plant, text)
             logger(plant=plant.name).warning(
                 "the plant file is not what runs",
@@ -120,6 +126,22 @@ class Changes:
             _log_all(log, broken)
             log.error(NOT_TAKEN, goes_on=f"version {active.number}", staged=f"version {version.number}")
             return running
+        self._take_edited(version)
+        log.warning("the plant has changed", version=version.number, differences=_counted(running, plant))
+        return plant
+
+    def _instead_of_unreadable(self, active: PlantVersion, plant: Plant, text: str, unreadable: CannotStart) -> Plant:
+        """Take the edited file where nobody can read the active version any more (another program staged it): nothing can be
+        compared, and the start itself refuses a plant that lacks a vehicle on the rail."""
+        version = self._staged(text, f"version {active.number} cannot be read any more")
+        self._take_edited(version)
+        logger(plant=plant.name).warning(
+            "the plant has changed", version=version.number, reason=unreadable.message, compared="nothing"
+        )
+        return plant
+
+    def _take_edited(self, version: PlantVersion) -> None:
+        """Make a version of the edited file the active one, before any controller runs."""
         other = self._store.awaited()
         if other is not None and other.number != version.number:
             self._store.give_up(other.number, "the plant file was edited meanwhile", self._utc())
@@ -127,8 +149,6 @@ class Changes:
             self._store.ask(version.number, FILE, f"{EDITED} before a start", self._utc(), patient=False)
         self._store.activate(version.number, self._utc(), file=True)
         self.number = version.number
-        log.warning("the plant has changed", version=version.number, differences=_counted(running, plant))
-        return plant
 
     def _staged(self, text: str, reason: str) -> PlantVersion:
         """Return the version with this text; it is made if there is none that could become active."""

@@ -165,8 +165,7 @@ def _prepared(file: Path, directory: Path, now: Timestamp) -> Iterator[Path]:
                 engine.dispose()
         yield copy
     finally:
-        for leftover in (copy, *(Path(f"{copy}{end}") for end in ("-wal", "-shm", ".lock"))):
-            leftover.unlink(missing_ok=True)
+        _remove(copy)
 
 
 def _let_no_layout_be_awaited(connection: sa.Connection) -> None:
@@ -214,11 +213,11 @@ def _copy_file(source: Path, target: Path) -> None:
     """Copy an SQLite database that may be written to meanwhile, at one moment."""
     with _disk(target):
         target.touch(mode=PRIVATE)
-        with told(f"{source} cannot be copied"), _raw(source) as come_from, _raw(target) as goes_to:
-            try:
+        try:
+            with closing(sqlite3.connect(source)) as come_from, closing(sqlite3.connect(target)) as goes_to:
                 come_from.backup(goes_to)  # in one go: a commit in between would make it begin again
-            except sqlite3.Error as wrong:
-                raise StoreError(f"{source} cannot be copied: {wrong}", remedy="See that the disk has room.") from wrong
+        except sqlite3.Error as wrong:
+            raise StoreError(f"{source} cannot be copied: {wrong}", remedy="See that the disk has room.") from wrong
 
 
 def _copy_rows(made: sa.URL, target: Path) -> None:
@@ -274,8 +273,13 @@ def _new(target: Path) -> Iterator[Path]:
             os.link(partial, target)
             _flush(target.resolve().parent)
     finally:
-        for leftover in (partial, *(Path(f"{partial}{end}") for end in ("-wal", "-shm", ".lock"))):
-            leftover.unlink(missing_ok=True)
+        _remove(partial)
+
+
+def _remove(database: Path) -> None:
+    """Remove an SQLite database and what may lie beside it."""
+    for end in ("", "-wal", "-shm", ".lock"):
+        Path(f"{database}{end}").unlink(missing_ok=True)
 
 
 @contextmanager
@@ -291,15 +295,11 @@ def _into_one_file(engine: sa.Engine) -> None:
     """Take what the log beside an SQLite file holds into the file."""
     with told("the database cannot be finished"), closing(engine.raw_connection()) as raw:
         cursor = raw.cursor()
-        cursor.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        busy = cursor.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()[0]
         cursor.execute("PRAGMA journal_mode = DELETE")
         cursor.close()
-
-
-@contextmanager
-def _raw(file: Path) -> Iterator[sqlite3.Connection]:
-    with closing(sqlite3.connect(file)) as connection:
-        yield connection
+    if busy:
+        raise StoreError("another program has the database open", remedy="Close it, then try again.")
 
 
 def _flush(path: Path) -> None:

@@ -1,11 +1,13 @@
 """With which version a controller starts: whichever was changed last counts, the plant file or the active version."""
 
+import asyncio
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from app.cli.changes import Changes
+from app.cli.plainly import CannotStart
 from app.cli.running import plant_and_text_of
 from app.domain.errors import StoreError
 from app.domain.ids import Actor, StationId
@@ -114,3 +116,23 @@ def test_the_file_of_another_plant_is_refused_and_makes_no_version(start: Start)
     with pytest.raises(StoreError, match="keeps plant small, not other"):
         start(TEXT.replace("name: small", "name: other"))
     assert states(changes) == {1: "active"}
+
+
+def test_an_active_version_that_nobody_can_read_any_more_gives_way_to_an_edited_file_alone(start: Start) -> None:
+    _, changes = start(TEXT)
+    activated(changes, "name: small\nwords: of another program\n")
+    with pytest.raises(CannotStart, match="version 2 of the plant, the active one, cannot be read"):
+        start(TEXT)
+    plant, after = start(WITH_P9)
+    assert "P9" in stations(plant)
+    assert (after.number, states(after)) == (3, {1: "former", 2: "former", 3: "active"})
+    assert start(WITH_P9)[1].number == 3
+
+
+def test_a_version_that_cannot_be_read_is_not_waited_for_stop_after_stop(start: Start) -> None:
+    plant, changes = start(TEXT)
+    store = changes.versions.store
+    store.stage("name: small\nwords: of another program\n", Origin.UPLOAD, KIM, "try", NOW)
+    store.ask(2, KIM, "try", NOW, patient=True)
+    assert asyncio.run(changes.settle(plant)) == plant
+    assert states(changes) == {1: "active", 2: "staged"}
