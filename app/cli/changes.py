@@ -22,6 +22,7 @@ from app.plant.difference import Broken, difference
 from app.plant.touched import touched
 from app.runtime.telemetry import logger
 from app.runtime.versions import Versions, said
+from app.store.lease import Lease
 from app.store.opening import held
 from app.store.standing import standing
 from app.store.versions import VersionStore
@@ -72,7 +73,7 @@ class Changes:
 
         ``plant`` and ``text`` are the plant file's. Raises PlantHeld, StoreError; CannotStart: the active version cannot be read.
         """
-        with held(self._database, plant.name, holder(), self._utc()):
+        with held(self._database, plant.name, holder(), self._utc()) as lease:
             if self._store.plant_name() not in {None, plant.name}:
                 return plant  # The ledger refuses it, and says why.
             active = self._store.active()
@@ -89,14 +90,14 @@ class Changes:
             except CannotStart as unreadable:
                 if not edited:
                     raise
-                return self._instead_of_unreadable(active, plant, text, unreadable)
+                return self._instead_of_unreadable(active, plant, text, unreadable, lease)
             if running.name != plant.name:
                 raise StoreError(
                     f"the database keeps plant {running.name}, not {plant.name}",
                     remedy="Give each plant a database of its own, or write the plant's old name into the plant file.",
                 )
             if edited:
-                return self._edited(active, running, plant, text)
+                return self._edited(active, running, plant, text, lease)
             logger(plant=plant.name).warning(
                 "the plant file is not what runs",
                 runs=f"version {active.number} ({active.why})",
@@ -114,7 +115,7 @@ class Changes:
                 remedy="Write a plant file that this program understands, and start with it.",
             ) from None
 
-    def _edited(self, active: PlantVersion, running: Plant, plant: Plant, text: str) -> Plant:
+    def _edited(self, active: PlantVersion, running: Plant, plant: Plant, text: str, lease: Lease) -> Plant:
         """Take a plant file that was edited while no controller ran, unless it breaks something under way."""
         log = logger(plant=plant.name)
         if plant == running:
@@ -126,28 +127,30 @@ class Changes:
             _log_all(log, broken)
             log.error(NOT_TAKEN, goes_on=f"version {active.number}", staged=f"version {version.number}")
             return running
-        self._take_edited(version)
+        self._take_edited(version, lease)
         log.warning("the plant has changed", version=version.number, differences=_counted(running, plant))
         return plant
 
-    def _instead_of_unreadable(self, active: PlantVersion, plant: Plant, text: str, unreadable: CannotStart) -> Plant:
+    def _instead_of_unreadable(
+        self, active: PlantVersion, plant: Plant, text: str, unreadable: CannotStart, lease: Lease
+    ) -> Plant:
         """Take the edited file where nobody can read the active version any more (another program staged it): nothing can be
         compared, and the start itself refuses a plant that lacks a vehicle on the rail."""
         version = self._staged(text, f"version {active.number} cannot be read any more")
-        self._take_edited(version)
+        self._take_edited(version, lease)
         logger(plant=plant.name).warning(
             "the plant has changed", version=version.number, reason=unreadable.message, compared="nothing"
         )
         return plant
 
-    def _take_edited(self, version: PlantVersion) -> None:
+    def _take_edited(self, version: PlantVersion, lease: Lease) -> None:
         """Make a version of the edited file the active one, before any controller runs."""
         other = self._store.awaited()
         if other is not None and other.number != version.number:
             self._store.give_up(other.number, "the plant file was edited meanwhile", self._utc())
         if other is None or other.number != version.number:
             self._store.ask(version.number, FILE, f"{EDITED} before a start", self._utc(), patient=False)
-        self._store.activate(version.number, self._utc(), file=True)
+        self._store.activate(version.number, self._utc(), lease, file=True)
         self.number = version.number
 
     def _staged(self, text: str, reason: str) -> PlantVersion:
@@ -256,7 +259,7 @@ class Changes:
     def _settle(self, plant: Plant) -> Plant:
         log = logger(plant=plant.name)
         try:
-            with held(self._database, plant.name, holder(), self._utc()):
+            with held(self._database, plant.name, holder(), self._utc()) as lease:
                 awaited = self._store.awaited()
                 if awaited is None:
                     return plant
@@ -265,7 +268,7 @@ class Changes:
                 if broken := touched(plant, following, standing(self._database)):
                     self._kept_back(awaited, broken)
                     return plant
-                self._store.activate(awaited.number, self._utc(), file=self._is_file(awaited))
+                self._store.activate(awaited.number, self._utc(), lease, file=self._is_file(awaited))
         except PlantHeld:
             raise
         except (StoreError, CannotStart) as trouble:
@@ -299,8 +302,8 @@ class Changes:
         self._changed = False
 
         def back() -> Plant | None:
-            with held(self._database, plant.name, holder(), self._utc()):
-                before = self._store.fall_back(self.number, reason, self._utc())
+            with held(self._database, plant.name, holder(), self._utc()) as lease:
+                before = self._store.fall_back(self.number, reason, self._utc(), lease)
             if before is None:
                 return None
             self.number = before.number

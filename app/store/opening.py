@@ -29,8 +29,10 @@ def opened(url: sa.URL, engine: sa.Engine, plant: str, holder: str, since: Times
 
 
 @contextmanager
-def held(url: str, plant: str, holder: str, since: Timestamp) -> Iterator[None]:
-    """Hold the lease of a plant whose controller does not run just now; the schema is up to date meanwhile.
+def held(url: str, plant: str, holder: str, since: Timestamp) -> Iterator[Lease]:
+    """Hold the lease of a plant whose controller does not run just now, and give it; the schema is up to date meanwhile.
+
+    It may run out while something long is done: what counts is written in a transaction that verifies it.
 
     Raises PlantHeld: another controller has it. Raises StoreError.
     """
@@ -39,7 +41,7 @@ def held(url: str, plant: str, holder: str, since: Timestamp) -> Iterator[None]:
     try:
         lease = opened(made, engine, plant, holder, since, LEASE_SECONDS)
         try:
-            yield
+            yield lease
         finally:
             lease.release()
     finally:

@@ -15,6 +15,7 @@ from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
 from app.store.chain import append
 from app.store.columns import Found
 from app.store.engine import MEMORY, parsed, told, writing
+from app.store.lease import Lease
 from app.store.tables import plant, plant_file, plant_versions
 
 _FIELDS = tuple(field.name for field in fields(PlantVersion))
@@ -155,12 +156,13 @@ class VersionStore:
 
         return self._asked(number, now, actor, "RejectLayout", reason, work)
 
-    def activate(self, number: int, now: Timestamp, *, file: bool = False) -> PlantVersion:
+    def activate(self, number: int, now: Timestamp, lease: Lease, *, file: bool = False) -> PlantVersion:
         """Let an awaited version be the active one, and the active one a former one: both or nothing.
 
-        ``file``: the plant file says so. Raises StoreError: it is not awaited any more.
+        ``file``: the plant file says so. Raises StoreError: it is not awaited any more; PlantHeld: another controller has come.
         """
         with self._transaction() as connection:
+            lease.verify(connection)
             found = _found(connection, number)
             if found is None or found.state is not VersionState.AWAITED:
                 raise StoreError(f"version {number} of the plant is not wanted any more")
@@ -190,9 +192,13 @@ class VersionStore:
                 _write(connection, _over(found, found.at_rest, note))
                 _note(connection, now, found.asked_by or found.actor, "ActivateLayout", number, _not(note))
 
-    def fall_back(self, number: int, note: str, now: Timestamp) -> PlantVersion | None:
-        """The active version cannot be run: reject it, and let the one before it be active again; None: there is none."""
+    def fall_back(self, number: int, note: str, now: Timestamp, lease: Lease) -> PlantVersion | None:
+        """The active version cannot be run: reject it, and let the one before it be active again; None: there is none.
+
+        Raises PlantHeld: another controller has come.
+        """
         with self._transaction() as connection:
+            lease.verify(connection)
             found = _found(connection, number)
             before = None if found is None or found.before is None else _found(connection, found.before)
             if found is None or before is None or found.state is not VersionState.ACTIVE:

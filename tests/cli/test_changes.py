@@ -14,6 +14,7 @@ from app.domain.ids import Actor, StationId
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.domain.versions import Origin
+from app.store.lease import NoLease
 from app.store.ledger import SqlLedger
 from tests.store.samples import job
 
@@ -60,7 +61,7 @@ def activated(changes: Changes, text: str) -> None:
     made = store.stage(text, Origin.UPLOAD, KIM, "a port more", NOW)
     number = getattr(made, "number")  # noqa: B009
     store.ask(number, KIM, "it is built", NOW, patient=False)
-    store.activate(number, NOW)
+    store.activate(number, NOW, NoLease())
 
 
 def test_the_plant_file_is_version_1_and_stays_it(start: Start) -> None:

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 import pytest
 import sqlalchemy as sa
 
-from app.domain.errors import Refusal, StoreError
+from app.domain.errors import PlantHeld, Refusal, StoreError
 from app.domain.ids import Actor
 from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, VersionState
+from app.store.lease import NoLease
 from app.store.reading import Reader
 from app.store.versions import VersionStore
 from tests.store.conftest import NOW, Open
@@ -60,12 +61,12 @@ def test_a_version_goes_from_staged_over_awaited_to_active_and_the_one_before_ca
     wish = awaited(store, 2, patient=True)
     assert (wish.state, wish.asked, wish.asked_by, wish.asked_why) == (VersionState.AWAITED, LATER, KIM, "night shift")
     assert store.awaited() == wish
-    made = store.activate(2, LATER)
+    made = store.activate(2, LATER, NoLease())
     assert (made.before, made.activated, made.activated_by, made.why) == (1, LATER, KIM, "night shift")
     assert (made.asked, made.asked_by, made.patient) == (None, None, False)
     assert states(store) == {1: "former", 2: "active"}
     awaited(store, 1)
-    assert store.activate(1, LATER).before == 2
+    assert store.activate(1, LATER, NoLease()).before == 2
     assert states(store) == {1: "active", 2: "former"}
 
 
@@ -78,7 +79,7 @@ def test_a_wish_that_comes_to_nothing_leaves_the_version_as_it_was_and_says_why(
     assert found is not None
     assert (found.state, found.note, found.asked) == (VersionState.STAGED, "job J1 names P2", None)
     with pytest.raises(StoreError, match="not wanted any more"):
-        store.activate(2, LATER)
+        store.activate(2, LATER, NoLease())
     assert states(store) == {1: "active", 2: "staged"}
 
 
@@ -86,12 +87,12 @@ def test_a_version_that_cannot_be_run_is_rejected_and_the_one_before_is_active_a
     store.begin("one", KIM, NOW)
     staged(store, "two")
     awaited(store, 2)
-    store.activate(2, LATER)
-    back = store.fall_back(2, "no such address", LATER)
+    store.activate(2, LATER, NoLease())
+    back = store.fall_back(2, "no such address", LATER, NoLease())
     assert back is not None
     assert back.number == 1
     assert states(store) == {1: "active", 2: "rejected"}
-    assert store.fall_back(1, "nothing before", LATER) is None
+    assert store.fall_back(1, "nothing before", LATER, NoLease()) is None
     assert states(store) == {1: "active", 2: "rejected"}
 
 
@@ -119,7 +120,7 @@ def test_a_staged_version_is_rejected_a_former_one_only_stays_and_an_active_one_
     store.begin("one", KIM, NOW)
     staged(store, "two")
     awaited(store, 2)
-    store.activate(2, LATER)
+    store.activate(2, LATER, NoLease())
     awaited(store, 1)
     kept = store.reject(1, KIM, "not today", LATER)
     assert isinstance(kept, PlantVersion)
@@ -163,7 +164,7 @@ def test_whatever_is_asked_of_versions_is_in_the_audit_once(store: VersionStore,
     staged(store, "two")
     store.ask(2, KIM, "now", LATER, patient=False, refusal=Refusal("not-now", "job J1 is in the way"))
     awaited(store, 2)
-    store.activate(2, LATER)
+    store.activate(2, LATER, NoLease())
     store.reject(2, KIM, "too late", LATER)
     reader = Reader(url)
     rows = [(row.actor, row.action, row.target, row.detail, row.accepted) for _, row in reader.audit()]
@@ -176,3 +177,22 @@ def test_whatever_is_asked_of_versions_is_in_the_audit_once(store: VersionStore,
         ("kim", "ChangeLayout", "version 2", "instead of version 1: night shift", True),
         ("kim", "RejectLayout", "version 2", "refused: Version 2 is active.", False),
     ]
+
+
+def test_a_version_becomes_active_only_while_the_plant_is_held(store: VersionStore) -> None:
+    class Lost(NoLease):
+        """Another controller has come meanwhile."""
+
+        def verify(self, connection: sa.Connection) -> None:
+            raise PlantHeld("plant P1 is held by the standby")
+
+    store.begin("one", KIM, NOW)
+    staged(store, "two")
+    awaited(store, 2)
+    with pytest.raises(PlantHeld):
+        store.activate(2, LATER, Lost())
+    assert states(store) == {1: "active", 2: "awaited"}
+    store.activate(2, LATER, NoLease())
+    with pytest.raises(PlantHeld):
+        store.fall_back(2, "no such address", LATER, Lost())
+    assert states(store) == {1: "former", 2: "active"}
