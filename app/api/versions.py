@@ -40,9 +40,7 @@ _BODY: dict[str, Any] = {
         "content": {YAML: {"schema": {"type": "string"}}},
     }
 }
-_FILE: dict[int | str, dict[str, Any]] = {
-    200: {"description": "The plant file.", "content": {YAML: {"schema": {"type": "string"}}}}
-}
+_FILE: dict[int | str, dict[str, Any]] = {200: {"description": "The plant file.", "content": {YAML: {}}}}
 
 
 class ActivateIn(Strict):
