@@ -1095,6 +1095,19 @@ function onKeyWanted(call) {
 function onForbidden(call) {
 	forbidden = call;
 }
+var may = Promise.resolve();
+var goOn = () => void 0;
+/** Nothing is asked for but who is there, until it is known that somebody may: `letGo`. */
+function holdBack() {
+	may = new Promise((done) => goOn = done);
+}
+function letGo() {
+	goOn();
+}
+/** Whether a key or token is kept. */
+function hasKey() {
+	return key$1 !== "";
+}
 function useKey$1(given) {
 	key$1 = given;
 	sessionStorage.setItem(KEY, given);
@@ -1120,9 +1133,11 @@ function forbidWhile(why) {
 }
 /** Who is there may be said at any time, and the stream goes on. */
 var ALWAYS = /^\/(session|live)(\/|$)/;
+var SESSION = /^\/session(\/|$)/;
 async function call(method, path, body, extra = {}) {
 	const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
 	if (why) throw new Refused(0, why);
+	if (!SESSION.test(path)) await may;
 	const headers = {
 		Accept: "application/json",
 		"Accept-Language": document.documentElement.lang || "en",
@@ -1158,6 +1173,7 @@ async function refusal$1(response) {
 var get = (path) => call("GET", path);
 var post = (path, body, extra) => call("POST", path, body, extra);
 async function fetched(path) {
+	await may;
 	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
 	const response = await fetch(`/api/v1${path}`, {
 		headers,
@@ -1180,6 +1196,7 @@ async function upload(path, text, kind) {
 	};
 	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
 	if (actor()) headers["X-Actor"] = headerText(actor());
+	await may;
 	const response = await fetch(`/api/v1${path}`, {
 		method: "POST",
 		headers,
@@ -1419,6 +1436,8 @@ function happening(event) {
 // src/access.ts
 /** Who is at the page and which calls they may make: the server says both, and when they have to say so again. */
 var KEPT$2 = "hoistway.session";
+/** What a tab and those that were made of it have in common: a name for the log-in. */
+var FAMILY = "hoistway.family";
 /** Looked so often whether the token is to be renewed, ms. */
 var LOOK = 15e3;
 /** A server that does not answer is asked again after so long, ms. */
@@ -1443,6 +1462,16 @@ function keep(next) {
 	session.value = next;
 	if (next) sessionStorage.setItem(KEPT$2, JSON.stringify(next));
 	else sessionStorage.removeItem(KEPT$2);
+}
+var others = new BroadcastChannel(KEPT$2);
+var family = () => sessionStorage.getItem(FAMILY) ?? "";
+function hear({ data }) {
+	if (!family() || data.family !== family()) return;
+	if (data.token === null) leave$1();
+	else {
+		useKey$1(data.token);
+		keep(data.kept);
+	}
 }
 /** All roles there are: each may at least look. */
 var allRoles = O(() => {
@@ -1470,35 +1499,60 @@ async function learn(anew = false) {
 }
 function take({ token, expires, until }) {
 	const [now, end] = [serverNow(), Date.parse(expires)];
-	useKey$1(token);
-	keep({
+	const kept = {
 		renew: now + (end - now) / 2,
 		expires: end,
 		until: Date.parse(until)
+	};
+	useKey$1(token);
+	keep(kept);
+	if (family()) others.postMessage({
+		family: family(),
+		token,
+		kept
 	});
+}
+/** Somebody has said who they are: what waited for that goes on. */
+async function entered() {
+	await learn(true);
+	asked$2.value = false;
+	letGo();
 }
 /** Log in with a password. Raises Refused. */
 async function logIn(name, password) {
-	take(await post("/session", {
+	const given = await post("/session", {
 		name,
 		password
-	}));
-	await learn(true);
-	asked$2.value = false;
+	});
+	sessionStorage.setItem(FAMILY, freshKey());
+	take(given);
+	await entered();
 }
 /** Use a machine's key. Raises Refused. */
 async function useKey(key) {
 	keep(null);
+	sessionStorage.setItem(FAMILY, freshKey());
 	useKey$1(key);
-	await learn(true);
-	asked$2.value = false;
+	await entered();
 }
-/** Log out, and begin with an empty page: nothing of what was shown stays. */
+/** Log out, here and in the tabs that were duplicated. */
 async function logOut() {
+	if (family()) others.postMessage({
+		family: family(),
+		token: null
+	});
+	await leave$1();
+}
+/** End the session, and begin with an empty page: nothing of what was shown stays. */
+async function leave$1() {
 	if (me.value?.person) await call("DELETE", "/session").catch(() => void 0);
-	useKey$1("");
-	keep(null);
+	forget();
 	location.reload();
+}
+function forget() {
+	useKey$1("");
+	sessionStorage.removeItem(FAMILY);
+	keep(null);
 }
 async function renew() {
 	const now = session.value;
@@ -1515,11 +1569,21 @@ async function renew() {
 function begin$5(go) {
 	onKeyWanted(() => asked$2.value = true);
 	onForbidden(() => void learn().catch(() => void 0));
+	others.addEventListener("message", hear);
 	window.setInterval(() => void renew(), LOOK);
-	const first = () => {
-		learn().catch((error) => {
-			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(first, LATER);
-		});
+	if (session.value && session.value.expires < serverNow()) forget();
+	if (!hasKey()) holdBack();
+	const first = async () => {
+		try {
+			if (!hasKey() && (await get("/session/required")).required) {
+				asked$2.value = true;
+				return;
+			}
+			letGo();
+			await learn();
+		} catch (error) {
+			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(() => void first(), LATER);
+		}
 	};
 	first();
 	renew();
