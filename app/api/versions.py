@@ -219,7 +219,7 @@ def _broken(found: Iterable[Broken]) -> list[dict[str, object]]:
 
 def _shown(version: PlantVersion) -> dict[str, object]:
     plain = {**asdict(version), "state": version.state.value, "origin": version.origin.value}
-    moments = {name: plain[name] for name in ("at", "activated", "asked")}
+    moments = {name: plain[name] for name in ("at", "activated", "asked", "ran", "pruned")}
     return {**plain, **{name: None if moment is None else iso(moment) for name, moment in moments.items()}}
 
 

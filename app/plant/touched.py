@@ -29,9 +29,14 @@ def touched(old: Plant, new: Plant, kept: Kept, *, listening: bool = True) -> li
     ]
 
 
+def listens_at(plant: Plant) -> tuple[str, int] | None:
+    """Return where a controller of the plant listens for vehicles; None: it dials all of them."""
+    return plant.listen if any(vehicle.listen for vehicle in plant.hoists) else None
+
+
 def _listening(old: Plant, new: Plant) -> Iterator[Broken]:
     """Another address to listen at may be taken, which would be found out too late to go back in order."""
-    before, after = (plant.listen if any(v.listen for v in plant.hoists) else None for plant in (old, new))
+    before, after = listens_at(old), listens_at(new)
     if after is not None and after != before:
         text = f"vehicles are to connect to {after[0]}:{after[1]}, where the controller does not listen"
         yield Broken("plant", "listen", text, "stop the controller, and start it with the new file", ("vehicles",))

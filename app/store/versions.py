@@ -96,7 +96,9 @@ class VersionStore:
                 raise StoreError("another controller has begun on the database meanwhile", remedy="Start again.")
             digest, size = digest_of(text), len(text.encode())
             why = "the first start on this database"
-            first = PlantVersion(1, digest, VersionState.ACTIVE, Origin.FILE, now, actor, why, size, now, actor, why)
+            first = PlantVersion(
+                1, digest, VersionState.ACTIVE, Origin.FILE, now, actor, why, size, now, actor, why, tries=1
+            )
             connection.execute(plant_versions.insert(), {**asdict(first), "text": text})
             _take_file(connection, digest, now)
             append(connection, AuditRow(now, actor, "BeginLayout", "version 1", why, accepted=True))
@@ -159,6 +161,7 @@ class VersionStore:
     def activate(self, number: int, now: Timestamp, lease: Lease, *, file: bool = False) -> PlantVersion:
         """Let an awaited version be the active one, and the active one a former one: both or nothing.
 
+        It is on trial until it runs, and the way back leads past one that is on trial itself.
         ``file``: the plant file says so. Raises StoreError: it is not awaited any more; PlantHeld: another controller has come.
         """
         with self._transaction() as connection:
@@ -167,22 +170,31 @@ class VersionStore:
             if found is None or found.state is not VersionState.AWAITED:
                 raise StoreError(f"version {number} of the plant is not wanted any more")
             actor = found.asked_by or found.actor
-            before = connection.execute(
-                sa.select(_number).where(plant_versions.c.state == VersionState.ACTIVE)
-            ).scalar()
-            connection.execute(plant_versions.update().where(_number == before), {"state": VersionState.FORMER})
+            active = next(iter(_in(connection, VersionState.ACTIVE)), None)
+            if active is not None:
+                _write(connection, replace(active, state=active.at_rest, tries=None))
+            before = None if active is None else active.number if active.tries is None else active.before
             made = replace(
                 _over(found, VersionState.ACTIVE, ""),
                 activated=now,
                 activated_by=actor,
                 why=found.asked_why,
                 before=before,
+                tries=1,
             )
             _write(connection, made)
             if file:
                 _take_file(connection, made.digest, now)
-            _note(connection, now, actor, "ChangeLayout", number, f"instead of version {before}: {made.why}")
+            instead = "no version" if active is None else f"version {active.number}"
+            _note(connection, now, actor, "ChangeLayout", number, f"instead of {instead}: {made.why}")
             return made
+
+    def tried(self, number: int, tries: int | None, now: Timestamp) -> None:
+        """Note how many starts were begun with the active version and came to nothing so far; None: it runs."""
+        ran = {"ran": sa.func.coalesce(plant_versions.c.ran, now)} if tries is None else {}
+        which = sa.and_(_number == number, plant_versions.c.state == VersionState.ACTIVE)
+        with self._transaction() as connection:
+            connection.execute(plant_versions.update().where(which).values(tries=tries, **ran))
 
     def give_up(self, number: int, note: str, now: Timestamp) -> None:
         """Let a version not be awaited any more: something stands in its way."""
@@ -193,18 +205,20 @@ class VersionStore:
                 _note(connection, now, found.asked_by or found.actor, "ActivateLayout", number, _not(note))
 
     def fall_back(self, number: int, note: str, now: Timestamp, lease: Lease) -> PlantVersion | None:
-        """The active version cannot be run: reject it, and let the one before it be active again; None: there is none.
+        """The active version, on trial, cannot be run: let the one before it be active again; None: there is none, or it has run.
 
+        It is rejected, unless it ran some time before. The one before is on trial in its turn if it never ran.
         Raises PlantHeld: another controller has come.
         """
         with self._transaction() as connection:
             lease.verify(connection)
             found = _found(connection, number)
             before = None if found is None or found.before is None else _found(connection, found.before)
-            if found is None or before is None or found.state is not VersionState.ACTIVE:
+            if found is None or before is None or found.state is not VersionState.ACTIVE or found.tries is None:
                 return None
-            _write(connection, _over(found, VersionState.REJECTED, note))
-            made = replace(before, state=VersionState.ACTIVE)
+            state = VersionState.REJECTED if found.ran is None else VersionState.FORMER
+            _write(connection, replace(_over(found, state, note), tries=None))
+            made = replace(before, state=VersionState.ACTIVE, tries=1 if before.ran is None else None)
             _write(connection, made)
             actor = found.activated_by or found.actor
             _note(connection, now, actor, "ChangeLayout", number, _not(f"{note}; version {made.number} goes on"))
@@ -225,7 +239,7 @@ class VersionStore:
             return made
 
     def _in_state(self, state: VersionState) -> PlantVersion | None:
-        return next(iter(self._list(sa.select(*_COLUMNS).where(plant_versions.c.state == state))), None)
+        return next(iter(self._list(_state(state))), None)
 
     def _list(self, query: sa.Select[Any]) -> list[PlantVersion]:
         with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
@@ -243,6 +257,15 @@ class VersionStore:
 def _same_text(text: str) -> sa.Select[Any]:
     same = sa.and_(plant_versions.c.digest == digest_of(text), plant_versions.c.state.in_(LIVE))
     return sa.select(*_COLUMNS).where(same).order_by(_number.desc()).limit(1)
+
+
+def _state(state: VersionState) -> sa.Select[Any]:
+    return sa.select(*_COLUMNS).where(plant_versions.c.state == state).order_by(_number.desc())
+
+
+def _in(connection: sa.Connection, state: VersionState) -> list[PlantVersion]:
+    """Return the versions in a state, newest first."""
+    return [_version(row) for row in connection.execute(_state(state))]
 
 
 def _version(row: Found) -> PlantVersion:

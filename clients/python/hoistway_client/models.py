@@ -917,6 +917,9 @@ class PlantVersion(TypedDict):
     asked_why: str
     patient: bool
     note: str
+    ran: str | None
+    tries: int | None
+    pruned: str | None
 
 
 class PlaybackChange(TypedDict):
