@@ -25,6 +25,7 @@ VERSIONS: Json = {
             "note": {**TEXT, "description": "Why the last wish to activate it came to nothing."},
             "ran": nullable(TIME, "When a controller first ran with it."),
             "tries": nullable(WHOLE, "Active, but not run with yet: so many starts with it were begun. Null: it runs."),
+            "rejected": nullable(TIME),
             "pruned": nullable(TIME, "When its text was thrown away: it is rejected, and others were after it."),
         },
         "A version of the plant file. One is active at any time; at most one is awaited.",

@@ -19,7 +19,7 @@ from app.domain.ids import Actor
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
-from app.plant.difference import Broken, difference
+from app.plant.difference import Broken, difference, obstruction
 from app.plant.touched import listens_at, touched
 from app.runtime.telemetry import logger
 from app.runtime.versions import Versions, said
@@ -284,9 +284,7 @@ class Changes:
             _log_all(logger(version=str(version.number)), broken)
             self._told = list(broken)
         if not version.patient:
-            first, more = broken[0], f" (and {len(broken) - 1} more)" if len(broken) > 1 else ""
-            note = f"{first.what} {first.name} stood in the way: {first.text}{more}"
-            self._store.give_up(version.number, note, self._utc())
+            self._store.give_up(version.number, obstruction(broken), self._utc())
 
     # -- between two controllers --------------------------------------------------------------------------------------
 

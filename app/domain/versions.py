@@ -37,8 +37,9 @@ class PlantVersion:
     ``reason`` is why it was staged, ``why`` why it was activated last; ``before`` the version that was active until then.
     ``ran`` is when a controller first ran with it; ``tries`` how many starts with it were begun since it became active while none
     of them came to run (None: one did), which says after a crash too that the way back is still open.
-    ``pruned`` is when its text was thrown away. ``asked``, ``asked_by`` and ``asked_why`` say who wants it active while it is
-    awaited; ``patient``: also if something stands in its way now. ``note`` is what became of the last wish that came to nothing.
+    ``rejected`` is when it was, ``pruned`` when its text was thrown away. ``asked``, ``asked_by`` and ``asked_why`` say who wants
+    it active while it is awaited; ``patient``: also if something stands in its way now. ``note`` is what became of the last wish
+    that came to nothing.
     """
 
     number: int
@@ -60,6 +61,7 @@ class PlantVersion:
     note: str = ""
     ran: Timestamp | None = None
     tries: int | None = None
+    rejected: Timestamp | None = None
     pruned: Timestamp | None = None
 
     @property

@@ -11,7 +11,7 @@ from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, digest_of
 from app.plant import Finding
-from app.plant.difference import Broken, Difference, difference
+from app.plant.difference import Broken, Difference, difference, obstruction
 from app.plant.lost import lost
 from app.plant.touched import touched
 from app.store.standing import standing
@@ -103,11 +103,8 @@ class Versions:
         self, number: int, actor: Actor, why: str, *, patient: bool, in_the_way: Sequence[Broken]
     ) -> PlantVersion | Refusal:
         """Let a version be awaited, unless something stands in its way and nobody is ready to wait for that."""
-        refusal = None
-        if in_the_way and not patient:
-            more = f" (and {len(in_the_way) - 1} more)" if len(in_the_way) > 1 else ""
-            first = in_the_way[0]
-            refusal = Refusal("not-now", f"{first.what} {first.name} stands in the way: {first.text}{more}.")
+        refused = in_the_way and not patient
+        refusal = Refusal("not-now", f"{obstruction(in_the_way)}.") if refused else None
         made = await asyncio.to_thread(
             lambda: self.store.ask(number, actor, why, self._utc(), patient=patient, refusal=refusal)
         )

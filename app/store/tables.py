@@ -552,6 +552,7 @@ plant_versions = sa.Table(
     _text("text"),
     sa.Column("ran", UTC),
     _maybe_big("tries"),
+    sa.Column("rejected", UTC),
     sa.Column("pruned", UTC),
 )
 the_active = plant_versions.c.state == sa.literal_column(f"'{VersionState.ACTIVE.value}'")

@@ -21,6 +21,11 @@ from app.store.tables import plant, plant_file, plant_versions
 _FIELDS = tuple(field.name for field in fields(PlantVersion))
 _COLUMNS = [plant_versions.c[name] for name in _FIELDS]
 _number = plant_versions.c.number
+KEPT_REJECTED = 10
+"""So many texts of rejected versions are kept, those rejected last: who rejected one by mistake, or asks why it could not be run,
+does so soon, and a fab's file has megabytes. What ever ran is kept for good: it is what one rolls back to. Our choice."""
+MOST_STAGED = 50
+"""So many uploaded versions may be staged at once: they are kept until somebody rejects them. Our choice."""
 LIVE = (VersionState.STAGED, VersionState.AWAITED, VersionState.ACTIVE, VersionState.FORMER)
 """States of versions that can be used."""
 
@@ -61,9 +66,10 @@ class VersionStore:
         return next(iter(self._list(sa.select(*_COLUMNS).where(_number == number))), None)
 
     def text(self, number: int) -> str | None:
-        """Return the text of a version's plant file."""
+        """Return the text of a version's plant file; None: there is no such version, or its text is not kept any more."""
         with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
-            return connection.execute(sa.select(plant_versions.c.text).where(_number == number)).scalar()
+            which = sa.and_(_number == number, plant_versions.c.pruned.is_(None))
+            return connection.execute(sa.select(plant_versions.c.text).where(which)).scalar()
 
     def active(self) -> PlantVersion | None:
         """Return the version that is active; None: no controller has started here yet."""
@@ -111,8 +117,8 @@ class VersionStore:
         with self._transaction() as connection:
             same = None if again else connection.execute(_same_text(text)).one_or_none()
             number = (connection.execute(sa.select(sa.func.max(_number))).scalar() or 0) + 1
-            if same is not None:
-                refusal = _same(_version(same))
+            refusal = _same(_version(same)) if same is not None else None if again else _too_many(connection)
+            if refusal is not None:
                 _note(connection, now, actor, "StageLayout", number, refusal)
                 return refusal
             size = len(text.encode())
@@ -154,7 +160,7 @@ class VersionStore:
             if found.state not in {VersionState.STAGED, VersionState.AWAITED}:
                 remedy = "Only what is staged or awaited can be rejected."
                 return Refusal("conflict", f"Version {number} is {found.state.value}.", remedy)
-            return _over(found, VersionState.REJECTED, f"{actor}: {reason}")
+            return replace(_over(found, VersionState.REJECTED, f"{actor}: {reason}"), rejected=now)
 
         return self._asked(number, now, actor, "RejectLayout", reason, work)
 
@@ -216,8 +222,9 @@ class VersionStore:
             before = None if found is None or found.before is None else _found(connection, found.before)
             if found is None or before is None or found.state is not VersionState.ACTIVE or found.tries is None:
                 return None
-            state = VersionState.REJECTED if found.ran is None else VersionState.FORMER
-            _write(connection, replace(_over(found, state, note), tries=None))
+            state, since = (VersionState.REJECTED, now) if found.ran is None else (VersionState.FORMER, None)
+            _write(connection, replace(_over(found, state, note), tries=None, rejected=since))
+            _prune(connection, now)
             made = replace(before, state=VersionState.ACTIVE, tries=1 if before.ran is None else None)
             _write(connection, made)
             actor = found.activated_by or found.actor
@@ -235,6 +242,7 @@ class VersionStore:
             made = missing if found is None else work(connection, found)
             if isinstance(made, PlantVersion):
                 _write(connection, made)
+                _prune(connection, now)
             _note(connection, now, actor, action, number, made if isinstance(made, Refusal) else said)
             return made
 
@@ -280,6 +288,22 @@ def _found(connection: sa.Connection, number: int) -> PlantVersion | None:
 
 def _write(connection: sa.Connection, version: PlantVersion) -> None:
     connection.execute(plant_versions.update().where(_number == version.number), asdict(version))
+
+
+def _prune(connection: sa.Connection, now: Timestamp) -> None:
+    """Throw away the texts of versions that were rejected long ago."""
+    rejected = sa.and_(plant_versions.c.state == VersionState.REJECTED, plant_versions.c.pruned.is_(None))
+    last = plant_versions.c.rejected.desc(), _number.desc()
+    late = [row.number for row in connection.execute(sa.select(_number).where(rejected).order_by(*last))]
+    if late := late[KEPT_REJECTED:]:
+        connection.execute(plant_versions.update().where(_number.in_(late)).values(text="", pruned=now))
+
+
+def _too_many(connection: sa.Connection) -> Refusal | None:
+    staged = sa.and_(plant_versions.c.state == VersionState.STAGED, plant_versions.c.origin == Origin.UPLOAD)
+    found = connection.execute(sa.select(sa.func.count()).where(staged)).scalar_one()
+    remedy = "Reject what nobody wants any more: POST /api/v1/layout/versions/N/reject."
+    return Refusal("conflict", f"{found} versions are staged already.", remedy) if found >= MOST_STAGED else None
 
 
 def _take_file(connection: sa.Connection, digest: str, now: Timestamp) -> None:

@@ -11,7 +11,7 @@ from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, VersionState
 from app.store.lease import NoLease
 from app.store.reading import Reader
-from app.store.versions import VersionStore
+from app.store.versions import KEPT_REJECTED, MOST_STAGED, VersionStore
 from tests.store.conftest import NOW, Open
 
 LEE, KIM = Actor("lee"), Actor("kim")
@@ -243,3 +243,33 @@ def test_a_version_becomes_active_only_while_the_plant_is_held(store: VersionSto
     with pytest.raises(PlantHeld):
         store.fall_back(2, "no such address", LATER, Lost())
     assert states(store) == {1: "former", 2: "active"}
+
+
+def test_texts_of_versions_rejected_long_ago_are_thrown_away_and_what_ran_is_kept_for_good(store: VersionStore) -> None:
+    begun(store)
+    staged(store, "two")
+    awaited(store, 2)
+    activated(store, 2)
+    for number in range(3, KEPT_REJECTED + 6):
+        staged(store, str(number))
+    order = [KEPT_REJECTED + 5, *range(3, KEPT_REJECTED + 5)]
+    for later, number in enumerate(order):
+        store.reject(number, KIM, "not this one", Timestamp(LATER + later))
+    thrown = order[:-KEPT_REJECTED]
+    assert [number for number in range(1, KEPT_REJECTED + 6) if store.text(number) is None] == sorted(thrown)
+    found = store.version(thrown[0])
+    assert found is not None
+    assert (found.state, found.reason, found.pruned) == (VersionState.REJECTED, "a port more", LATER + KEPT_REJECTED)
+    assert (store.text(1), store.text(2)) == ("one", "two")
+
+
+def test_so_many_versions_can_be_staged_at_once_and_no_more(store: VersionStore) -> None:
+    begun(store)
+    for number in range(2, MOST_STAGED + 2):
+        staged(store, str(number))
+    refusal = store.stage("one more", Origin.UPLOAD, LEE, "a port more", NOW)
+    assert isinstance(refusal, Refusal)
+    assert refusal.reason == f"{MOST_STAGED} versions are staged already."
+    store.reject(7, KIM, "not this one", LATER)
+    staged(store, "one more")
+    assert isinstance(store.stage("the file", Origin.FILE, LEE, "edited", NOW, again=True), PlantVersion)

@@ -919,6 +919,7 @@ class PlantVersion(TypedDict):
     note: str
     ran: str | None
     tries: int | None
+    rejected: str | None
     pruned: str | None
 
 
