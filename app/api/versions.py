@@ -146,7 +146,8 @@ async def activate_version(version: VersionPath, body: ActivateIn, controller: C
         raise Problem("stale", detail, "Look at what differs from that one.", "instead_of")
     new = await _plant(controller, version)
     broken = (await versions.impact(controller.plant, new)).in_the_way
-    made = await versions.ask(version, actor, body.reason, patient=body.wait, in_the_way=broken)
+    running = controller.plant
+    made = await versions.ask(running, version, actor, body.reason, patient=body.wait, in_the_way=broken)
     if isinstance(made, Refusal):
         errors = [{"field": f"{one.what} {one.name}", "message": one.text, "remedy": one.remedy} for one in broken]
         remedy = made.remedy or "See errors for all of it; end that first, or send wait: true."
@@ -158,7 +159,7 @@ async def activate_version(version: VersionPath, body: ActivateIn, controller: C
 @router.post("/{version}/reject", **gives("PlantVersion"))
 async def reject_version(version: VersionPath, body: RejectVersionIn, controller: Ctl, actor: Person) -> Response:
     """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
-    made = await _of(controller).reject(version, actor, body.reason)
+    made = await _of(controller).reject(controller.plant, version, actor, body.reason)
     if isinstance(made, Refusal):
         raise refused(made)
     return answer_of(_shown(made))

@@ -208,7 +208,7 @@ class Changes:
     async def next(self, plant: Plant) -> Plant:
         """Wait until a version is awaited that can take the plant's place, and return its plant."""
         log = logger(plant=plant.name)
-        self._waiting = True
+        self.versions.wanted.set()  # One that was awaited before a crash is awaited still.
         while True:
             await self._woken()
             try:
@@ -259,9 +259,11 @@ class Changes:
         self._waiting = awaited is not None
         if awaited is None:
             self._told = []
+            await self.versions.announce(plant)
             return None
         try:
             following = await self.versions.plant(awaited.number) or plant
+            await self.versions.announce(plant)
         except HoistwayError as wrong:
             await asyncio.to_thread(self._store.give_up, awaited.number, said(wrong), self._utc())
             _refused(log, NOT_CHANGED, wrong)

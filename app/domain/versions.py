@@ -70,6 +70,18 @@ class PlantVersion:
         return VersionState.STAGED if self.ran is None else VersionState.FORMER
 
 
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """What a version that is awaited has no place for: no new job may need it, or the wait would never end.
+
+    ``gone`` are stations and vehicles that it does not have, ``cut_off`` stations that no way leads to any more.
+    """
+
+    version: int
+    gone: frozenset[str]
+    cut_off: frozenset[str]
+
+
 def digest_of(text: str) -> str:
     """Return what tells one text of a plant file from another: SHA-256, in hex."""
     return sha256(text.encode("utf-8", "surrogatepass")).hexdigest()

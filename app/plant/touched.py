@@ -6,6 +6,7 @@ from itertools import pairwise
 from app.domain.closures import PlaceKind
 from app.domain.layout import Plant, Station, VehicleKind
 from app.domain.records import Kept, VehicleRecord
+from app.domain.versions import Leaving
 from app.plant.connections import graph_of, reachable
 from app.plant.difference import Broken
 
@@ -27,6 +28,18 @@ def touched(old: Plant, new: Plant, kept: Kept, *, listening: bool = True) -> li
         *_operations(new, kept),
         *_people(new, kept),
     ]
+
+
+def leaving(old: Plant, new: Plant, version: int) -> Leaving:
+    """Return what a job can name now, and not once the new plant is there: its number is ``version``."""
+    before, after = _names(old), _names(new)
+    served = {station for kind in VehicleKind for station in _served(new, kind)}
+    kept = {station.id for station in old.stations} & after
+    return Leaving(version, frozenset(before - after), frozenset(kept - served))
+
+
+def _names(plant: Plant) -> set[str]:
+    return {*(station.id for station in plant.stations), *(vehicle.id for vehicle in plant.vehicles)}
 
 
 def listens_at(plant: Plant) -> tuple[str, int] | None:

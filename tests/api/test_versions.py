@@ -12,7 +12,7 @@ from app.domain.job import Job
 from app.domain.layout import PulseSet
 from app.domain.records import StationDest
 from app.domain.units import Pulses
-from app.domain.versions import Origin
+from app.domain.versions import Leaving, Origin
 from app.store.versions import KEPT_REJECTED
 from tests.api.kept_versions import TEXT, KeptVersions, kept_versions
 from tests.api.scripted import NOW, Scripted
@@ -179,6 +179,23 @@ async def test_what_stands_in_the_way_is_listed_and_can_be_waited_for(
     made = await post(client, "2/activate", 202, wait=True)
     assert made["version"]["patient"] is True
     assert [one["name"] for one in made["in_the_way"]] == ["J1"]
+
+
+async def test_the_controller_hears_what_goes_as_long_as_a_version_is_awaited(
+    client: httpx.AsyncClient, plant: KeptVersions
+) -> None:
+    heard = list[Leaving | None]()
+    plant.versions.attach(heard.append)
+    plant.ledger.commit([a_job_to("P2")])
+    await stage(client, WITHOUT)
+    await stage(client, NEW)
+    assert heard == []
+    await post(client, "2/activate", 202, wait=True)
+    assert heard == [Leaving(2, frozenset({"P2"}), frozenset())]
+    await post(client, "3/reject", 200)
+    assert len(heard) == 1
+    await post(client, "2/reject", 200)
+    assert heard[1:] == [None]
 
 
 async def test_who_activates_over_another_version_than_they_saw_is_told(client: httpx.AsyncClient) -> None:
