@@ -917,6 +917,10 @@ class PlantVersion(TypedDict):
     asked_why: str
     patient: bool
     note: str
+    ran: str | None
+    tries: int | None
+    rejected: str | None
+    pruned: str | None
 
 
 class PlaybackChange(TypedDict):
