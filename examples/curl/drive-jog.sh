@@ -4,6 +4,7 @@
 set -euo pipefail
 : "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
 drive=${1:?which drive?} direction=${2:?cw or ccw?} seconds=${3:-1}
+[[ $seconds =~ ^[0-9]+$ ]] || { echo "for how long? Say whole seconds, not $seconds" >&2; exit 2; }
 
 field() { sed -n "s/.*\"$1\":\"\{0,1\}\([^\",}]*\).*/\1/p"; }
 
@@ -11,8 +12,8 @@ answer=$(curl -sS --json "{\"direction\": \"$direction\"}" -H "X-Actor: $ACTOR" 
 jog=$(field jog <<<"$answer")
 [ -n "$jog" ] || { echo "$answer" >&2; exit 1; }
 held="$HOISTWAY/api/v1/drives/$drive/jog/$jog"
-end=$((SECONDS + seconds))
-while [ "$SECONDS" -lt "$end" ]; do
+# Eight times a second: bash counts whole seconds only, the first of which may be over at once.
+for ((beat = 0; beat < 8 * seconds; beat++)); do
     curl -fsS -X POST "$held" >/dev/null || break
     sleep 0.1
 done

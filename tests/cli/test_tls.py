@@ -13,6 +13,7 @@ from app.cli.hosting import url_of
 from app.cli.plainly import CannotStart
 from app.cli.tls import context_of, renewed
 from app.settings import Settings, SettingsError, load
+from tests.runtime.peers import settled
 
 
 @pytest.fixture(scope="module")
@@ -103,6 +104,7 @@ def test_a_new_certificate_is_taken_while_the_server_runs_and_a_wrong_one_is_not
         finally:
             task.cancel()
             server.close()
+            await settled()
 
     asyncio.run(names_seen_until("new.example"))
     assert told == ["the certificate is not taken anew", "the certificate was taken anew"]
