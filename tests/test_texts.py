@@ -95,9 +95,8 @@ def test_every_saying_is_still_said_somewhere() -> None:
         ("P2 is occupied by F7", "P2에 F7이(가) 있음"),
         ("does HW-2", "HW-2 수행 중"),
         (
-            "it reports barcode 7, which cannot be reached from the track it held (1); "
-            "look where it stands; release it with verdict go_on if the barcode is right",
-            "점유 트랙(1)에서 갈 수 없는 바코드 7 보고; 위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요",
+            "not connected yet; look where it stands; release it with verdict go_on if the barcode is right",
+            "아직 연결되지 않음; 위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요",
         ),
     ],
 )

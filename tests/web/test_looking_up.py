@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from app.domain.alarms import Alarm, AlarmKind
+from app.domain.units import Timestamp
 from tests.api.scripted import NOW
 from tests.web.staffed import Staffed, staffed
 from tests.web.test_panels import opened
@@ -41,7 +42,8 @@ def test_a_drives_model_and_what_its_backups_have_can_be_read(plant: Staffed) ->
 def test_how_vehicles_held_out_leads_to_what_failed(plant: Staffed) -> None:
     wrong = plant.server.controller.reader.wrong
     for number, source in ((1, "V001"), (2, "V002")):
-        wrong[number] = Alarm(number, AlarmKind.VEHICLE, source, "101", "bumper", "look", NOW - 3600, NOW - 1800)
+        begun, ended = Timestamp(NOW - 3600), Timestamp(NOW - 1800)
+        wrong[number] = Alarm(number, AlarmKind.VEHICLE, source, "101", "bumper", "look", begun, ended=ended)
     with plant.at_work("vic", "alarms") as page:
         page.get_by_role("button", name="Reliability").click()
         row = page.locator("[data-row=V001]")
