@@ -93,7 +93,7 @@ async def get_version_file(version: VersionPath, controller: Ctl) -> Response:
     """Give the plant file of a version, to the letter."""
     text = await read(_of(controller).store.text, version)
     if text is None:
-        _none(version)
+        await _textless(controller, version)
     name = f'attachment; filename="{_plain(controller.plant.name)}-{version}.yaml"'
     return Response(text, headers={"Content-Disposition": name}, media_type=f"{YAML}; charset=utf-8")
 
@@ -146,7 +146,8 @@ async def activate_version(version: VersionPath, body: ActivateIn, controller: C
         raise Problem("stale", detail, "Look at what differs from that one.", "instead_of")
     new = await _plant(controller, version)
     broken = (await versions.impact(controller.plant, new)).in_the_way
-    made = await versions.ask(version, actor, body.reason, patient=body.wait, in_the_way=broken)
+    running = controller.plant
+    made = await versions.ask(running, version, actor, body.reason, patient=body.wait, in_the_way=broken)
     if isinstance(made, Refusal):
         errors = [{"field": f"{one.what} {one.name}", "message": one.text, "remedy": one.remedy} for one in broken]
         remedy = made.remedy or "See errors for all of it; end that first, or send wait: true."
@@ -158,7 +159,7 @@ async def activate_version(version: VersionPath, body: ActivateIn, controller: C
 @router.post("/{version}/reject", **gives("PlantVersion"))
 async def reject_version(version: VersionPath, body: RejectVersionIn, controller: Ctl, actor: Person) -> Response:
     """Let a staged or awaited version not become active. A former one that is awaited stays a former one."""
-    made = await _of(controller).reject(version, actor, body.reason)
+    made = await _of(controller).reject(controller.plant, version, actor, body.reason)
     if isinstance(made, Refusal):
         raise refused(made)
     return answer_of(_shown(made))
@@ -189,11 +190,18 @@ async def _version(controller: Controller, number: int) -> PlantVersion:
 
 async def _plant(controller: Controller, number: int) -> Plant:
     try:
-        return await _of(controller).plant(number) or _none(number)
+        return await _of(controller).plant(number) or await _textless(controller, number)
     except UnusablePlant as unusable:
         remedy = "Stage a file that this program understands."
         detail = f"Version {number} cannot be used by this program: {unusable.message}."
         raise Problem("conflict", detail, remedy) from None
+
+
+async def _textless(controller: Controller, number: int) -> NoReturn:
+    """There is no text of a version: there is no such version, or it was thrown away."""
+    version = await _version(controller, number)
+    detail = f"The text of version {number} is not kept any more; it was rejected: {version.note}."
+    raise Problem("not-found", detail, "Stage it again, if somebody has it and it is wanted after all.")
 
 
 def _none(number: int) -> NoReturn:
@@ -219,7 +227,7 @@ def _broken(found: Iterable[Broken]) -> list[dict[str, object]]:
 
 def _shown(version: PlantVersion) -> dict[str, object]:
     plain = {**asdict(version), "state": version.state.value, "origin": version.origin.value}
-    moments = {name: plain[name] for name in ("at", "activated", "asked")}
+    moments = {name: plain[name] for name in ("at", "activated", "asked", "ran", "rejected", "pruned")}
     return {**plain, **{name: None if moment is None else iso(moment) for name, moment in moments.items()}}
 
 

@@ -6,8 +6,9 @@ import asyncio
 import os
 import socket
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 from structlog.typing import FilteringBoundLogger
 
@@ -18,8 +19,8 @@ from app.domain.ids import Actor
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
-from app.plant.difference import Broken, difference
-from app.plant.touched import touched
+from app.plant.difference import Broken, difference, obstruction
+from app.plant.touched import listens_at, touched
 from app.runtime.telemetry import logger
 from app.runtime.versions import Versions, said
 from app.store.lease import Lease
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 LOOK_EVERY = 1.0
 """Seconds between two looks whether a version that is waited for fits by now. Our choice."""
+TRIES = 2
+"""Starts with a new version that may end before it runs; then the one before it goes on. Our choice: one may be a power cut."""
 FILE, START = Actor("plant file"), Actor("hoistway")
 EDITED = "the plant file was edited"
 NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
@@ -45,6 +48,8 @@ def holder() -> str:
 class Changes:
     """Knows which version runs. ``begin`` says with which plant to start; ``next`` gives the plant that is to follow, and
     ``settle`` makes it the active one once the controller has stopped. ``look`` has the plant file read again.
+
+    To be left (``with``) when the program ends: one that ends in order before it ran has not tried the version.
     """
 
     def __init__(self, file: Path, database: str, utc: Callable[[], Timestamp]) -> None:
@@ -54,11 +59,17 @@ class Changes:
         self._read: Callable[[str], tuple[Plant, Sequence[Finding]]] = reader_of(file)
         self._store = VersionStore(database)
         self.versions = Versions(self._store, database, self._read, utc)
-        self._again = self._waiting = self._changed = False
+        self._again = self._waiting = self._trying = False
         self._told: list[Broken] = []
 
-    def close(self) -> None:
-        """Close all connections."""
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        orderly = kind is None or issubclass(kind, HoistwayError | KeyboardInterrupt)
+        if self._trying and orderly:
+            with suppress(StoreError):
+                self._note_trial(-1)
         self._store.close()
 
     def look(self) -> None:
@@ -80,6 +91,7 @@ class Changes:
             if active is None:
                 self.number = self._store.begin(text, FILE, self._utc()).number
                 return plant
+            active = self._on_trial(active, lease)
             self.number = active.number
             if digest_of(text) == active.digest:
                 self._store.take_file(text, self._utc())
@@ -88,9 +100,12 @@ class Changes:
             try:
                 running = self._plant_of(active)
             except CannotStart as unreadable:
-                if not edited:
+                if edited:
+                    return self._instead_of_unreadable(active, plant, text, unreadable, lease)
+                before = self._fall_back(active, unreadable.message, lease)
+                if before is None:
                     raise
-                return self._instead_of_unreadable(active, plant, text, unreadable, lease)
+                return self._plant_of(before)
             if running.name != plant.name:
                 raise StoreError(
                     f"the database keeps plant {running.name}, not {plant.name}",
@@ -105,6 +120,32 @@ class Changes:
                 remedy=f"hoistway layout versions; write the active one over it: hoistway layout get {active.number}",
             )
             return running
+
+    def _on_trial(self, active: PlantVersion, lease: Lease) -> PlantVersion:
+        """Return the version to start with: the active one, or the one before it if that never came to run, try after try.
+
+        A start that ends in a way which can be told (:meth:`fall_back`) needs no second try.
+        """
+        if active.tries is None:
+            return active
+        if active.tries >= TRIES:
+            note = f"{active.tries} starts with it ended before it ran"
+            before = self._fall_back(active, note, lease)
+            if before is not None:
+                return before
+        self._store.tried(active.number, active.tries + 1, self._utc())
+        self._trying = True
+        return active
+
+    def _fall_back(self, active: PlantVersion, note: str, lease: Lease) -> PlantVersion | None:
+        before = self._store.fall_back(active.number, note, self._utc(), lease)
+        if before is not None:
+            self.number = before.number
+            remedy = "mend it and stage it again; a plant file is taken again once it is edited"
+            logger(version=str(active.number)).error(
+                NOT_CHANGED, reason=note, goes_on=f"version {before.number}", remedy=remedy
+            )
+        return before
 
     def _plant_of(self, version: PlantVersion) -> Plant:
         try:
@@ -151,7 +192,7 @@ class Changes:
         if other is None or other.number != version.number:
             self._store.ask(version.number, FILE, f"{EDITED} before a start", self._utc(), patient=False)
         self._store.activate(version.number, self._utc(), lease, file=True)
-        self.number = version.number
+        self.number, self._trying = version.number, True
 
     def _staged(self, text: str, reason: str) -> PlantVersion:
         """Return the version with this text; it is made if there is none that could become active."""
@@ -167,7 +208,7 @@ class Changes:
     async def next(self, plant: Plant) -> Plant:
         """Wait until a version is awaited that can take the plant's place, and return its plant."""
         log = logger(plant=plant.name)
-        self._waiting = True
+        self.versions.wanted.set()  # One that was awaited before a crash is awaited still.
         while True:
             await self._woken()
             try:
@@ -218,9 +259,11 @@ class Changes:
         self._waiting = awaited is not None
         if awaited is None:
             self._told = []
+            await self.versions.announce(plant)
             return None
         try:
             following = await self.versions.plant(awaited.number) or plant
+            await self.versions.announce(plant)
         except HoistwayError as wrong:
             await asyncio.to_thread(self._store.give_up, awaited.number, said(wrong), self._utc())
             _refused(log, NOT_CHANGED, wrong)
@@ -243,9 +286,7 @@ class Changes:
             _log_all(logger(version=str(version.number)), broken)
             self._told = list(broken)
         if not version.patient:
-            first, more = broken[0], f" (and {len(broken) - 1} more)" if len(broken) > 1 else ""
-            note = f"{first.what} {first.name} stood in the way: {first.text}{more}"
-            self._store.give_up(version.number, note, self._utc())
+            self._store.give_up(version.number, obstruction(broken), self._utc())
 
     # -- between two controllers --------------------------------------------------------------------------------------
 
@@ -276,7 +317,7 @@ class Changes:
             if isinstance(trouble, CannotStart):
                 self._let_go(trouble)
             return plant
-        self.number, self._changed = awaited.number, True
+        self.number, self._trying = awaited.number, True
         return following
 
     def _let_go(self, trouble: CannotStart) -> None:
@@ -291,25 +332,39 @@ class Changes:
         except CannotStart:
             return False
 
-    def started(self) -> None:
-        """Note that a controller runs with the version."""
-        self._changed = False
+    async def started(self) -> None:
+        """Note that a controller runs with the version: it is no longer on trial."""
+        try:
+            await asyncio.to_thread(self._note_trial, None)
+        except StoreError as trouble:  # The next start tries it once more.
+            _refused(logger(version=str(self.number)), "it cannot be noted that the version runs", trouble)
 
-    async def fall_back(self, plant: Plant, reason: str) -> Plant | None:
-        """Return the plant to go on with when a version just activated cannot be run; None: it was not just activated."""
-        if not self._changed:
+    def _note_trial(self, more: int | None) -> None:
+        """Note that the active version, if it is on trial, was tried so many times more; None: that it runs."""
+        active = self._store.active()
+        if active is not None and active.number == self.number and active.tries is not None:
+            self._store.tried(active.number, None if more is None else active.tries + more, self._utc())
+        self._trying = False
+
+    async def fall_back(self, plant: Plant, why: str, *, listening: bool = False) -> Plant | None:
+        """Return the plant to go on with when the controller could not start with this one; None: it is not to blame.
+
+        It is to blame if no controller has run with it since it became active, be it before a crash; where it could not be
+        listened for vehicles (``listening``), only if the one before would not want the same address.
+        Raises PlantHeld, StoreError; CannotStart: the one before cannot be read.
+        """
+        return await asyncio.to_thread(self._back, plant, why, listening=listening)
+
+    def _back(self, plant: Plant, why: str, *, listening: bool) -> Plant | None:
+        active = self._store.active()
+        before = None if active is None or active.before is None else self._store.version(active.before)
+        if active is None or before is None or active.tries is None:
             return None
-        self._changed = False
-
-        def back() -> Plant | None:
-            with held(self._database, plant.name, holder(), self._utc()) as lease:
-                before = self._store.fall_back(self.number, reason, self._utc(), lease)
-            if before is None:
-                return None
-            self.number = before.number
-            return self._plant_of(before)
-
-        return await asyncio.to_thread(back)
+        old = self._plant_of(before)
+        if listening and listens_at(old) == listens_at(plant):
+            return None
+        with held(self._database, plant.name, holder(), self._utc()) as lease:
+            return None if self._fall_back(active, why, lease) is None else old
 
 
 def _log_all(log: FilteringBoundLogger, broken: Sequence[Broken]) -> None:

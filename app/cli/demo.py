@@ -63,37 +63,34 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
         from app.runtime.clock import Clock
 
     url = url_of(settings.host, listening.getsockname()[1])
-    changes = Changes(file, settings.database, Clock().utc)
-    plant = changes.begin(plant, text)
+    with Changes(file, settings.database, Clock().utc) as changes:
+        plant = changes.begin(plant, text)
 
-    async def run() -> int:
-        stop = stop_signal()
-        on_again(changes.look)
-        simulator = await _simulated(file, operator)
-        watching = asyncio.create_task(_end_with(simulator, stop))
-        working = None if keep is None else asyncio.create_task(_work(url, keep, stop, settings))
-        said = ""
+        async def run() -> int:
+            stop = stop_signal()
+            on_again(changes.look)
+            simulator = await _simulated(file, operator)
+            watching = asyncio.create_task(_end_with(simulator, stop))
+            working = None if keep is None else asyncio.create_task(_work(url, keep, stop, settings))
+            said = ""
 
-        def seen(controller: Controller) -> None:
-            nonlocal said
-            said = hosting.who_may_call(controller, settings)
+            def seen(controller: Controller) -> None:
+                nonlocal said
+                said = hosting.who_may_call(controller, settings)
 
-        def ready(url: str) -> None:
-            say(f"{_invitation(plant, url)}\n{said}\nCtrl-C ends it.")
+            def ready(url: str) -> None:
+                say(f"{_invitation(plant, url)}\n{said}\nCtrl-C ends it.")
 
-        try:
-            return await hosting.serve(plant, settings, listening, stop, ready, seen=seen, changes=changes)
-        finally:
-            stop.set()
-            if working is not None:
-                await working
-            await _ended(simulator)
-            await watching
+            try:
+                return await hosting.serve(plant, settings, listening, stop, ready, seen=seen, changes=changes)
+            finally:
+                stop.set()
+                if working is not None:
+                    await working
+                await _ended(simulator)
+                await watching
 
-    try:
         return on_loop(run())
-    finally:
-        changes.close()
 
 
 async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Process:

@@ -6,11 +6,12 @@ import os
 import resource
 import socket
 import ssl
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager, contextmanager
 from typing import Any
 
 import uvicorn
+from structlog.typing import FilteringBoundLogger
 
 from app.api import application
 from app.api.application import VERSION
@@ -23,6 +24,8 @@ from app.cli.running import COLLECTED, url_of
 from app.cli.tls import context_of, renewed
 from app.domain.errors import PlantError
 from app.domain.layout import Plant
+from app.domain.units import Seconds
+from app.runtime.clock import Clock
 from app.runtime.controller import Controller
 from app.runtime.notify import Notifier
 from app.runtime.recording import Limits
@@ -109,17 +112,42 @@ async def _started(
         controller.figures.jobs.told = traces.take
     try:
         await controller.start()
-    except (OSError, PlantError) as wrong:
-        before = None if changes is None else await changes.fall_back(plant, str(wrong))
-        if before is not None:
-            logger(plant=plant.name).error("the plant cannot be changed", reason=str(wrong), goes_on="as before")
-            return await _started(before, settings, traces, changes, restored=restored)
-        if isinstance(wrong, PlantError):
+    except PlantError as wrong:
+        before = None if changes is None else await changes.fall_back(plant, wrong.message)
+        if before is None:
             raise
-        raise CannotStart(f"cannot listen for vehicles at {plant.listen}: {said(wrong)}") from None
+        return await _started(before, settings, traces, changes, restored=restored)
+    except OSError as wrong:
+        address = ":".join(map(str, plant.listen or ()))
+        refused = CannotStart(f"cannot listen for vehicles at {address}: {said(wrong)}")
+        before = None if changes is None else await changes.fall_back(plant, refused.message, listening=True)
+        if before is None:
+            raise refused from None
+        return await _started(before, settings, traces, changes, restored=restored)
     if changes is not None:
-        changes.started()
+        await changes.started()
     return controller
+
+
+@asynccontextmanager
+async def _answering(
+    controller: Shown, settings: Settings, listening: socket.socket, context: ssl.SSLContext | None = None
+) -> AsyncIterator[asyncio.Task[None]]:
+    """Answer requests within; it gives the task that does. Raises CannotStart: it did not come up."""
+    server = _Server(_configured(controller, settings, context))
+    serving = asyncio.create_task(server.serve([listening]))
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.01)
+    if not server.started:
+        listening.close()
+        wrong = serving.exception()
+        why = said(wrong) if isinstance(wrong, OSError) else repr(wrong)
+        raise CannotStart(f"requests cannot be answered: {why}") from wrong
+    try:
+        yield serving
+    finally:
+        server.should_exit = True
+        await serving
 
 
 async def _serve(
@@ -134,35 +162,51 @@ async def _serve(
 ) -> Plant | None:
     """Serve requests until something ends that; return the plant to go on with, None if there is none."""
     log = logger(plant=controller.plant.name)
-    server = _Server(_configured(controller, settings, context))
-    serving = asyncio.create_task(server.serve([listening]))
-    renewing = asyncio.create_task(renewed(context, settings, log))
-    stopping = asyncio.create_task(stop.wait())
-    changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
-    while not server.started and not serving.done():
-        await asyncio.sleep(0.01)
-    gc.collect()
-    gc.freeze()
-    gc.set_threshold(*COLLECTED)
     url = url_of(settings.host, listening.getsockname()[1], tls=settings.tls_certificate is not None)
-    ready(url)
-    notify.ready(f"controls {controller.plant.name} at {url}")
-    notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
-    ends: set[asyncio.Future[Any]] = {serving, stopping, changing, controller.lost}
-    await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+    async with _answering(controller, settings, listening, context) as serving:
+        gc.collect()
+        gc.freeze()
+        gc.set_threshold(*COLLECTED)
+        ready(url)
+        notify.ready(f"controls {controller.plant.name} at {url}")
+        notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
+        renewing = asyncio.create_task(renewed(context, settings, log))
+        changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
+        stopping = asyncio.create_task(stop.wait())
+        try:
+            following = await _followed(changing, {serving, stopping, controller.lost}, log)
+        finally:
+            for task in (stopping, changing, renewing):
+                task.cancel()
+        if following is None:
+            notify.stopping()
+        else:
+            notify.feed(_ChangeOver(), lambda reason: log.critical("the watchdog is not fed", reason=reason))
+        return following
+
+
+async def _followed(
+    changing: asyncio.Task[Plant], ends: set[asyncio.Future[Any]], log: FilteringBoundLogger
+) -> Plant | None:
+    """Return the plant that is to follow; None: one of the ends has come first."""
+    await asyncio.wait({changing, *ends}, return_when=asyncio.FIRST_COMPLETED)
     if changing.done() and (defect := changing.exception()) is not None:
         # A plant that runs does not end because its new file cannot be looked at.
         log.critical("the plant file is not looked at any more", reason=repr(defect))
-        await asyncio.wait(ends - {changing}, return_when=asyncio.FIRST_COMPLETED)
-    over = stop.is_set() or controller.lost.done() or serving.done() or not changing.done() or changing.exception()
-    following = None if over else changing.result()
-    if following is None:
-        notify.stopping()
-    server.should_exit = True
-    await serving
-    for task in (stopping, changing, renewing):
-        task.cancel()
-    return following
+        await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+        return None
+    return None if any(end.done() for end in ends) else changing.result()
+
+
+class _ChangeOver:
+    """The heart while no controller runs: it was last seen to beat when the change-over began."""
+
+    def __init__(self) -> None:
+        self._clock = Clock()
+        self._began = self._clock.now()
+
+    def silent_for(self) -> Seconds:
+        return Seconds(self._clock.now() - self._began)
 
 
 async def _never() -> Plant:
@@ -178,16 +222,13 @@ async def serve_only(
     stop: asyncio.Event,
     ready: Callable[[str], None],
 ) -> int:
-    """Serve what cannot change any more until ``stop``; return the exit code."""
-    server = _Server(_configured(controller, settings))
-    serving = asyncio.create_task(server.serve([listening]))
-    while not server.started and not serving.done():
-        await asyncio.sleep(0.01)
-    ready(url_of(settings.host, listening.getsockname()[1]))
-    await stop.wait()
-    server.should_exit = True
-    await serving
-    return 0
+    """Serve what cannot change any more until ``stop``; return the exit code. Raises CannotStart."""
+    async with _answering(controller, settings, listening) as serving:
+        ready(url_of(settings.host, listening.getsockname()[1]))
+        stopping = asyncio.create_task(stop.wait())
+        await asyncio.wait({serving, stopping}, return_when=asyncio.FIRST_COMPLETED)
+        stopping.cancel()
+    return 0 if stop.is_set() else 1
 
 
 def _sender(settings: Settings) -> Sender:

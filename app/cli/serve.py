@@ -49,25 +49,22 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
         from app.runtime.clock import Clock
         from app.runtime.notify import Notifier
 
-    changes = Changes(file, settings.database, Clock().utc)
-    plant = changes.begin(plant, text)
-    said = ""
+    with Changes(file, settings.database, Clock().utc) as changes:
+        plant = changes.begin(plant, text)
+        said = ""
 
-    def seen(controller: Controller) -> None:
-        nonlocal said
-        said = hosting.who_may_call(controller, settings)
+        def seen(controller: Controller) -> None:
+            nonlocal said
+            said = hosting.who_may_call(controller, settings)
 
-    def ready(url: str) -> None:
-        say(f"hoistway controls {plant.name}: {url}\n{said}")
+        def ready(url: str) -> None:
+            say(f"hoistway controls {plant.name}: {url}\n{said}")
 
-    async def run() -> int:
-        stop, manager = stop_signal(), Notifier(os.environ)
-        on_again(changes.look)
-        return await hosting.serve(
-            plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager, changes=changes
-        )
+        async def run() -> int:
+            stop, manager = stop_signal(), Notifier(os.environ)
+            on_again(changes.look)
+            return await hosting.serve(
+                plant, settings, listening, stop, ready, restored=restored, seen=seen, notify=manager, changes=changes
+            )
 
-    try:
         return on_loop(run())
-    finally:
-        changes.close()

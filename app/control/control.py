@@ -22,6 +22,7 @@ from app.domain.ports import Endpoint
 from app.domain.records import Kept, Record
 from app.domain.requests import Reply, Request
 from app.domain.units import Seconds, Timestamp
+from app.domain.versions import Leaving
 from app.domain.view import LineView, LinkView, Topic, Update, View
 from app.domain.webhooks import Webhook, WebhookProgress, WebhookTry
 from app.fleet import Effects, Fleet
@@ -225,6 +226,10 @@ class Control:
             self._dirty[send.link] = None
         self._decide()
         return reply
+
+    def leave(self, leaving: Leaving | None) -> None:
+        """From now on no new job may need what goes with the plant that is to come; None: everything stays."""
+        self.fleet.books.leaving = leaving
 
     @property
     def deadline(self) -> Seconds:

@@ -35,8 +35,11 @@ class PlantVersion:
     """A version of the plant file; its text is kept beside it. Numbers rise from 1.
 
     ``reason`` is why it was staged, ``why`` why it was activated last; ``before`` the version that was active until then.
-    ``asked``, ``asked_by`` and ``asked_why`` say who wants it active while it is awaited; ``patient``: also if something stands
-    in its way now. ``note`` is what became of the last wish that came to nothing.
+    ``ran`` is when a controller first ran with it; ``tries`` how many starts with it were begun since it became active while none
+    of them came to run (None: one did), which says after a crash too that the way back is still open.
+    ``rejected`` is when it was, ``pruned`` when its text was thrown away. ``asked``, ``asked_by`` and ``asked_why`` say who wants
+    it active while it is awaited; ``patient``: also if something stands in its way now. ``note`` is what became of the last wish
+    that came to nothing.
     """
 
     number: int
@@ -56,11 +59,27 @@ class PlantVersion:
     asked_why: str = ""
     patient: bool = False
     note: str = ""
+    ran: Timestamp | None = None
+    tries: int | None = None
+    rejected: Timestamp | None = None
+    pruned: Timestamp | None = None
 
     @property
     def at_rest(self) -> VersionState:
-        """Its state when a wish to activate it comes to nothing."""
-        return VersionState.STAGED if self.activated is None else VersionState.FORMER
+        """Its state when a wish to activate it comes to nothing, or another takes its place."""
+        return VersionState.STAGED if self.ran is None else VersionState.FORMER
+
+
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """What a version that is awaited has no place for: no new job may need it, or the wait would never end.
+
+    ``gone`` are stations and vehicles that it does not have, ``cut_off`` stations that no way leads to any more.
+    """
+
+    version: int
+    gone: frozenset[str]
+    cut_off: frozenset[str]
 
 
 def digest_of(text: str) -> str:

@@ -27,6 +27,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import Proposal, SessionState, TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
+from app.domain.versions import Leaving
 from app.domain.view import ClosureView, Topic, Update, View
 from app.domain.walks import Walk, WalkPlace
 from app.domain.why import Why
@@ -115,6 +116,8 @@ class Books:
         self.teaching = TeachingBooks(plant, kept)
         self._note_teaching()
         self.controller = kept.controller
+        self.leaving: Leaving | None = None
+        """What goes with a version of the plant that is awaited."""
         self.roll_call = RollCall(self.track)
         self.buffer_trouble: dict[StationId, str] = {}
         """Why the buffer of a station cannot be used now."""

@@ -15,6 +15,7 @@ from app.fleet.kinds import between_kinds
 from app.fleet.missions import Missions
 from app.fleet.obstacles import brought_first, in_line
 from app.fleet.plant_orders import unfit_name
+from app.fleet.refusals import leaves
 from app.fleet.targets import no_dest, no_offset
 
 OUR_NAMES = "HW-"
@@ -111,6 +112,8 @@ class Jobs:
             return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
+        if refusal := self._leaves(request):
+            return refusal
         others = (request.destination, *request.fallbacks)
         return (
             between_kinds(books, request.source, others, request.vehicle)
@@ -130,6 +133,20 @@ class Jobs:
         if source == destination:
             return Refusal("invalid", "source and destination are the same station", "name another", "destination")
         return None
+
+    def _leaves(self, request: CreateJob) -> Refusal | None:
+        """Return why a job would keep the plant that is awaited waiting. One that fetches what is known to be there may come."""
+        books, source = self._books, request.source
+        wished = request.vehicle if request.vehicle and request.vehicle != source else None
+        if refusal := leaves(books, request.destination, "destination") or (
+            wished and leaves(books, wished, "vehicle")
+        ):
+            return refusal
+        if source in books.vehicles or books.stations[StationId(source)].present:
+            return None
+        refusal = leaves(books, source, "source")
+        fetch = "if a carrier is there, say so first: PUT /api/v1/carriers/ID"
+        return replace(refusal, remedy=f"{fetch}; else {refusal.remedy}") if refusal else None
 
     def _untaught(self, source: str, destination: str) -> Refusal | None:
         """Ports without DEST are refused with the missing axes named (DOMAIN section 3)."""
@@ -255,6 +272,8 @@ class Jobs:
                 return Refusal(
                     "invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle"
                 )
+            if refusal := leaves(self._books, request.vehicle, "vehicle"):
+                return refusal
             if refusal := between_kinds(self._books, job.source, (), request.vehicle):
                 return refusal
             if job.source in self._books.vehicles and request.vehicle != job.source:
@@ -278,6 +297,7 @@ class Jobs:
         source: str = (job.vehicle or job.source) if job.leg is Leg.TO_DESTINATION else job.source
         return (
             self._unknown_ends(source, request.destination, ())
+            or leaves(self._books, request.destination, "destination")
             or between_kinds(self._books, source, (request.destination,), None)
             or self._untaught(source, request.destination)
             or self._no_route(source, request.destination)

@@ -30,6 +30,20 @@ def not_lifted(lock: Lockout) -> Refusal:
     )
 
 
+def leaves(books: Books, name: str, field: str) -> Refusal | None:
+    """Refusal of a job that needs what goes with the plant that is to come; None: it stays."""
+    leaving = books.leaving
+    if leaving is None or not (name in leaving.gone or name in leaving.cut_off):
+        return None
+    number = leaving.version
+    if name in leaving.gone:
+        reason = f"{name} is not in version {number} of the plant, which is to become active"
+    else:
+        reason = f"{name} cannot be reached in version {number} of the plant, which is to become active"
+    remedy = f"name another one, or have that version rejected: POST /api/v1/layout/versions/{number}/reject"
+    return Refusal("not-now", reason, remedy, field)
+
+
 def in_emergency(books: Books) -> Refusal | None:
     """Refusal of what may set something moving while a fire or an earthquake is told."""
     told = books.controller.told

@@ -1,6 +1,6 @@
 """What differs between two plants, in words, and what that breaks in a plant that has run."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from enum import Enum
 from math import hypot
@@ -47,6 +47,12 @@ class Broken:
     text: str
     remedy: str
     touches: tuple[str, ...] = ()
+
+
+def obstruction(broken: Sequence[Broken]) -> str:
+    """Return in a sentence, without its full stop, what stands in the way of a plant: the first of it, and how much more."""
+    first, more = broken[0], f" (and {len(broken) - 1} more)" if len(broken) > 1 else ""
+    return f"{first.what} {first.name} stands in the way: {first.text}{more}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from itertools import pairwise
 from app.domain.closures import PlaceKind
 from app.domain.layout import Plant, Station, VehicleKind
 from app.domain.records import Kept, VehicleRecord
+from app.domain.versions import Leaving
 from app.plant.connections import graph_of, reachable
 from app.plant.difference import Broken
 
@@ -29,9 +30,26 @@ def touched(old: Plant, new: Plant, kept: Kept, *, listening: bool = True) -> li
     ]
 
 
+def leaving(old: Plant, new: Plant, version: int) -> Leaving:
+    """Return what a job can name now, and not once the new plant is there: its number is ``version``."""
+    before, after = _names(old), _names(new)
+    served = {station for kind in VehicleKind for station in _served(new, kind)}
+    kept = {station.id for station in old.stations} & after
+    return Leaving(version, frozenset(before - after), frozenset(kept - served))
+
+
+def _names(plant: Plant) -> set[str]:
+    return {*(station.id for station in plant.stations), *(vehicle.id for vehicle in plant.vehicles)}
+
+
+def listens_at(plant: Plant) -> tuple[str, int] | None:
+    """Return where a controller of the plant listens for vehicles; None: it dials all of them."""
+    return plant.listen if any(vehicle.listen for vehicle in plant.hoists) else None
+
+
 def _listening(old: Plant, new: Plant) -> Iterator[Broken]:
     """Another address to listen at may be taken, which would be found out too late to go back in order."""
-    before, after = (plant.listen if any(v.listen for v in plant.hoists) else None for plant in (old, new))
+    before, after = listens_at(old), listens_at(new)
     if after is not None and after != before:
         text = f"vehicles are to connect to {after[0]}:{after[1]}, where the controller does not listen"
         yield Broken("plant", "listen", text, "stop the controller, and start it with the new file", ("vehicles",))

@@ -155,6 +155,8 @@ class Controller:
         )
         self._writer.start()
         self._replanner = Replanner(self._replanned, figures=self.figures)
+        if self.versions is not None:
+            self.versions.attach(self._control.leave)
         snapshot = self._control.snapshot()
         self.hub.publish(snapshot)
         if self._recorder is not None:

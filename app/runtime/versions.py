@@ -9,11 +9,11 @@ from app.domain.errors import HoistwayError, Refusal
 from app.domain.ids import Actor
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, PlantVersion, digest_of
+from app.domain.versions import Leaving, Origin, PlantVersion, digest_of
 from app.plant import Finding
-from app.plant.difference import Broken, Difference, difference
+from app.plant.difference import Broken, Difference, difference, obstruction
 from app.plant.lost import lost
-from app.plant.touched import touched
+from app.plant.touched import leaving, touched
 from app.store.standing import standing
 from app.store.versions import VersionStore
 
@@ -49,6 +49,9 @@ class Versions:
         self.store = store
         self.wanted = asyncio.Event()
         """Set when a version is awaited that was not before."""
+        self._announcing = asyncio.Lock()
+        self._announced: int | None = None
+        self._leaves: Callable[[Leaving | None], None] = _nobody
         self._database, self._read, self._utc = database, read, utc
         self._plants: OrderedDict[str, tuple[Plant, Sequence[Finding]]] = OrderedDict()
         self._reading = asyncio.Lock()
@@ -100,24 +103,47 @@ class Versions:
         return await asyncio.to_thread(look)
 
     async def ask(
-        self, number: int, actor: Actor, why: str, *, patient: bool, in_the_way: Sequence[Broken]
+        self, running: Plant, number: int, actor: Actor, why: str, *, patient: bool, in_the_way: Sequence[Broken]
     ) -> PlantVersion | Refusal:
         """Let a version be awaited, unless something stands in its way and nobody is ready to wait for that."""
-        refusal = None
-        if in_the_way and not patient:
-            more = f" (and {len(in_the_way) - 1} more)" if len(in_the_way) > 1 else ""
-            first = in_the_way[0]
-            refusal = Refusal("not-now", f"{first.what} {first.name} stands in the way: {first.text}{more}.")
+        refused = in_the_way and not patient
+        refusal = Refusal("not-now", f"{obstruction(in_the_way)}.") if refused else None
         made = await asyncio.to_thread(
             lambda: self.store.ask(number, actor, why, self._utc(), patient=patient, refusal=refusal)
         )
         if isinstance(made, PlantVersion):
             self.wanted.set()
+            await self.announce(running)
         return made
 
-    async def reject(self, number: int, actor: Actor, reason: str) -> PlantVersion | Refusal:
+    async def reject(self, running: Plant, number: int, actor: Actor, reason: str) -> PlantVersion | Refusal:
         """Let a version not become active."""
-        return await asyncio.to_thread(self.store.reject, number, actor, reason, self._utc())
+        made = await asyncio.to_thread(self.store.reject, number, actor, reason, self._utc())
+        if isinstance(made, PlantVersion):
+            await self.announce(running)
+        return made
+
+    async def announce(self, running: Plant) -> None:
+        """Let the controller know, if it does not, what goes with the version that is awaited just now."""
+        async with self._announcing:
+            awaited = await asyncio.to_thread(self.store.awaited)
+            number = None if awaited is None else awaited.number
+            if number == self._announced:
+                return
+            new = None if number is None else await self.plant(number)
+            goes = None
+            if new is not None and number is not None:
+                goes = await asyncio.to_thread(leaving, running, new, number)
+            self._announced = number
+            self._leaves(goes)
+
+    def attach(self, leaves: Callable[[Leaving | None], None]) -> None:
+        """Let a controller be told from now on what goes with the version that is awaited; None: none is, as it thinks now."""
+        self._leaves, self._announced = leaves, None
+
+
+def _nobody(_goes: Leaving | None) -> None:
+    """Tell nobody: no controller runs."""
 
 
 def said(error: HoistwayError) -> str:

@@ -1,7 +1,5 @@
 """What can be said of a plant's database without taking it: for ``hoistway doctor``."""
 
-import fcntl
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,7 +8,7 @@ import sqlalchemy as sa
 from app.domain.units import Timestamp
 from app.store import tables
 from app.store.engine import file_of, parsed, reading, told
-from app.store.lease import NOW, WHO
+from app.store.lease import NOW, WHO, holder_of
 from app.store.opening import CANNOT_OPEN
 from app.store.schema import current
 
@@ -56,7 +54,7 @@ def _looked(connection: sa.Connection, path: Path | None) -> Condition:
     return Condition(
         schema=schema,
         plant=connection.execute(sa.select(tables.plant.c.name)).scalar(),
-        holder=_locked(path)
+        holder=holder_of(path)
         if path is not None
         else None
         if lease is None or lease.deadline <= lease.now
@@ -65,21 +63,3 @@ def _looked(connection: sa.Connection, path: Path | None) -> Condition:
         clock=None if path is not None else Timestamp(connection.execute(sa.select(NOW)).scalar_one()),
         put_back=mark,
     )
-
-
-def _locked(path: Path) -> str | None:
-    """Return who has locked the file of a database. A lock that was let go has no text, and is not touched."""
-    try:
-        descriptor = os.open(f"{path}.lock", os.O_RDONLY | os.O_CLOEXEC)
-    except FileNotFoundError:
-        return None
-    who = ""
-    try:
-        who = os.pread(descriptor, 1000, 0).decode(errors="replace").strip()
-        if who:
-            fcntl.flock(descriptor, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return who
-    finally:
-        os.close(descriptor)
-    return None

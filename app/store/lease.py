@@ -3,6 +3,7 @@
 import fcntl
 import math
 import os
+import struct
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
@@ -19,6 +20,10 @@ from app.store.tables import lease
 LEASE_SECONDS = Seconds(10.0)
 """How long a PostgreSQL lease lasts without renewal: a killed controller's plant is free after that. Our choice."""
 
+UNNAMED = "a controller that gave no name"
+_FLOCK = "hhqqi0q"
+"""struct flock: kind, whence, start, length (0: to the end, wherever that is), process."""
+_WHOLE = struct.pack(_FLOCK, fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
 _PAUSE_SECONDS = 0.1
 _STOPPED = "Restart it: it then finds out what happened meanwhile before it sends anything."
 
@@ -59,6 +64,9 @@ class NoLease:
 class FileLease:
     """An exclusive lock on ``<database>.lock``; its text says who. The kernel lets it go when the process ends.
 
+    It is a flock. A flock can only be tried, and who tries one keeps a controller out for that moment: so the holder has a lock
+    of the other kind too (fcntl_locking(2), "open file description locks"), which anybody can ask about: :func:`holder_of`.
+
     The file stays: to remove it while another opens it would give the plant to two. A process made by ``fork`` without
     ``exec`` shares the lock.
     """
@@ -77,7 +85,7 @@ class FileLease:
         try:
             fcntl.flock(self._fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as cause:
-            who = os.pread(self._fd, 1000, 0).decode(errors="replace").strip() or "a controller that gave no name"
+            who = os.pread(self._fd, 1000, 0).decode(errors="replace").strip() or UNNAMED
             os.close(self._fd)
             raise PlantHeld(
                 f"{database} is held by {who}",
@@ -85,6 +93,8 @@ class FileLease:
             ) from cause
         os.ftruncate(self._fd, 0)
         os.pwrite(self._fd, f"{holder}, for plant {plant}, since {_when(since)}\n".encode(), 0)
+        with suppress(OSError):  # a file system without them: nobody sees the holder, but it holds
+            fcntl.fcntl(self._fd, fcntl.F_OFD_SETLK, _WHOLE)
 
     def verify(self, connection: sa.Connection) -> None:
         """Look whether the file is still the one that was locked: removed, it no longer keeps others out."""
@@ -100,6 +110,21 @@ class FileLease:
         with suppress(OSError):
             os.ftruncate(self._fd, 0)
         os.close(self._fd)
+
+
+def holder_of(database: Path) -> str | None:
+    """Return who has locked a database, if anybody has. It takes no lock: a controller that starts just now is not disturbed."""
+    try:
+        descriptor = os.open(f"{database}.lock", os.O_RDONLY | os.O_CLOEXEC)
+    except FileNotFoundError:
+        return None
+    try:
+        found, *_ = struct.unpack(_FLOCK, fcntl.fcntl(descriptor, fcntl.F_OFD_GETLK, _WHOLE))
+        if found == fcntl.F_UNLCK:
+            return None
+        return os.pread(descriptor, 1000, 0).decode(errors="replace").strip() or UNNAMED
+    finally:
+        os.close(descriptor)
 
 
 NOW = sa.cast(sa.func.extract("epoch", sa.func.clock_timestamp()), sa.Double)

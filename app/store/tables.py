@@ -550,6 +550,10 @@ plant_versions = sa.Table(
     sa.Column("patient", sa.Boolean(), nullable=False),
     _text("note"),
     _text("text"),
+    sa.Column("ran", UTC),
+    _maybe_big("tries"),
+    sa.Column("rejected", UTC),
+    sa.Column("pruned", UTC),
 )
 the_active = plant_versions.c.state == sa.literal_column(f"'{VersionState.ACTIVE.value}'")
 sa.Index(

@@ -21,6 +21,11 @@ from app.store.tables import plant, plant_file, plant_versions
 _FIELDS = tuple(field.name for field in fields(PlantVersion))
 _COLUMNS = [plant_versions.c[name] for name in _FIELDS]
 _number = plant_versions.c.number
+KEPT_REJECTED = 10
+"""So many texts of rejected versions are kept, those rejected last: who rejected one by mistake, or asks why it could not be run,
+does so soon, and a fab's file has megabytes. What ever ran is kept for good: it is what one rolls back to. Our choice."""
+MOST_STAGED = 50
+"""So many uploaded versions may be staged at once: they are kept until somebody rejects them. Our choice."""
 LIVE = (VersionState.STAGED, VersionState.AWAITED, VersionState.ACTIVE, VersionState.FORMER)
 """States of versions that can be used."""
 
@@ -61,9 +66,10 @@ class VersionStore:
         return next(iter(self._list(sa.select(*_COLUMNS).where(_number == number))), None)
 
     def text(self, number: int) -> str | None:
-        """Return the text of a version's plant file."""
+        """Return the text of a version's plant file; None: there is no such version, or its text is not kept any more."""
         with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
-            return connection.execute(sa.select(plant_versions.c.text).where(_number == number)).scalar()
+            which = sa.and_(_number == number, plant_versions.c.pruned.is_(None))
+            return connection.execute(sa.select(plant_versions.c.text).where(which)).scalar()
 
     def active(self) -> PlantVersion | None:
         """Return the version that is active; None: no controller has started here yet."""
@@ -96,7 +102,9 @@ class VersionStore:
                 raise StoreError("another controller has begun on the database meanwhile", remedy="Start again.")
             digest, size = digest_of(text), len(text.encode())
             why = "the first start on this database"
-            first = PlantVersion(1, digest, VersionState.ACTIVE, Origin.FILE, now, actor, why, size, now, actor, why)
+            first = PlantVersion(
+                1, digest, VersionState.ACTIVE, Origin.FILE, now, actor, why, size, now, actor, why, tries=1
+            )
             connection.execute(plant_versions.insert(), {**asdict(first), "text": text})
             _take_file(connection, digest, now)
             append(connection, AuditRow(now, actor, "BeginLayout", "version 1", why, accepted=True))
@@ -109,8 +117,8 @@ class VersionStore:
         with self._transaction() as connection:
             same = None if again else connection.execute(_same_text(text)).one_or_none()
             number = (connection.execute(sa.select(sa.func.max(_number))).scalar() or 0) + 1
-            if same is not None:
-                refusal = _same(_version(same))
+            refusal = _same(_version(same)) if same is not None else None if again else _too_many(connection)
+            if refusal is not None:
                 _note(connection, now, actor, "StageLayout", number, refusal)
                 return refusal
             size = len(text.encode())
@@ -152,13 +160,14 @@ class VersionStore:
             if found.state not in {VersionState.STAGED, VersionState.AWAITED}:
                 remedy = "Only what is staged or awaited can be rejected."
                 return Refusal("conflict", f"Version {number} is {found.state.value}.", remedy)
-            return _over(found, VersionState.REJECTED, f"{actor}: {reason}")
+            return replace(_over(found, VersionState.REJECTED, f"{actor}: {reason}"), rejected=now)
 
         return self._asked(number, now, actor, "RejectLayout", reason, work)
 
     def activate(self, number: int, now: Timestamp, lease: Lease, *, file: bool = False) -> PlantVersion:
         """Let an awaited version be the active one, and the active one a former one: both or nothing.
 
+        It is on trial until it runs, and the way back leads past one that is on trial itself.
         ``file``: the plant file says so. Raises StoreError: it is not awaited any more; PlantHeld: another controller has come.
         """
         with self._transaction() as connection:
@@ -167,22 +176,31 @@ class VersionStore:
             if found is None or found.state is not VersionState.AWAITED:
                 raise StoreError(f"version {number} of the plant is not wanted any more")
             actor = found.asked_by or found.actor
-            before = connection.execute(
-                sa.select(_number).where(plant_versions.c.state == VersionState.ACTIVE)
-            ).scalar()
-            connection.execute(plant_versions.update().where(_number == before), {"state": VersionState.FORMER})
+            active = next(iter(_in(connection, VersionState.ACTIVE)), None)
+            if active is not None:
+                _write(connection, replace(active, state=active.at_rest, tries=None))
+            before = None if active is None else active.number if active.tries is None else active.before
             made = replace(
                 _over(found, VersionState.ACTIVE, ""),
                 activated=now,
                 activated_by=actor,
                 why=found.asked_why,
                 before=before,
+                tries=1,
             )
             _write(connection, made)
             if file:
                 _take_file(connection, made.digest, now)
-            _note(connection, now, actor, "ChangeLayout", number, f"instead of version {before}: {made.why}")
+            instead = "no version" if active is None else f"version {active.number}"
+            _note(connection, now, actor, "ChangeLayout", number, f"instead of {instead}: {made.why}")
             return made
+
+    def tried(self, number: int, tries: int | None, now: Timestamp) -> None:
+        """Note how many starts were begun with the active version and came to nothing so far; None: it runs."""
+        ran = {"ran": sa.func.coalesce(plant_versions.c.ran, now)} if tries is None else {}
+        which = sa.and_(_number == number, plant_versions.c.state == VersionState.ACTIVE)
+        with self._transaction() as connection:
+            connection.execute(plant_versions.update().where(which).values(tries=tries, **ran))
 
     def give_up(self, number: int, note: str, now: Timestamp) -> None:
         """Let a version not be awaited any more: something stands in its way."""
@@ -193,18 +211,21 @@ class VersionStore:
                 _note(connection, now, found.asked_by or found.actor, "ActivateLayout", number, _not(note))
 
     def fall_back(self, number: int, note: str, now: Timestamp, lease: Lease) -> PlantVersion | None:
-        """The active version cannot be run: reject it, and let the one before it be active again; None: there is none.
+        """The active version, on trial, cannot be run: let the one before it be active again; None: there is none, or it has run.
 
+        It is rejected, unless it ran some time before. The one before is on trial in its turn if it never ran.
         Raises PlantHeld: another controller has come.
         """
         with self._transaction() as connection:
             lease.verify(connection)
             found = _found(connection, number)
             before = None if found is None or found.before is None else _found(connection, found.before)
-            if found is None or before is None or found.state is not VersionState.ACTIVE:
+            if found is None or before is None or found.state is not VersionState.ACTIVE or found.tries is None:
                 return None
-            _write(connection, _over(found, VersionState.REJECTED, note))
-            made = replace(before, state=VersionState.ACTIVE)
+            state, since = (VersionState.REJECTED, now) if found.ran is None else (VersionState.FORMER, None)
+            _write(connection, replace(_over(found, state, note), tries=None, rejected=since))
+            _prune(connection, now)
+            made = replace(before, state=VersionState.ACTIVE, tries=1 if before.ran is None else None)
             _write(connection, made)
             actor = found.activated_by or found.actor
             _note(connection, now, actor, "ChangeLayout", number, _not(f"{note}; version {made.number} goes on"))
@@ -221,11 +242,12 @@ class VersionStore:
             made = missing if found is None else work(connection, found)
             if isinstance(made, PlantVersion):
                 _write(connection, made)
+                _prune(connection, now)
             _note(connection, now, actor, action, number, made if isinstance(made, Refusal) else said)
             return made
 
     def _in_state(self, state: VersionState) -> PlantVersion | None:
-        return next(iter(self._list(sa.select(*_COLUMNS).where(plant_versions.c.state == state))), None)
+        return next(iter(self._list(_state(state))), None)
 
     def _list(self, query: sa.Select[Any]) -> list[PlantVersion]:
         with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
@@ -245,6 +267,15 @@ def _same_text(text: str) -> sa.Select[Any]:
     return sa.select(*_COLUMNS).where(same).order_by(_number.desc()).limit(1)
 
 
+def _state(state: VersionState) -> sa.Select[Any]:
+    return sa.select(*_COLUMNS).where(plant_versions.c.state == state).order_by(_number.desc())
+
+
+def _in(connection: sa.Connection, state: VersionState) -> list[PlantVersion]:
+    """Return the versions in a state, newest first."""
+    return [_version(row) for row in connection.execute(_state(state))]
+
+
 def _version(row: Found) -> PlantVersion:
     values = {name: getattr(row, name) for name in _FIELDS}
     return PlantVersion(**{**values, "state": VersionState(row.state), "origin": Origin(row.origin)})
@@ -257,6 +288,22 @@ def _found(connection: sa.Connection, number: int) -> PlantVersion | None:
 
 def _write(connection: sa.Connection, version: PlantVersion) -> None:
     connection.execute(plant_versions.update().where(_number == version.number), asdict(version))
+
+
+def _prune(connection: sa.Connection, now: Timestamp) -> None:
+    """Throw away the texts of versions that were rejected long ago."""
+    rejected = sa.and_(plant_versions.c.state == VersionState.REJECTED, plant_versions.c.pruned.is_(None))
+    last = plant_versions.c.rejected.desc(), _number.desc()
+    late = [row.number for row in connection.execute(sa.select(_number).where(rejected).order_by(*last))]
+    if late := late[KEPT_REJECTED:]:
+        connection.execute(plant_versions.update().where(_number.in_(late)).values(text="", pruned=now))
+
+
+def _too_many(connection: sa.Connection) -> Refusal | None:
+    staged = sa.and_(plant_versions.c.state == VersionState.STAGED, plant_versions.c.origin == Origin.UPLOAD)
+    found = connection.execute(sa.select(sa.func.count()).where(staged)).scalar_one()
+    remedy = "Reject what nobody wants any more: POST /api/v1/layout/versions/N/reject."
+    return Refusal("conflict", f"{found} versions are staged already.", remedy) if found >= MOST_STAGED else None
 
 
 def _take_file(connection: sa.Connection, digest: str, now: Timestamp) -> None:

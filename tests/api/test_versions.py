@@ -12,6 +12,8 @@ from app.domain.job import Job
 from app.domain.layout import PulseSet
 from app.domain.records import StationDest
 from app.domain.units import Pulses
+from app.domain.versions import Leaving, Origin
+from app.store.versions import KEPT_REJECTED
 from tests.api.kept_versions import TEXT, KeptVersions, kept_versions
 from tests.api.scripted import NOW, Scripted
 from tests.store.samples import job
@@ -179,6 +181,23 @@ async def test_what_stands_in_the_way_is_listed_and_can_be_waited_for(
     assert [one["name"] for one in made["in_the_way"]] == ["J1"]
 
 
+async def test_the_controller_hears_what_goes_as_long_as_a_version_is_awaited(
+    client: httpx.AsyncClient, plant: KeptVersions
+) -> None:
+    heard = list[Leaving | None]()
+    plant.versions.attach(heard.append)
+    plant.ledger.commit([a_job_to("P2")])
+    await stage(client, WITHOUT)
+    await stage(client, NEW)
+    assert heard == []
+    await post(client, "2/activate", 202, wait=True)
+    assert heard == [Leaving(2, frozenset({"P2"}), frozenset())]
+    await post(client, "3/reject", 200)
+    assert len(heard) == 1
+    await post(client, "2/reject", 200)
+    assert heard[1:] == [None]
+
+
 async def test_who_activates_over_another_version_than_they_saw_is_told(client: httpx.AsyncClient) -> None:
     await stage(client, NEW)
     problem = await post(client, "2/activate", 412, instead_of=7)
@@ -191,6 +210,22 @@ async def test_a_version_that_there_is_not_is_not_found(client: httpx.AsyncClien
     answer = await client.get(f"/layout/versions/{path}")
     assert answer.status_code == 404
     assert answer.json()["detail"] == "There is no version 9 of the plant."
+
+
+@pytest.mark.parametrize("path", ["2/file", "2/diff", "2/impact"])
+async def test_a_version_whose_text_is_not_kept_any_more_says_so(
+    client: httpx.AsyncClient, plant: KeptVersions, path: str
+) -> None:
+    store = plant.versions.store
+    for number in range(2, KEPT_REJECTED + 3):
+        store.stage(f"a text {number}", Origin.UPLOAD, Actor("lee"), "a try", NOW)
+        store.reject(number, Actor("lee"), "a typing error", NOW)
+    answer = await client.get(f"/layout/versions/{path}")
+    assert answer.status_code == 404
+    said = "The text of version 2 is not kept any more; it was rejected: lee: a typing error."
+    assert answer.json()["detail"] == said
+    assert (await client.get("/layout/versions/2/findings")).json()["items"] == []
+    assert (await client.get("/layout/versions/2")).json()["pruned"] is not None
 
 
 async def test_a_person_has_to_decide(client: httpx.AsyncClient) -> None:

@@ -2,6 +2,8 @@
 
 import asyncio
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack, suppress
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -21,6 +23,7 @@ from tests.store.samples import job
 TEXT = (Path(__file__).parents[2] / "plants" / "small.yaml").read_text(encoding="utf-8")
 WITH_P9 = TEXT.replace("  B1: {", "  P9: {kind: port, at: 108, dest: {shft: 5, rota: 5, lift: 5}}\n  B1: {")
 WITHOUT_P2 = "\n".join(line for line in TEXT.splitlines() if not line.startswith("  P2:")) + "\n"
+OTHERS = "name: small\nwords: of another program\n"
 NOW = Timestamp(1000.0)
 KIM = Actor("kim")
 Start = Callable[[str], tuple[Plant, Changes]]
@@ -33,18 +36,33 @@ def url(tmp_path: Path) -> str:
 
 @pytest.fixture
 def start(tmp_path: Path, url: str) -> Iterator[Start]:
-    """Start as ``hoistway serve`` does, with a plant file that says this."""
-    file, begun = tmp_path / "small.yaml", list[Changes]()
+    """Start as ``hoistway serve`` does, with a plant file that says this; the controller comes to run."""
+    file = tmp_path / "small.yaml"
 
     def started(text: str) -> tuple[Plant, Changes]:
         file.write_text(text, encoding="utf-8")
-        changes = Changes(file, url, lambda: NOW)
-        begun.append(changes)
-        return changes.begin(*plant_and_text_of(file)), changes
+        changes = stack.enter_context(Changes(file, url, lambda: NOW))
+        plant = changes.begin(*plant_and_text_of(file))
+        asyncio.run(changes.started())
+        return plant, changes
 
-    yield started
-    for changes in begun:
-        changes.close()
+    with ExitStack() as stack:
+        yield started
+
+
+@pytest.fixture
+def killed(tmp_path: Path, url: str) -> Start:
+    """Start in the same way, and be killed before the controller runs."""
+    file = tmp_path / "small.yaml"
+
+    def begun(text: str) -> tuple[Plant, Changes]:
+        file.write_text(text, encoding="utf-8")
+        changes = Changes(file, url, lambda: NOW)
+        plant = changes.begin(*plant_and_text_of(file))
+        changes.__exit__(SystemError)
+        return plant, changes
+
+    return begun
 
 
 def stations(plant: Plant) -> set[str]:
@@ -121,7 +139,8 @@ def test_the_file_of_another_plant_is_refused_and_makes_no_version(start: Start)
 
 def test_an_active_version_that_nobody_can_read_any_more_gives_way_to_an_edited_file_alone(start: Start) -> None:
     _, changes = start(TEXT)
-    activated(changes, "name: small\nwords: of another program\n")
+    activated(changes, OTHERS)
+    changes.versions.store.tried(2, None, NOW)
     with pytest.raises(CannotStart, match="version 2 of the plant, the active one, cannot be read"):
         start(TEXT)
     plant, after = start(WITH_P9)
@@ -130,10 +149,74 @@ def test_an_active_version_that_nobody_can_read_any_more_gives_way_to_an_edited_
     assert start(WITH_P9)[1].number == 3
 
 
+def test_a_version_that_never_ran_and_cannot_be_read_gives_way_to_the_one_before(start: Start) -> None:
+    _, changes = start(TEXT)
+    activated(changes, OTHERS)
+    plant, changes = start(TEXT)
+    assert stations(plant) == stations(start(TEXT)[0])
+    assert (changes.number, states(changes)) == (1, {1: "active", 2: "rejected"})
+
+
 def test_a_version_that_cannot_be_read_is_not_waited_for_stop_after_stop(start: Start) -> None:
     plant, changes = start(TEXT)
     store = changes.versions.store
-    store.stage("name: small\nwords: of another program\n", Origin.UPLOAD, KIM, "try", NOW)
+    store.stage(OTHERS, Origin.UPLOAD, KIM, "try", NOW)
     store.ask(2, KIM, "try", NOW, patient=True)
     assert asyncio.run(changes.settle(plant)) == plant
     assert states(changes) == {1: "active", 2: "staged"}
+
+
+def refused(changes: Changes, plant: Plant, *, listening: bool = False) -> set[str]:
+    """Return the stations that are gone on with when the controller cannot start with a plant; none: it is not begun again."""
+    before = asyncio.run(changes.fall_back(plant, "it cannot be started", listening=listening))
+    return set() if before is None else stations(before)
+
+
+def test_a_new_version_that_cannot_start_gives_way_to_the_one_before_after_a_crash_too(
+    start: Start, killed: Start
+) -> None:
+    _, changes = start(TEXT)
+    activated(changes, WITH_P9)
+    plant, changes = killed(TEXT)
+    assert "P9" in stations(plant)
+    assert refused(changes, plant) == stations(start(TEXT)[0])
+    assert states(changes) == {1: "active", 2: "rejected"}
+    assert changes.number == 1
+
+
+def test_a_version_that_has_run_is_not_given_up_for_a_start_that_fails_later(start: Start, killed: Start) -> None:
+    start(TEXT)
+    start(WITH_P9)
+    plant, changes = killed(WITH_P9)
+    assert refused(changes, plant) == set()
+    assert states(changes) == {1: "former", 2: "active"}
+
+
+def test_a_new_version_whose_starts_die_before_it_runs_gives_way_after_the_second(start: Start, killed: Start) -> None:
+    start(TEXT)
+    assert ["P9" in stations(killed(WITH_P9)[0]) for _ in range(3)] == [True, True, False]
+    _, changes = start(WITH_P9)
+    assert states(changes) == {1: "active", 2: "rejected"}
+    assert [one.note for one in changes.versions.store.versions()] == ["2 starts with it ended before it ran", ""]
+
+
+def test_a_start_that_ends_in_order_does_not_count_against_a_version(
+    start: Start, killed: Start, tmp_path: Path, url: str
+) -> None:
+    start(TEXT)
+    killed(WITH_P9)
+    for _ in range(3):
+        with suppress(StoreError), Changes(tmp_path / "small.yaml", url, lambda: NOW) as changes:
+            changes.begin(*plant_and_text_of(tmp_path / "small.yaml"))
+            raise StoreError("the certificate cannot be read")
+    assert "P9" in stations(killed(WITH_P9)[0])
+
+
+def test_an_address_that_the_version_before_would_want_too_is_not_the_new_ones_fault(
+    start: Start, killed: Start
+) -> None:
+    start(TEXT)
+    plant, changes = killed(WITH_P9)
+    assert refused(changes, plant, listening=True) == set()
+    coming = replace(plant, listen=("127.0.0.1", 1), vehicles=(replace(plant.vehicles[0], listen=True),))
+    assert refused(changes, coming, listening=True) == stations(start(TEXT)[0])

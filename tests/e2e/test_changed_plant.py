@@ -161,6 +161,8 @@ def test_maintenance_stages_a_layout_activates_it_waits_for_a_job_and_rolls_back
     body = {"reason": "P2 goes", "wait": True}
     patient = HTTP.post(f"{plant.url}/api/v1/layout/versions/3/activate", json=body, headers={"X-Actor": "kim"})
     assert [one["name"] for one in patient.json()["in_the_way"]] == ["J1", "J2"]
+    more = HTTP.post(f"{plant.url}/api/v1/jobs", json={"source": "P1", "destination": "P2"})
+    assert (more.status_code, more.json()["detail"].partition(",")[0]) == (409, "P2 is not in version 3 of the plant")
     HTTP.post(f"{plant.url}/api/v1/controller/resume")
     wait_until(lambda: plant.versions() == {1: "former", 2: "former", 3: "active"}, "the change", plant.log)
     assert [plant.get(f"/jobs/{job}")["state"] for job in ("J1", "J2")] == ["completed"] * 2

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from app.domain.commands import Move, Pickup, Place
+from app.domain.errors import Refusal
 from app.domain.ids import Actor, CarrierId, JobId, StationId, VehicleId
 from app.domain.job import Job, JobState
 from app.domain.layout import Edge, Point, PulseSet, Station, StationKind
@@ -15,12 +16,14 @@ from app.domain.requests import (
     ChangeJob,
     PauseController,
     ReleaseVehicle,
+    Request,
     SetService,
     Verdict,
     WriteDest,
     WriteStation,
 )
 from app.domain.units import Barcode, Millimetres, Pulses
+from app.domain.versions import Leaving
 from tests.fleet.script import B1, B2, FOUP1, FOUP2, HOST, P1, P2, P3, V1, V2, Script, small, transfer
 
 J1 = JobId("J1")
@@ -658,3 +661,47 @@ def test_a_job_whose_station_or_vehicle_has_left_the_plant_fails(ready: Script) 
     ready.obey(V1)
     ready.run(10)
     assert ready.vehicle(V1).record.carrier == FOUP1
+
+
+# -- a plant that is to come ----------------------------------------------------------------------------------------------
+
+
+def refused(script: Script, request: Request) -> str:
+    reply = script.ask(request)
+    assert isinstance(reply, Refusal), reply
+    assert (reply.code, "versions/7/reject" in reply.remedy) == ("not-now", True)
+    return f"{reply.field}: {reply.reason}"
+
+
+def test_no_new_job_needs_what_goes_with_the_plant_that_is_awaited(ready: Script) -> None:
+    before = ready.order("P1", "P2")
+    ready.order("P1", "P3", "J2")
+    ready.fleet.books.leaving = Leaving(7, frozenset({"P2", "V002"}), frozenset({"P3"}))
+    goes, cut_off = "is not in version 7 of the plant, which is to become active", "cannot be reached in version 7"
+    assert refused(ready, transfer("B1", "P2", "J3")) == f"destination: P2 {goes}"
+    assert refused(ready, transfer("P2", "B1", "J3")) == f"source: P2 {goes}"
+    assert refused(ready, transfer("P1", "B1", "J3", vehicle=V2)) == f"vehicle: V002 {goes}"
+    assert cut_off in refused(ready, transfer("B1", "P3", "J3"))
+    assert refused(ready, ChangeJob(HOST, J1, destination=P3)).startswith("destination: P3 cannot")
+    assert refused(ready, ChangeJob(HOST, JobId("J2"), vehicle=V2)) == f"vehicle: V002 {goes}"
+    assert ready.order("P1", "P2") == before, "the same order again is the same job"
+    ready.fleet.books.leaving = None
+    ready.order("P2", "P3", "J3")
+
+
+def test_what_is_known_to_be_at_a_station_that_goes_may_be_fetched(ready: Script) -> None:
+    ready.fleet.books.leaving = Leaving(7, frozenset({"P1", "V001"}), frozenset())
+    assert ready.order("P1", "P3").source == P1
+    ready.accept(WriteStation(HOST, P1, present=False))
+    reply = ready.ask(transfer("P1", "B1", "J2"))
+    assert isinstance(reply, Refusal)
+    assert reply.remedy.startswith(
+        "if a carrier is there, say so first: PUT /api/v1/carriers/ID; else name another one"
+    )
+
+
+def test_jobs_accepted_before_go_on_to_their_end(ready: Script) -> None:
+    ready.order("P1", "P3", vehicle="V001")
+    ready.fleet.books.leaving = Leaving(7, frozenset({"P1", "P3", "V001"}), frozenset())
+    ready.run_until("J1")
+    assert ready.job("J1").state is JobState.COMPLETED

@@ -27,8 +27,9 @@ from app.domain.records import (
 )
 from app.domain.teaching import TeachingSession
 from app.domain.units import Barcode, Pulses, Timestamp
+from app.domain.versions import Leaving
 from app.plant import read
-from app.plant.touched import touched
+from app.plant.touched import leaving, touched
 
 SMALL = (Path(__file__).parents[2] / "plants" / "small.yaml").read_text(encoding="utf-8")
 NOW = Timestamp(0.0)
@@ -165,3 +166,12 @@ def test_another_address_to_listen_at_needs_a_restart() -> None:
     assert touched(listening, listening, Kept(epoch=Epoch(1))) == []
     assert touched(listening, plant(), Kept(epoch=Epoch(1))) == []
     assert [one.name for one in touched(listening, moved, Kept(epoch=Epoch(1)))] == ["listen"]
+
+
+def test_what_jobs_cannot_name_any_more_is_told_before_the_plant_comes() -> None:
+    new = plant(("  P2: {", "  P7: {"))
+    new = replace(new, vehicles=new.vehicles[:1])
+    gone = frozenset({"P2", plant().vehicles[1].id})
+    assert leaving(plant(), new, 3) == Leaving(3, gone, frozenset())
+    apart = replace(plant(), edges=tuple(edge for edge in plant().edges if edge.end != plant().stations[1].barcode))
+    assert plant().stations[1].id in leaving(plant(), apart, 3).cut_off

@@ -1,5 +1,6 @@
 """One controller per plant (COMMANDS 3.7)."""
 
+import os
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +12,7 @@ import sqlalchemy as sa
 from app.domain.errors import PlantHeld, StoreError
 from app.domain.units import Timestamp
 from app.store import lease
+from app.store.condition import condition
 from app.store.ledger import SqlLedger
 from tests.store.conftest import Open
 from tests.store.samples import job
@@ -91,6 +93,28 @@ def test_a_directory_that_is_not_there_is_named(open_ledger: Open, tmp_path: Pat
     with pytest.raises(StoreError, match=r"cannot open .*none/plant\.db.lock") as caught:
         open_ledger(f"sqlite:///{tmp_path}/none/plant.db")
     assert "directory exists" in caught.value.remedy
+
+
+def test_who_looks_who_holds_the_plant_keeps_nobody_from_taking_it(
+    sqlite_url: str, open_ledger: Open, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = open_ledger(sqlite_url, holder="server A")
+    assert (condition(sqlite_url).holder or "").startswith("server A, for plant P1")
+    first.close()
+    (tmp_path / "plant.db.lock").write_text("server A, which was killed\n", encoding="utf-8")
+    close, taken = os.close, list[SqlLedger]()
+
+    def close_late(descriptor: int) -> None:
+        """What was opened for a look is still open when a controller starts."""
+        if Path(f"/proc/self/fd/{descriptor}").readlink().suffix == ".lock":
+            monkeypatch.setattr(os, "close", close)
+            taken.append(open_ledger(sqlite_url, holder="server B"))
+        close(descriptor)
+
+    monkeypatch.setattr(os, "close", close_late)
+    assert condition(sqlite_url).holder is None
+    assert len(taken) == 1
+    assert (condition(sqlite_url).holder or "").startswith("server B")
 
 
 @pytest.mark.postgres

@@ -11,7 +11,7 @@ from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, VersionState
 from app.store.lease import NoLease
 from app.store.reading import Reader
-from app.store.versions import VersionStore
+from app.store.versions import KEPT_REJECTED, MOST_STAGED, VersionStore
 from tests.store.conftest import NOW, Open
 
 LEE, KIM = Actor("lee"), Actor("kim")
@@ -26,6 +26,12 @@ def store(url: str, open_ledger: Open) -> Iterator[VersionStore]:
     store.close()
 
 
+def begun(store: VersionStore) -> None:
+    """Make version 1, which runs."""
+    store.begin("one", KIM, NOW)
+    store.tried(1, None, NOW)
+
+
 def staged(store: VersionStore, text: str, reason: str = "a port more") -> PlantVersion:
     made = store.stage(text, Origin.UPLOAD, LEE, reason, NOW)
     assert isinstance(made, PlantVersion)
@@ -35,6 +41,14 @@ def staged(store: VersionStore, text: str, reason: str = "a port more") -> Plant
 def awaited(store: VersionStore, number: int, *, patient: bool = False) -> PlantVersion:
     made = store.ask(number, KIM, "night shift", LATER, patient=patient)
     assert isinstance(made, PlantVersion)
+    return made
+
+
+def activated(store: VersionStore, number: int, *, runs: bool = True) -> PlantVersion:
+    """Activate an awaited version; ``runs``: a controller comes to run with it."""
+    made = store.activate(number, LATER, NoLease())
+    if runs:
+        store.tried(number, None, LATER)
     return made
 
 
@@ -56,17 +70,17 @@ def test_the_first_plant_file_is_version_1_and_active(store: VersionStore) -> No
 def test_a_version_goes_from_staged_over_awaited_to_active_and_the_one_before_can_come_back(
     store: VersionStore,
 ) -> None:
-    store.begin("one", KIM, NOW)
+    begun(store)
     assert staged(store, "two").number == 2
     wish = awaited(store, 2, patient=True)
     assert (wish.state, wish.asked, wish.asked_by, wish.asked_why) == (VersionState.AWAITED, LATER, KIM, "night shift")
     assert store.awaited() == wish
-    made = store.activate(2, LATER, NoLease())
+    made = activated(store, 2)
     assert (made.before, made.activated, made.activated_by, made.why) == (1, LATER, KIM, "night shift")
     assert (made.asked, made.asked_by, made.patient) == (None, None, False)
     assert states(store) == {1: "former", 2: "active"}
     awaited(store, 1)
-    assert store.activate(1, LATER, NoLease()).before == 2
+    assert activated(store, 1).before == 2
     assert states(store) == {1: "active", 2: "former"}
 
 
@@ -84,16 +98,49 @@ def test_a_wish_that_comes_to_nothing_leaves_the_version_as_it_was_and_says_why(
 
 
 def test_a_version_that_cannot_be_run_is_rejected_and_the_one_before_is_active_again(store: VersionStore) -> None:
-    store.begin("one", KIM, NOW)
+    begun(store)
     staged(store, "two")
     awaited(store, 2)
-    store.activate(2, LATER, NoLease())
+    activated(store, 2, runs=False)
     back = store.fall_back(2, "no such address", LATER, NoLease())
     assert back is not None
     assert back.number == 1
     assert states(store) == {1: "active", 2: "rejected"}
     assert store.fall_back(1, "nothing before", LATER, NoLease()) is None
     assert states(store) == {1: "active", 2: "rejected"}
+
+
+def test_a_version_that_has_run_since_it_became_active_is_not_fallen_back_from(store: VersionStore) -> None:
+    begun(store)
+    staged(store, "two")
+    awaited(store, 2)
+    activated(store, 2)
+    assert store.fall_back(2, "no such address", LATER, NoLease()) is None
+    assert states(store) == {1: "former", 2: "active"}
+
+
+def test_a_version_that_ran_before_and_cannot_be_run_now_can_be_tried_again_later(store: VersionStore) -> None:
+    begun(store)
+    staged(store, "two")
+    awaited(store, 2)
+    activated(store, 2)
+    awaited(store, 1)
+    activated(store, 1, runs=False)
+    assert store.fall_back(1, "the address is taken", LATER, NoLease()) == store.version(2)
+    found = store.version(1)
+    assert found is not None
+    assert (found.state, found.note) == (VersionState.FORMER, "the address is taken")
+
+
+def test_the_way_back_leads_past_a_version_that_never_ran(store: VersionStore) -> None:
+    begun(store)
+    staged(store, "two")
+    staged(store, "three")
+    awaited(store, 2)
+    activated(store, 2, runs=False)
+    awaited(store, 3)
+    assert activated(store, 3).before == 1
+    assert states(store) == {1: "former", 2: "staged", 3: "active"}
 
 
 @pytest.mark.parametrize(
@@ -117,10 +164,10 @@ def test_what_cannot_become_active_is_refused_with_the_reason(store: VersionStor
 
 
 def test_a_staged_version_is_rejected_a_former_one_only_stays_and_an_active_one_neither(store: VersionStore) -> None:
-    store.begin("one", KIM, NOW)
+    begun(store)
     staged(store, "two")
     awaited(store, 2)
-    store.activate(2, LATER, NoLease())
+    activated(store, 2)
     awaited(store, 1)
     kept = store.reject(1, KIM, "not today", LATER)
     assert isinstance(kept, PlantVersion)
@@ -186,13 +233,43 @@ def test_a_version_becomes_active_only_while_the_plant_is_held(store: VersionSto
         def verify(self, connection: sa.Connection) -> None:
             raise PlantHeld("plant P1 is held by the standby")
 
-    store.begin("one", KIM, NOW)
+    begun(store)
     staged(store, "two")
     awaited(store, 2)
     with pytest.raises(PlantHeld):
         store.activate(2, LATER, Lost())
     assert states(store) == {1: "active", 2: "awaited"}
-    store.activate(2, LATER, NoLease())
+    activated(store, 2, runs=False)
     with pytest.raises(PlantHeld):
         store.fall_back(2, "no such address", LATER, Lost())
     assert states(store) == {1: "former", 2: "active"}
+
+
+def test_texts_of_versions_rejected_long_ago_are_thrown_away_and_what_ran_is_kept_for_good(store: VersionStore) -> None:
+    begun(store)
+    staged(store, "two")
+    awaited(store, 2)
+    activated(store, 2)
+    for number in range(3, KEPT_REJECTED + 6):
+        staged(store, str(number))
+    order = [KEPT_REJECTED + 5, *range(3, KEPT_REJECTED + 5)]
+    for later, number in enumerate(order):
+        store.reject(number, KIM, "not this one", Timestamp(LATER + later))
+    thrown = order[:-KEPT_REJECTED]
+    assert [number for number in range(1, KEPT_REJECTED + 6) if store.text(number) is None] == sorted(thrown)
+    found = store.version(thrown[0])
+    assert found is not None
+    assert (found.state, found.reason, found.pruned) == (VersionState.REJECTED, "a port more", LATER + KEPT_REJECTED)
+    assert (store.text(1), store.text(2)) == ("one", "two")
+
+
+def test_so_many_versions_can_be_staged_at_once_and_no_more(store: VersionStore) -> None:
+    begun(store)
+    for number in range(2, MOST_STAGED + 2):
+        staged(store, str(number))
+    refusal = store.stage("one more", Origin.UPLOAD, LEE, "a port more", NOW)
+    assert isinstance(refusal, Refusal)
+    assert refusal.reason == f"{MOST_STAGED} versions are staged already."
+    store.reject(7, KIM, "not this one", LATER)
+    staged(store, "one more")
+    assert isinstance(store.stage("the file", Origin.FILE, LEE, "edited", NOW, again=True), PlantVersion)

@@ -917,6 +917,10 @@ class PlantVersion(TypedDict):
     asked_why: str
     patient: bool
     note: str
+    ran: str | None
+    tries: int | None
+    rejected: str | None
+    pruned: str | None
 
 
 class PlaybackChange(TypedDict):
@@ -1069,6 +1073,12 @@ class ReplayIn(TypedDict):
     """Tell it all events above this number, again if it has had them."""
 
     after: int
+
+
+class Required(TypedDict):
+    """Whether callers have to say who they are."""
+
+    required: bool
 
 
 class RestoreIn(TypedDict):

@@ -62,7 +62,8 @@ const lineOf = (id: string): string | null => layout.value?.vehicles.find((one) 
 const upper = (word: string | null): string => (word === null ? "–" : word.toUpperCase());
 const hex = (code: number): string => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
 
-function Notes({ vehicle }: { vehicle: Vehicle }) {
+/** Why it is locked out, held, or waits. */
+export function Notes({ vehicle }: { vehicle: Vehicle }) {
   return (
     <>
       {vehicle.lockout && (

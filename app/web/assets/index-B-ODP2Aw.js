@@ -815,6 +815,7 @@ function x(i, t) {
 }
 // node_modules/@preact/signals/dist/signals.module.js
 var h;
+var d;
 var p;
 var m = "undefined" != typeof window && !!window.__PREACT_SIGNALS_DEVTOOLS__;
 var g = [];
@@ -888,6 +889,7 @@ Object.defineProperties(l.prototype, {
 });
 b("__b", function(i, n) {
 	y();
+	d = void 0;
 	if ("string" == typeof n.type) {
 		var r, t = n.props;
 		for (var f in t) if ("children" !== f) {
@@ -924,15 +926,18 @@ b("__r", function(i, r) {
 				};
 			}(f), "function" == typeof r.type ? r.type.displayName || r.type.name : "");
 		}
+		d = f;
 		y(t);
 	}
 });
 b("__e", function(i, n, r, t) {
 	y();
+	d = void 0;
 	i(n, r, t);
 });
 b("diffed", function(i, n) {
 	y();
+	d = void 0;
 	var r;
 	if ("string" == typeof n.type && (r = n.__e)) {
 		var t = n.__np, f = n.props, o = r.U;
@@ -1035,6 +1040,16 @@ function useSignal(i, n) {
 		return y$1(i, n);
 	}, []);
 }
+function useComputed(i, n) {
+	var r = T(i);
+	r.current = i;
+	d.__$f |= 4;
+	return w$2(function() {
+		return O(function() {
+			return r.current();
+		}, n);
+	}, []);
+}
 var A = function(i) {
 	queueMicrotask(function() {
 		queueMicrotask(i);
@@ -1080,6 +1095,19 @@ function onKeyWanted(call) {
 function onForbidden(call) {
 	forbidden = call;
 }
+var may = Promise.resolve();
+var goOn = () => void 0;
+/** Nothing is asked for but who is there, until it is known that somebody may: `letGo`. */
+function holdBack() {
+	may = new Promise((done) => goOn = done);
+}
+function letGo() {
+	goOn();
+}
+/** Whether a key or token is kept. */
+function hasKey() {
+	return key$1 !== "";
+}
 function useKey$1(given) {
 	key$1 = given;
 	sessionStorage.setItem(KEY, given);
@@ -1105,9 +1133,11 @@ function forbidWhile(why) {
 }
 /** Who is there may be said at any time, and the stream goes on. */
 var ALWAYS = /^\/(session|live)(\/|$)/;
+var SESSION = /^\/session(\/|$)/;
 async function call(method, path, body, extra = {}) {
 	const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
 	if (why) throw new Refused(0, why);
+	if (!SESSION.test(path)) await may;
 	const headers = {
 		Accept: "application/json",
 		"Accept-Language": document.documentElement.lang || "en",
@@ -1143,6 +1173,7 @@ async function refusal$1(response) {
 var get = (path) => call("GET", path);
 var post = (path, body, extra) => call("POST", path, body, extra);
 async function fetched(path) {
+	await may;
 	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
 	const response = await fetch(`/api/v1${path}`, {
 		headers,
@@ -1165,6 +1196,7 @@ async function upload(path, text, kind) {
 	};
 	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
 	if (actor()) headers["X-Actor"] = headerText(actor());
+	await may;
 	const response = await fetch(`/api/v1${path}`, {
 		method: "POST",
 		headers,
@@ -1404,6 +1436,8 @@ function happening(event) {
 // src/access.ts
 /** Who is at the page and which calls they may make: the server says both, and when they have to say so again. */
 var KEPT$2 = "hoistway.session";
+/** What a tab and those that were made of it have in common: a name for the log-in. */
+var FAMILY = "hoistway.family";
 /** Looked so often whether the token is to be renewed, ms. */
 var LOOK = 15e3;
 /** A server that does not answer is asked again after so long, ms. */
@@ -1428,6 +1462,16 @@ function keep(next) {
 	session.value = next;
 	if (next) sessionStorage.setItem(KEPT$2, JSON.stringify(next));
 	else sessionStorage.removeItem(KEPT$2);
+}
+var others = new BroadcastChannel(KEPT$2);
+var family = () => sessionStorage.getItem(FAMILY) ?? "";
+function hear({ data }) {
+	if (!family() || data.family !== family()) return;
+	if (data.token === null) leave$1();
+	else {
+		useKey$1(data.token);
+		keep(data.kept);
+	}
 }
 /** All roles there are: each may at least look. */
 var allRoles = O(() => {
@@ -1455,35 +1499,60 @@ async function learn(anew = false) {
 }
 function take({ token, expires, until }) {
 	const [now, end] = [serverNow(), Date.parse(expires)];
-	useKey$1(token);
-	keep({
+	const kept = {
 		renew: now + (end - now) / 2,
 		expires: end,
 		until: Date.parse(until)
+	};
+	useKey$1(token);
+	keep(kept);
+	if (family()) others.postMessage({
+		family: family(),
+		token,
+		kept
 	});
+}
+/** Somebody has said who they are: what waited for that goes on. */
+async function entered() {
+	await learn(true);
+	asked$2.value = false;
+	letGo();
 }
 /** Log in with a password. Raises Refused. */
 async function logIn(name, password) {
-	take(await post("/session", {
+	const given = await post("/session", {
 		name,
 		password
-	}));
-	await learn(true);
-	asked$2.value = false;
+	});
+	sessionStorage.setItem(FAMILY, freshKey());
+	take(given);
+	await entered();
 }
 /** Use a machine's key. Raises Refused. */
 async function useKey(key) {
 	keep(null);
+	sessionStorage.setItem(FAMILY, freshKey());
 	useKey$1(key);
-	await learn(true);
-	asked$2.value = false;
+	await entered();
 }
-/** Log out, and begin with an empty page: nothing of what was shown stays. */
+/** Log out, here and in the tabs that were duplicated. */
 async function logOut() {
+	if (family()) others.postMessage({
+		family: family(),
+		token: null
+	});
+	await leave$1();
+}
+/** End the session, and begin with an empty page: nothing of what was shown stays. */
+async function leave$1() {
 	if (me.value?.person) await call("DELETE", "/session").catch(() => void 0);
-	useKey$1("");
-	keep(null);
+	forget();
 	location.reload();
+}
+function forget() {
+	useKey$1("");
+	sessionStorage.removeItem(FAMILY);
+	keep(null);
 }
 async function renew() {
 	const now = session.value;
@@ -1500,11 +1569,21 @@ async function renew() {
 function begin$5(go) {
 	onKeyWanted(() => asked$2.value = true);
 	onForbidden(() => void learn().catch(() => void 0));
+	others.addEventListener("message", hear);
 	window.setInterval(() => void renew(), LOOK);
-	const first = () => {
-		learn().catch((error) => {
-			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(first, LATER);
-		});
+	if (session.value && session.value.expires < serverNow()) forget();
+	if (!hasKey()) holdBack();
+	const first = async () => {
+		try {
+			if (!hasKey() && (await get("/session/required")).required) {
+				asked$2.value = true;
+				return;
+			}
+			letGo();
+			await learn();
+		} catch (error) {
+			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(() => void first(), LATER);
+		}
 	};
 	first();
 	renew();
@@ -8688,7 +8767,7 @@ function begin$2() {
 // src/parts/LiveChart.tsx
 /** A chart that grows at its right end: each unit has a scale of its own, the first two an axis. */
 var HEIGHT$1 = 200;
-var COLOURS$3 = [
+var COLOURS$2 = [
 	"--look-moving",
 	"--look-held",
 	"--look-charging",
@@ -8728,7 +8807,7 @@ function LiveChart({ label, times, lines }) {
 			}, ...lines.map(({ label: name, unit }, i) => ({
 				label: unit ? `${name} (${unit})` : name,
 				scale: `of ${unit}`,
-				stroke: of(COLOURS$3[i % COLOURS$3.length]),
+				stroke: of(COLOURS$2[i % COLOURS$2.length]),
 				width: 2,
 				spanGaps: true
 			}))],
@@ -9140,7 +9219,7 @@ function Differences({ rows }) {
 }
 // src/parts/DrivePanel.tsx
 /** One axis drive: what it says of itself, and what is wrong. */
-var COLOURS$2 = {
+var COLOURS$1 = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -9155,7 +9234,7 @@ function DrivePanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: now.id,
 		tag: now.name,
-		colour: COLOURS$2[tone],
+		colour: COLOURS$1[tone],
 		children: [
 			/* @__PURE__ */ a(Notes$1, { drive: now }),
 			/* @__PURE__ */ a("dl", { children: [
@@ -9234,6 +9313,7 @@ function StopKey({ id }) {
 		})
 	] });
 }
+/** What is wrong with it, why it is not heard, who has locked it out. */
 function Notes$1({ drive }) {
 	return /* @__PURE__ */ a($, { children: [
 		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
@@ -9592,7 +9672,7 @@ function LinkState() {
 }
 // src/parts/JobPanel.tsx
 /** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
-var COLOURS$1 = {
+var COLOURS = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -9627,7 +9707,7 @@ function JobPanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: job.id,
 		tag: said(job.state),
-		colour: COLOURS$1[tone],
+		colour: COLOURS[tone],
 		children: [
 			job.reason && !over && /* @__PURE__ */ a("p", {
 				class: "note waits",
@@ -10108,11 +10188,14 @@ var Reel = class {
 	/** What comes next: the piece, and the change in it. */
 	index = 0;
 	within = 0;
+	/** What is shown; NaN: nothing yet. */
+	now = NaN;
 	/** All that happened before this moment is here, s. */
 	until = Number.NEGATIVE_INFINITY;
 	clear() {
 		this.pieces = [];
 		this.count = this.index = this.within = 0;
+		this.now = NaN;
 		this.until = Number.NEGATIVE_INFINITY;
 	}
 	/** Put a piece behind the others. */
@@ -10131,18 +10214,41 @@ var Reel = class {
 	holds(at) {
 		return this.begin <= at && at <= this.until;
 	}
-	/** Show a moment, from the whole state before it. */
+	/** Show a moment: go on to it if nothing whole lies between, else make it of the whole state before it. */
 	seek(at, screen) {
 		let from = 0;
 		this.pieces.forEach((piece, i) => {
 			if (piece.state && piece.begin <= at) from = i;
 		});
+		if (this.now <= at && from < this.index) this.forward(at, screen);
+		else this.make(from, at, screen);
+	}
+	/** All changes since a whole state brought into it, and shown at once: most objects change many times. */
+	make(from, at, screen) {
+		const state = {};
+		for (const [topic, objects] of Object.entries(this.pieces[from]?.state ?? {})) state[topic] = { ...objects };
+		const own = /* @__PURE__ */ new Set();
 		this.index = from;
 		this.within = 0;
-		this.forward(at, screen);
+		this.forward(at, {
+			whole: () => void 0,
+			change: ([, topic, key, value]) => {
+				const objects = state[topic] ??= {};
+				const before = objects[key];
+				if (value === null) delete objects[key];
+				else if (topic !== "vehicles" || !before) objects[key] = value;
+				else if (own.has(before)) Object.assign(before, value);
+				else own.add(objects[key] = {
+					...before,
+					...value
+				});
+			}
+		});
+		screen.whole(state);
 	}
 	/** Go on to a moment that is not before the present one. */
 	forward(at, screen) {
+		this.now = at;
 		for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
 			if (piece.state) {
 				if (piece.begin > at && this.index > 0) return;
@@ -10520,6 +10626,8 @@ var PACES = [
 ];
 /** The moment that is shown, UTC seconds; 0: none yet. */
 var moment = y$1(0);
+/** The same as lists and fields tell it: they follow only some times a second, since the map wants the time. */
+var told = y$1(0);
 var playing = y$1(false);
 var pace = y$1(1);
 /** From when to when something was recorded; null: that is not known yet, or nothing was. */
@@ -10532,8 +10640,14 @@ var trails = new Trails();
 var AHEAD = 12;
 /** So much is fetched at once, seconds of the viewer's time. */
 var PORTION = 10;
+/** A moment that was asked for is fetched with so many seconds after it: the rest follows once it is shown. */
+var FIRST = 2;
+/** What was fetched is gone on with rather than begun anew for so many seconds beyond it. */
+var BEYOND = 30;
 /** What the lists and panels show follows so often, ms. */
 var SHOWN$2 = 100;
+/** How often lists and fields follow while it plays, ms. */
+var TOLD = 250;
 /** Nobody looks at a page that was not painted for longer, ms. */
 var LONGEST = 250;
 /** Whether more was recorded is asked so often, ms. */
@@ -10551,6 +10665,7 @@ var wanted = null;
 var frame = 0;
 var last = 0;
 var flushed = 0;
+var toldAt = 0;
 var timer = 0;
 var iso$1 = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
 /** Ask from when to when there is something. */
@@ -10625,9 +10740,11 @@ async function load$1() {
 	try {
 		for (let at = wanted; at !== null; at = wanted === at ? null : wanted) {
 			const mine = ++round;
-			reel.clear();
-			trails.clear();
-			const end = Math.min(at + PORTION * pace.value, kept$1.value?.to ?? at);
+			if (at < reel.begin || at > reel.until + BEYOND) {
+				reel.clear();
+				trails.clear();
+			}
+			const end = Math.min(at + FIRST, kept$1.value?.to ?? at);
 			for (let first = true; first || reel.last !== null && reel.until < at; first = false) await fetchOn(at, end, mine);
 			if (mine !== round) return;
 			if (reel.begin > at) moment.value = Math.min(reel.begin, kept$1.value?.to ?? reel.begin);
@@ -10643,6 +10760,7 @@ async function load$1() {
 		loading.value = false;
 		settle();
 	}
+	feed();
 }
 /** Where it stands still, the address names the moment. */
 function settle() {
@@ -10709,6 +10827,13 @@ function leave() {
 /** Follow the room: whoever opens playback sees the past, whoever leaves it the present. A recorded incident has nothing else. */
 function begin$1() {
 	forbidWhile(() => inPast.value ? t("past_no_commands") : "");
+	x(() => {
+		const at = moment.value;
+		const now = performance.now();
+		if (playing.value && now - toldAt < TOLD) return;
+		toldAt = now;
+		told.value = at;
+	});
 	let inside = false;
 	x(() => {
 		const now = room$1.value === "playback";
@@ -10811,7 +10936,7 @@ function Row({ job, ask }) {
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "age",
-				children: elapsed(job, inPast.value ? moment.value * 1e3 : serverNow())
+				children: elapsed(job, inPast.value ? told.value * 1e3 : serverNow())
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "route",
@@ -11431,6 +11556,588 @@ function LogIn() {
 		})
 	});
 }
+// src/parts/ByHand.tsx
+/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
+var AXES$1 = [
+	"shft",
+	"rota",
+	"lift"
+];
+function ByHand({ kind, path, newest, after }) {
+	const values = {
+		shft: useSignal(String(newest?.shft ?? "")),
+		rota: useSignal(String(newest?.rota ?? "")),
+		lift: useSignal(String(newest?.lift ?? ""))
+	};
+	const asking = useAsking();
+	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
+	const write = async () => {
+		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
+		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
+		if (await asking.ask(() => call("PUT", path, body, match))) after();
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields three",
+				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
+					label: axis.toUpperCase(),
+					name: axis,
+					type: "number",
+					value: values[axis]
+				}, axis))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
+					label: t("write"),
+					disabled: !whole,
+					does: () => void write()
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
+];
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
+}
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
+}
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
+}
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	const byHand = /* @__PURE__ */ a(ByHand, {
+		kind,
+		path,
+		newest,
+		after: () => again.value++
+	}, newest?.version);
+	if (!newest) return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_taught")
+		}), byHand]
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							said(version.source),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking }),
+			byHand
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
+	});
+}
+// src/parts/AgvCommands.tsx
+/** What only AGVs are asked for: driven by hand, along their tape, to a destination by its name, or told at which tag they stand. */
+var NEEDS = "POST /vehicles/{vehicle}/commands";
+var BY_HAND = [
+	"forward",
+	"backward",
+	"turn_left",
+	"turn_right"
+];
+var ALONG = ["forward", "backward"];
+var SPEEDS = [
+	"slow",
+	"normal",
+	"fast"
+];
+var STEERING = [
+	"straight",
+	"left",
+	"right"
+];
+function AgvCommands({ send }) {
+	const speed = useSignal("slow");
+	const steering = useSignal("straight");
+	const [tag, alias] = [useSignal(""), useSignal("")];
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [/* @__PURE__ */ a(Choice$1, {
+				label: t("speed"),
+				value: speed,
+				of: SPEEDS.map((name) => [name, t(`speed_${name}`)])
+			}), /* @__PURE__ */ a(Choice$1, {
+				label: t("at_forks"),
+				value: steering,
+				of: STEERING.map((name) => [name, t(`agv_${name}`)])
+			})]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "acts-row",
+			role: "group",
+			"aria-label": t("by_hand"),
+			children: [BY_HAND.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`hand_${direction}`),
+				does: () => send({
+					command: "agv_move_manual",
+					direction,
+					speed: speed.value
+				})
+			}, direction)), ALONG.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`tape_${direction}`),
+				does: () => send({
+					command: "agv_move_auto",
+					direction,
+					steering: steering.value,
+					speed: speed.value
+				})
+			}, direction))]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [
+				/* @__PURE__ */ a(Field, {
+					label: t("agv_alias"),
+					name: "alias",
+					value: alias,
+					list: "agv-aliases"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("move"),
+						disabled: !alias.value.trim(),
+						does: () => send({
+							command: "agv_move_alias",
+							alias: alias.value.trim()
+						})
+					})
+				}),
+				/* @__PURE__ */ a(Field, {
+					label: t("stands_at_tag"),
+					name: "tag",
+					value: tag,
+					list: "barcode-names"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("tell_it"),
+						disabled: !tag.value.trim(),
+						does: () => send({
+							command: "agv_set_current",
+							tag: tag.value.trim()
+						})
+					})
+				})
+			]
+		}),
+		/* @__PURE__ */ a("datalist", {
+			id: "agv-aliases",
+			children: layout.value?.chargers.flatMap((one) => one.alias ? [/* @__PURE__ */ a("option", { value: one.alias }, one.id)] : [])
+		})
+	] });
+}
+// src/parts/VehicleCommands.tsx
+/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
+var PLAIN = [
+	"status",
+	"stop_by_host",
+	"stop",
+	"auto",
+	"alarm_clear",
+	"servo_on",
+	"servo_off",
+	"search_home",
+	"go_home",
+	"system_reset"
+];
+var AGV_PLAIN = [
+	"stop",
+	"alarm_clear",
+	"agv_mark_stop"
+];
+var LIFTS = [
+	"up",
+	"down",
+	"stop"
+];
+function VehicleCommands({ vehicle }) {
+	const asking = useAsking();
+	const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
+	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
+	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
+	const plain = agv ? AGV_PLAIN : PLAIN;
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-commands": vehicle.id,
+					children: [
+						plain.map((command) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(`vc_${command}`),
+							does: () => send({ command })
+						}, command)),
+						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(`vc_lift_${action}`),
+							does: () => send({
+								command: "agv_lift",
+								action
+							})
+						}, action)),
+						agv && /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
+							does: () => send({
+								command: "agv_charge",
+								on: !vehicle.agv?.charging
+							})
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /vehicles/{vehicle}/park",
+						label: t("park"),
+						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
+					})
+				}),
+				/* @__PURE__ */ a(Move, { send }),
+				agv && /* @__PURE__ */ a(AgvCommands, { send }),
+				!agv && /* @__PURE__ */ a(Handle, { send }),
+				!agv && /* @__PURE__ */ a(Display, { send }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Service, {
+					vehicle,
+					path
+				}),
+				/* @__PURE__ */ a(Past$1, { path })
+			]
+		})]
+	});
+}
+/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
+function Recover({ path }) {
+	const asking = useAsking();
+	const looked = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("label", { children: [
+				/* @__PURE__ */ a("input", {
+					type: "checkbox",
+					checked: looked.value,
+					onChange: (event) => looked.value = event.currentTarget.checked
+				}),
+				" ",
+				t("homing_safe")
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/recover",
+					label: t("recover"),
+					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Move({ send }) {
+	const barcode = useSignal("");
+	const action = useSignal("stop");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("move_to"),
+				value: barcode,
+				list: "barcode-names"
+			}),
+			/* @__PURE__ */ a(Choice$1, {
+				label: t("stop_action"),
+				value: action,
+				of: [
+					["stop", t("act_stop")],
+					["port", t("port")],
+					["sbfl", t("sbfl")],
+					["sbfr", t("sbfr")]
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("move"),
+					disabled: !barcode.value.trim(),
+					does: () => send({
+						command: "move",
+						barcode: barcode.value.trim(),
+						action: action.value
+					})
+				})
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "barcode-names",
+				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
+			})
+		]
+	});
+}
+function Handle({ send }) {
+	const station = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("at_station"),
+				value: station,
+				list: "station-names"
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_pickup"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "pickup",
+						station: station.value.trim()
+					})
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_place"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "place",
+						station: station.value.trim()
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			})
+		]
+	});
+}
+function Display({ send }) {
+	const words = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [/* @__PURE__ */ a(Field, {
+			label: t("display_text"),
+			value: words
+		}), /* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: /* @__PURE__ */ a(Sure, {
+				needs: "POST /vehicles/{vehicle}/commands",
+				label: t("vc_display"),
+				disabled: !words.value,
+				does: () => send({
+					command: "display",
+					text: words.value
+				})
+			})
+		})]
+	});
+}
+/** Lockout while people are at it, and whether it is used at all. */
+function Service({ vehicle, path }) {
+	const used = vehicle.service === "in_service";
+	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
+		label: t("lift_lockout"),
+		needs: "DELETE /vehicles/{vehicle}/lockout",
+		bare: true,
+		grave: true,
+		does: () => call("DELETE", `${path}/lockout`)
+	} : {
+		label: t("lock_out"),
+		needs: "POST /vehicles/{vehicle}/lockout",
+		grave: true,
+		does: (reason) => post(`${path}/lockout`, { reason })
+	}, used ? {
+		label: t("take_out"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		grave: true,
+		does: (reason) => call("PUT", `${path}/service`, {
+			in_service: false,
+			reason
+		})
+	} : {
+		label: t("put_back"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		bare: true,
+		does: () => call("PUT", `${path}/service`, { in_service: true })
+	}] });
+}
+function Past$1({ path }) {
+	const round = Math.floor(changes.vehicles.value / 30);
+	const { value } = useRead(`${path}/commands?limit=12`, round);
+	return /* @__PURE__ */ a("table", {
+		class: "bits",
+		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
+			title: command.actor,
+			children: [
+				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+				/* @__PURE__ */ a("td", { children: command.kind }),
+				/* @__PURE__ */ a("td", { children: [
+					command.state,
+					" ",
+					tell(command.outcome)
+				] })
+			]
+		}, command.cmd_id)) })
+	});
+}
 // src/parts/Vehicles.tsx
 /** All vehicles in a table: what each does, and why one waits. */
 var GROUPS = [
@@ -11554,6 +12261,286 @@ function Vehicles() {
 		})]
 	});
 }
+// src/parts/VehiclePanel.tsx
+/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
+function VehiclePanel({ id }) {
+	const now = vehicleNow(id);
+	tick.value;
+	if (!now) return null;
+	const load = now.loaded === null ? t("unknown") : now.loaded ? now.carrier ?? t("loaded") : t("empty");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: doing(now),
+		colour: LOOKS[lookOf(now)],
+		children: [
+			/* @__PURE__ */ a(Notes, { vehicle: now }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("state"),
+					children: [
+						said(now.state),
+						" · ",
+						said(now.service)
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("mode"),
+					children: [
+						upper$1(now.mode),
+						" · ",
+						upper$1(now.oper),
+						now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: load
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t(lineOf(id) ? "tag" : "place"),
+					children: [now.barcode ?? t("unknown"), now.dist ? ` + ${now.dist} mm` : ""]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("job"),
+					children: now.job ? /* @__PURE__ */ a(Name, { id: now.job }) : t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("goal"),
+					children: now.goal ? /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "station",
+							id: now.goal
+						},
+						children: now.goal
+					}) : t("none")
+				})
+			] }),
+			/* @__PURE__ */ a(Decide, { vehicle: now }),
+			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
+			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
+			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
+			!now.agv && /* @__PURE__ */ a(Taught, {
+				kind: "vehicle",
+				id
+			}),
+			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
+		]
+	});
+}
+/** The line that an AGV shares with others; null for a hoist. */
+var lineOf = (id) => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
+var upper$1 = (word) => word === null ? "–" : word.toUpperCase();
+var hex = (code) => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
+/** Why it is locked out, held, or waits. */
+function Notes({ vehicle }) {
+	return /* @__PURE__ */ a($, { children: [
+		vehicle.lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", vehicle.lockout.owner) }),
+				" ",
+				vehicle.lockout.reason
+			]
+		}),
+		vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("held_note") }),
+				" ",
+				tell(vehicle.hold.reason),
+				" ",
+				/* @__PURE__ */ a("em", { children: tell(vehicle.hold.remedy) })
+			]
+		}),
+		vehicle.waiting && !vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(vehicle.waiting)
+			]
+		})
+	] });
+}
+function Bits({ vehicle }) {
+	return /* @__PURE__ */ a("details", {
+		open: true,
+		children: [
+			/* @__PURE__ */ a("summary", { children: [t(lineOf(vehicle.id) ? "status" : "status_bits"), !lineOf(vehicle.id) && /* @__PURE__ */ a("code", { children: [
+				vehicle.status1 ?? "–",
+				" ",
+				vehicle.status2 ?? ""
+			] })] }),
+			vehicle.bits.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_status")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: vehicle.bits.map((bit) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: bit.name }),
+					/* @__PURE__ */ a("td", { children: bit.value }),
+					/* @__PURE__ */ a("td", { children: bit.meaning })
+				] }, bit.name)) })
+			})
+		]
+	});
+}
+function AgvFacts({ agv }) {
+	const word = (name) => said(`agv_${name}`);
+	const flag = (on) => t(on ? "yes" : "no");
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [/* @__PURE__ */ a("h3", { children: t("status") }), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("cart"),
+				children: word(agv.cart)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("lift"),
+				children: word(agv.lift)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("steering"),
+				children: word(agv.steering)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("in_position"),
+				children: flag(agv.in_position)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("charges_now"),
+				children: flag(agv.charging)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("last_tag"),
+				children: agv.tag
+			}),
+			agv.toward && /* @__PURE__ */ a(Fact, {
+				name: t("beyond"),
+				children: agv.toward
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("path"),
+				children: agv.path
+			})
+		] })]
+	});
+}
+function LinkFacts({ vehicle }) {
+	const { link } = vehicle;
+	const line = lineOf(vehicle.id);
+	return /* @__PURE__ */ a("dl", { children: [
+		/* @__PURE__ */ a(Fact, {
+			name: t("link"),
+			children: [/* @__PURE__ */ a("span", {
+				class: link.up ? "good" : "bad",
+				children: t(link.up ? "link_up" : "link_down", clock(link.since))
+			}), !link.up && link.reason && /* @__PURE__ */ a("small", { children: [" · ", tell(link.reason)] })]
+		}),
+		!line && /* @__PURE__ */ a(Fact, {
+			name: t("round_trip"),
+			children: link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("frames_io"),
+			children: [
+				link.frames_in,
+				" / ",
+				link.frames_out
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("trouble_counts"),
+			children: [
+				link.garbled,
+				" / ",
+				link.resends,
+				" / ",
+				link.duplicates
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("seen"),
+			children: vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"
+		}),
+		line ? /* @__PURE__ */ a(Fact, {
+			name: t("on_line"),
+			children: t("line_number", line, vehicle.dev_id)
+		}) : /* @__PURE__ */ a(Fact, {
+			name: t("address"),
+			children: [
+				vehicle.address,
+				" · DEV_ID ",
+				vehicle.dev_id,
+				" · ",
+				vehicle.dialect
+			]
+		})
+	] });
+}
+var VERDICTS = [
+	"go_on",
+	"off_rail",
+	"stands_at"
+];
+/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
+function Decide({ vehicle }) {
+	const reason = useSignal("");
+	const verdict = useSignal("go_on");
+	const barcode = useSignal(vehicle.barcode ?? "");
+	const error = useSignal(null);
+	const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
+	const send = (event) => {
+		event.preventDefault();
+		error.value = null;
+		const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
+		const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
+		post(path, releasing ? {
+			verdict: verdict.value,
+			reason: reason.value,
+			...stands
+		} : { reason: reason.value }).then(() => reason.value = "", (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "decide",
+		onSubmit: send,
+		children: [
+			releasing && /* @__PURE__ */ a("select", {
+				"aria-label": t("verdict"),
+				value: verdict.value,
+				onChange: (event) => verdict.value = event.currentTarget.value,
+				children: VERDICTS.map((word) => /* @__PURE__ */ a("option", {
+					value: word,
+					children: t(`verdict_${word}`)
+				}, word))
+			}),
+			releasing && verdict.value === "stands_at" && /* @__PURE__ */ a("input", {
+				"aria-label": t("barcode"),
+				required: true,
+				value: barcode.value,
+				onInput: (event) => barcode.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a("input", {
+				"aria-label": t("reason"),
+				placeholder: t("reason"),
+				required: true,
+				maxLength: 200,
+				value: reason.value,
+				onInput: (event) => reason.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
+				type: "submit",
+				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
+				children: t(releasing ? "release" : "hold")
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
+	});
+}
 // src/parts/PastPanels.tsx
 /** What was recorded of the chosen thing at the moment that is shown: to be read, nothing can be done about it any more. */
 function PastPanel({ pick }) {
@@ -11562,7 +12549,7 @@ function PastPanel({ pick }) {
 		case "station": return /* @__PURE__ */ a(PastStation, { id: pick.id });
 		case "job": return /* @__PURE__ */ a(PastJob, { id: pick.id });
 		case "device": return /* @__PURE__ */ a(PastDevice, { id: pick.id });
-		default: return driveNow(pick.id) ? null : /* @__PURE__ */ a(Unknown, { id: pick.id });
+		case "drive": return /* @__PURE__ */ a(PastDrive, { id: pick.id });
 	}
 }
 function Unknown({ id }) {
@@ -11576,7 +12563,7 @@ function Unknown({ id }) {
 		})
 	});
 }
-var upper$1 = (word) => word?.toUpperCase() ?? "–";
+var upper = (word) => word?.toUpperCase() ?? "–";
 function PastVehicle({ id }) {
 	const then = vehicleNow(id);
 	if (!then) return /* @__PURE__ */ a(Unknown, { id });
@@ -11585,14 +12572,7 @@ function PastVehicle({ id }) {
 		title: id,
 		tag: doing(then),
 		colour: LOOKS[lookOf(then)],
-		children: [then.waiting && /* @__PURE__ */ a("p", {
-			class: "note waits",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("waits") }),
-				" ",
-				tell(then.waiting)
-			]
-		}), /* @__PURE__ */ a("dl", { children: [
+		children: [/* @__PURE__ */ a(Notes, { vehicle: then }), /* @__PURE__ */ a("dl", { children: [
 			/* @__PURE__ */ a(Fact, {
 				name: t("state"),
 				children: [
@@ -11604,9 +12584,9 @@ function PastVehicle({ id }) {
 			/* @__PURE__ */ a(Fact, {
 				name: t("mode"),
 				children: [
-					upper$1(then.mode),
+					upper(then.mode),
 					" · ",
-					upper$1(then.oper),
+					upper(then.oper),
 					then.code ? ` · 0x${then.code.toString(16).toUpperCase().padStart(4, "0")}` : ""
 				]
 			}),
@@ -11678,20 +12658,13 @@ function PastStation({ id }) {
 		] })
 	});
 }
-var COLOURS = {
-	calm: "var(--dim)",
-	go: "var(--accent)",
-	wait: "var(--wait)",
-	good: "var(--good)",
-	bad: "var(--bad)"
-};
 function PastJob({ id }) {
 	const then = jobList.value.find((job) => job.id === id);
 	if (!then) return /* @__PURE__ */ a(Unknown, { id });
 	return /* @__PURE__ */ a(Panel, {
 		title: id,
 		tag: said(then.state),
-		colour: COLOURS[TONES$2[then.state] ?? "calm"],
+		colour: COLOURS$1[TONES$2[then.state] ?? "calm"],
 		children: [then.reason && !ENDED.has(then.state) && /* @__PURE__ */ a("p", {
 			class: "note waits",
 			children: [
@@ -11754,6 +12727,42 @@ function PastDevice({ id }) {
 			then?.out_of_service && /* @__PURE__ */ a(Fact, {
 				name: t("out_of_service"),
 				children: then.out_of_service
+			})
+		] })]
+	});
+}
+/** Where it was is not recorded: only what it did, and what was wrong with it. */
+function PastDrive({ id }) {
+	const then = driveNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const { word, tone } = lookOfDrive(then);
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: then.name,
+		colour: COLOURS$1[tone],
+		children: [/* @__PURE__ */ a(Notes$1, { drive: then }), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("state"),
+				children: /* @__PURE__ */ a("b", {
+					class: tone,
+					children: t(`drive_${word}`)
+				})
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t(then.mode === "error" ? "error_fact" : "operation_fact"),
+				children: [
+					then.meaning || "–",
+					" ",
+					/* @__PURE__ */ a("small", { children: then.code })
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("moves"),
+				children: then.moving === null ? t("unknown") : t(then.moving ? "yes" : "no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("on_line"),
+				children: t("line_number", then.line, then.address)
 			})
 		] })]
 	});
@@ -11881,8 +12890,8 @@ function Scrubber() {
 function follow() {
 	const stops = [x(() => {
 		const span = kept$1.value;
-		if (!span || moment.value === 0) return;
-		const next = reachOf(moment.value, span, STRETCHES[stretch.value], reach.peek());
+		if (!span || told.value === 0) return;
+		const next = reachOf(told.value, span, STRETCHES[stretch.value], reach.peek());
 		const { from, to } = reach.peek();
 		if (next.from !== from || next.to !== to) reach.value = next;
 	}), x(() => {
@@ -11967,7 +12976,7 @@ function Jump() {
 			step: "1",
 			min: span ? local(span.from) : void 0,
 			max: span ? local(span.to) : void 0,
-			value: moment.value ? local(Math.floor(moment.value)) : "",
+			value: told.value ? local(Math.floor(told.value)) : "",
 			onChange: (event) => {
 				const at = Date.parse(event.currentTarget.value) / 1e3;
 				if (!Number.isNaN(at)) seek(at);
@@ -12006,9 +13015,9 @@ function Line$1() {
 				min: Math.floor(from),
 				max: Math.ceil(to),
 				step: "1",
-				value: moment.value,
+				value: told.value,
 				"aria-label": t("moment"),
-				"aria-valuetext": dated(moment.value),
+				"aria-valuetext": dated(told.value),
 				onInput: (event) => void seek(Number(event.currentTarget.value))
 			}),
 			/* @__PURE__ */ a("div", {
@@ -12018,8 +13027,8 @@ function Line$1() {
 					/* @__PURE__ */ a("span", { children: dated(from) }),
 					/* @__PURE__ */ a("span", {
 						class: "here",
-						style: { left: share(moment.value) },
-						children: clock(iso(moment.value))
+						style: { left: share(told.value) },
+						children: clock(iso(told.value))
 					}),
 					/* @__PURE__ */ a("span", { children: dated(to) })
 				]
@@ -12052,8 +13061,8 @@ function Export() {
 	const asking = useAsking();
 	const span = kept$1.value;
 	if (recording.value || !span) return null;
-	const begin = from.value || Math.max(span.from, moment.value - 300);
-	const end = to.value || Math.min(span.to, moment.value + 300);
+	const begin = from.value || Math.max(span.from, told.value - 300);
+	const end = to.value || Math.min(span.to, told.value + 300);
 	const field = (label, value, set) => /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("label", {
 		class: "jump",
 		children: [/* @__PURE__ */ a("span", { children: t(label) }), /* @__PURE__ */ a("input", {
@@ -13746,6 +14755,7 @@ var Painter = class {
 		if (!this.over.follow(view, ms) || due && ms - this.overAt > OVER) this.paintOver(scene, ms);
 		if (!this.front.follow(view, ms) || due) this.paintFront(ms);
 		this.front.canvas.dataset["pictures"] = String(++this.count);
+		if (inPast.value && !loading.value) this.front.canvas.dataset["moment"] = String(moment.value);
 		const alarm = this.bodies.some((body) => body.look === "alarm");
 		const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
 		if (!STILL.matches && (alarm || drives) || moving || [
@@ -14382,7 +15392,8 @@ function dated(seconds) {
 function PastBanner() {
 	tick.value;
 	const incident = kept$1.value?.incident;
-	const ago = Math.max(0, serverNow() / 1e3 - moment.value);
+	const at = told.value;
+	const ago = Math.max(0, serverNow() / 1e3 - at);
 	const grave = troubles.value.filter((wrong) => wrong.grave).length;
 	return /* @__PURE__ */ a("div", {
 		class: "past-banner",
@@ -14390,11 +15401,11 @@ function PastBanner() {
 		"aria-live": "off",
 		children: [
 			/* @__PURE__ */ a("b", { children: t(recording.value ? "past_recording" : "past_here") }),
-			moment.value > 0 && /* @__PURE__ */ a("time", {
+			at > 0 && /* @__PURE__ */ a("time", {
 				class: "then-at",
-				children: dated(moment.value)
+				children: dated(at)
 			}),
-			moment.value > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
+			at > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
 			incident && /* @__PURE__ */ a("span", { children: t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`) }),
 			/* @__PURE__ */ a("span", { children: t("past_no_commands") }),
 			loading.value && /* @__PURE__ */ a("span", { children: t("loading") }),
@@ -14415,7 +15426,7 @@ function PastBanner() {
 /** What to look for in the stretch of time that is drawn; each leads to its moment. */
 function PastEvents() {
 	const list = marks.value.toReversed();
-	const at = moment.value;
+	const ahead = useComputed(() => marks.value.filter((event) => Date.parse(event.ts) / 1e3 > told.value).length).value;
 	A$1(() => {
 		document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
 	}, [stepped.value]);
@@ -14437,20 +15448,34 @@ function PastEvents() {
 			children: [list.length === 0 && /* @__PURE__ */ a("li", {
 				class: "nothing",
 				children: t("no_events")
-			}), list.map((event) => /* @__PURE__ */ a(Line, {
+			}), list.map((event, i) => /* @__PURE__ */ a(Line, {
 				event,
-				past: Date.parse(event.ts) / 1e3 <= at
+				past: i >= ahead
 			}, event.seq))]
 		})]
 	});
 }
+/** The drive or device that an event without a vehicle is about, if it is about one. */
+function machineOf(id) {
+	const plant = layout.value;
+	if (plant?.drives?.some((drive) => drive.id === id)) return {
+		kind: "drive",
+		id
+	};
+	return [...plant?.doors ?? [], ...plant?.chargers ?? []].some((one) => one.id === id) ? {
+		kind: "device",
+		id
+	} : null;
+}
 function Line({ event, past }) {
 	const kind = kindOf(event.event);
 	const go = () => {
+		const machine = machineOf(event.source);
 		if (event.vehicle) selected.value = {
 			kind: "vehicle",
 			id: event.vehicle
 		};
+		else if (machine) selected.value = machine;
 		goTo(event);
 	};
 	return /* @__PURE__ */ a("li", {
@@ -14584,221 +15609,6 @@ function StationWrite({ station }) {
 				/* @__PURE__ */ a(Told, { asking })
 			]
 		})]
-	});
-}
-// src/parts/ByHand.tsx
-/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
-var AXES$1 = [
-	"shft",
-	"rota",
-	"lift"
-];
-function ByHand({ kind, path, newest, after }) {
-	const values = {
-		shft: useSignal(String(newest?.shft ?? "")),
-		rota: useSignal(String(newest?.rota ?? "")),
-		lift: useSignal(String(newest?.lift ?? ""))
-	};
-	const asking = useAsking();
-	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
-	const write = async () => {
-		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
-		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
-		if (await asking.ask(() => call("PUT", path, body, match))) after();
-	};
-	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("div", {
-				class: "fields three",
-				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
-					label: axis.toUpperCase(),
-					name: axis,
-					type: "number",
-					value: values[axis]
-				}, axis))
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
-					label: t("write"),
-					disabled: !whole,
-					does: () => void write()
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	})] });
-}
-// src/parts/Pulses.tsx
-/** Positions of the three taught axes, and what changes for whom. */
-var AXES = [
-	"shft",
-	"rota",
-	"lift"
-];
-function Pulses({ axes, signed, before }) {
-	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
-	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
-	return /* @__PURE__ */ a("span", {
-		class: "pulses",
-		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
-			class: before && before[axis] !== axes[axis] ? "changed" : "",
-			title: axis.toUpperCase(),
-			children: text(axes[axis])
-		}, axis))
-	});
-}
-function Changes({ changes }) {
-	if (changes.length === 0) return /* @__PURE__ */ a("p", {
-		class: "calm",
-		children: t("changes_nothing")
-	});
-	return /* @__PURE__ */ a("table", {
-		class: "list changes",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
-			t("at_station"),
-			t("vehicle"),
-			t("old"),
-			t("new"),
-			""
-		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
-				axes: change.new,
-				before: change.old
-			}) }),
-			/* @__PURE__ */ a("td", {
-				class: "bad",
-				children: change.beyond
-			})
-		] }, change.station + change.vehicle)) })]
-	});
-}
-// src/parts/Taught.tsx
-/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
-function Taught({ kind, id }) {
-	const open = useSignal(false);
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		open: open.value,
-		onToggle: (event) => open.value = event.currentTarget.open,
-		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
-			kind,
-			id
-		})]
-	});
-}
-function Versions({ kind, id }) {
-	const name = encodeURIComponent(id);
-	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
-	const again = useSignal(0);
-	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
-	const old = useSignal(null);
-	const asking = useAsking();
-	const list = [...value?.items ?? []].reverse();
-	const newest = list[0];
-	if (!value) return null;
-	const byHand = /* @__PURE__ */ a(ByHand, {
-		kind,
-		path,
-		newest,
-		after: () => again.value++
-	}, newest?.version);
-	if (!newest) return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", {
-			class: "nothing",
-			children: t("never_taught")
-		}), byHand]
-	});
-	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("table", {
-				class: "bits versions",
-				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
-					"data-version": version.version,
-					children: [
-						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
-						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
-						/* @__PURE__ */ a("td", { children: [
-							said(version.source),
-							" · ",
-							version.actor,
-							" · ",
-							clock(version.at),
-							version.restores !== null && ` · = v${version.restores}`,
-							version.reason && ` · ${version.reason}`,
-							version.basis.map((basis) => /* @__PURE__ */ a("small", {
-								class: "basis",
-								children: [
-									basis.axis.toUpperCase(),
-									" ",
-									basis.raw,
-									" − ",
-									basis.less ?? 0,
-									" (",
-									basis.vehicle,
-									" @ ",
-									basis.barcode,
-									")"
-								]
-							}, basis.axis)),
-							version !== newest && /* @__PURE__ */ a("button", {
-								type: "button",
-								class: "text",
-								onClick: () => old.value = version.version,
-								children: t("compare")
-							})
-						] })
-					]
-				}, version.version)) })
-			}),
-			compare && /* @__PURE__ */ a(Compared, { path: compare }),
-			compare && /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t("roll_back", old.value ?? 0),
-					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
-					grave: true,
-					does: async (reason) => {
-						await post(`${path}/rollback`, {
-							version: old.value,
-							reason
-						}, { "If-Match": `"${newest.version}"` });
-						old.value = null;
-						again.value++;
-					}
-				}]
-			}),
-			!compare && /* @__PURE__ */ a(Told, { asking }),
-			byHand
-		]
-	});
-}
-function Compared({ path }) {
-	const { value } = useRead(path);
-	if (!value) return null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", { children: [
-			/* @__PURE__ */ a("b", { children: [
-				"v",
-				value.old.version,
-				" → v",
-				value.new.version
-			] }),
-			" ",
-			/* @__PURE__ */ a(Pulses, {
-				axes: value.differences,
-				signed: true
-			})
-		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
 	});
 }
 // src/parts/StationPanel.tsx
@@ -16744,652 +17554,6 @@ function Place(props) {
 			})
 		]
 	})] });
-}
-// src/parts/AgvCommands.tsx
-/** What only AGVs are asked for: driven by hand, along their tape, to a destination by its name, or told at which tag they stand. */
-var NEEDS = "POST /vehicles/{vehicle}/commands";
-var BY_HAND = [
-	"forward",
-	"backward",
-	"turn_left",
-	"turn_right"
-];
-var ALONG = ["forward", "backward"];
-var SPEEDS = [
-	"slow",
-	"normal",
-	"fast"
-];
-var STEERING = [
-	"straight",
-	"left",
-	"right"
-];
-function AgvCommands({ send }) {
-	const speed = useSignal("slow");
-	const steering = useSignal("straight");
-	const [tag, alias] = [useSignal(""), useSignal("")];
-	return /* @__PURE__ */ a($, { children: [
-		/* @__PURE__ */ a("div", {
-			class: "fields",
-			children: [/* @__PURE__ */ a(Choice$1, {
-				label: t("speed"),
-				value: speed,
-				of: SPEEDS.map((name) => [name, t(`speed_${name}`)])
-			}), /* @__PURE__ */ a(Choice$1, {
-				label: t("at_forks"),
-				value: steering,
-				of: STEERING.map((name) => [name, t(`agv_${name}`)])
-			})]
-		}),
-		/* @__PURE__ */ a("div", {
-			class: "acts-row",
-			role: "group",
-			"aria-label": t("by_hand"),
-			children: [BY_HAND.map((direction) => /* @__PURE__ */ a(Sure, {
-				needs: NEEDS,
-				label: t(`hand_${direction}`),
-				does: () => send({
-					command: "agv_move_manual",
-					direction,
-					speed: speed.value
-				})
-			}, direction)), ALONG.map((direction) => /* @__PURE__ */ a(Sure, {
-				needs: NEEDS,
-				label: t(`tape_${direction}`),
-				does: () => send({
-					command: "agv_move_auto",
-					direction,
-					steering: steering.value,
-					speed: speed.value
-				})
-			}, direction))]
-		}),
-		/* @__PURE__ */ a("div", {
-			class: "fields",
-			children: [
-				/* @__PURE__ */ a(Field, {
-					label: t("agv_alias"),
-					name: "alias",
-					value: alias,
-					list: "agv-aliases"
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: NEEDS,
-						label: t("move"),
-						disabled: !alias.value.trim(),
-						does: () => send({
-							command: "agv_move_alias",
-							alias: alias.value.trim()
-						})
-					})
-				}),
-				/* @__PURE__ */ a(Field, {
-					label: t("stands_at_tag"),
-					name: "tag",
-					value: tag,
-					list: "barcode-names"
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: NEEDS,
-						label: t("tell_it"),
-						disabled: !tag.value.trim(),
-						does: () => send({
-							command: "agv_set_current",
-							tag: tag.value.trim()
-						})
-					})
-				})
-			]
-		}),
-		/* @__PURE__ */ a("datalist", {
-			id: "agv-aliases",
-			children: layout.value?.chargers.flatMap((one) => one.alias ? [/* @__PURE__ */ a("option", { value: one.alias }, one.id)] : [])
-		})
-	] });
-}
-// src/parts/VehicleCommands.tsx
-/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
-var PLAIN = [
-	"status",
-	"stop_by_host",
-	"stop",
-	"auto",
-	"alarm_clear",
-	"servo_on",
-	"servo_off",
-	"search_home",
-	"go_home",
-	"system_reset"
-];
-var AGV_PLAIN = [
-	"stop",
-	"alarm_clear",
-	"agv_mark_stop"
-];
-var LIFTS = [
-	"up",
-	"down",
-	"stop"
-];
-function VehicleCommands({ vehicle }) {
-	const asking = useAsking();
-	const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
-	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
-	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
-	const plain = agv ? AGV_PLAIN : PLAIN;
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
-			class: "stack",
-			children: [
-				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					"data-commands": vehicle.id,
-					children: [
-						plain.map((command) => /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(`vc_${command}`),
-							does: () => send({ command })
-						}, command)),
-						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(`vc_lift_${action}`),
-							does: () => send({
-								command: "agv_lift",
-								action
-							})
-						}, action)),
-						agv && /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
-							does: () => send({
-								command: "agv_charge",
-								on: !vehicle.agv?.charging
-							})
-						})
-					]
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: "POST /vehicles/{vehicle}/park",
-						label: t("park"),
-						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
-					})
-				}),
-				/* @__PURE__ */ a(Move, { send }),
-				agv && /* @__PURE__ */ a(AgvCommands, { send }),
-				!agv && /* @__PURE__ */ a(Handle, { send }),
-				!agv && /* @__PURE__ */ a(Display, { send }),
-				/* @__PURE__ */ a(Told, { asking }),
-				/* @__PURE__ */ a(Service, {
-					vehicle,
-					path
-				}),
-				/* @__PURE__ */ a(Past$1, { path })
-			]
-		})]
-	});
-}
-/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
-function Recover({ path }) {
-	const asking = useAsking();
-	const looked = useSignal(false);
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("label", { children: [
-				/* @__PURE__ */ a("input", {
-					type: "checkbox",
-					checked: looked.value,
-					onChange: (event) => looked.value = event.currentTarget.checked
-				}),
-				" ",
-				t("homing_safe")
-			] }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/recover",
-					label: t("recover"),
-					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Move({ send }) {
-	const barcode = useSignal("");
-	const action = useSignal("stop");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [
-			/* @__PURE__ */ a(Field, {
-				label: t("move_to"),
-				value: barcode,
-				list: "barcode-names"
-			}),
-			/* @__PURE__ */ a(Choice$1, {
-				label: t("stop_action"),
-				value: action,
-				of: [
-					["stop", t("act_stop")],
-					["port", t("port")],
-					["sbfl", t("sbfl")],
-					["sbfr", t("sbfr")]
-				]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "wide acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("move"),
-					disabled: !barcode.value.trim(),
-					does: () => send({
-						command: "move",
-						barcode: barcode.value.trim(),
-						action: action.value
-					})
-				})
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "barcode-names",
-				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
-			})
-		]
-	});
-}
-function Handle({ send }) {
-	const station = useSignal("");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [
-			/* @__PURE__ */ a(Field, {
-				label: t("at_station"),
-				value: station,
-				list: "station-names"
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [/* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("vc_pickup"),
-					disabled: !station.value.trim(),
-					does: () => send({
-						command: "pickup",
-						station: station.value.trim()
-					})
-				}), /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("vc_place"),
-					disabled: !station.value.trim(),
-					does: () => send({
-						command: "place",
-						station: station.value.trim()
-					})
-				})]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "station-names",
-				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			})
-		]
-	});
-}
-function Display({ send }) {
-	const words = useSignal("");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [/* @__PURE__ */ a(Field, {
-			label: t("display_text"),
-			value: words
-		}), /* @__PURE__ */ a("div", {
-			class: "acts-row",
-			children: /* @__PURE__ */ a(Sure, {
-				needs: "POST /vehicles/{vehicle}/commands",
-				label: t("vc_display"),
-				disabled: !words.value,
-				does: () => send({
-					command: "display",
-					text: words.value
-				})
-			})
-		})]
-	});
-}
-/** Lockout while people are at it, and whether it is used at all. */
-function Service({ vehicle, path }) {
-	const used = vehicle.service === "in_service";
-	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
-		label: t("lift_lockout"),
-		needs: "DELETE /vehicles/{vehicle}/lockout",
-		bare: true,
-		grave: true,
-		does: () => call("DELETE", `${path}/lockout`)
-	} : {
-		label: t("lock_out"),
-		needs: "POST /vehicles/{vehicle}/lockout",
-		grave: true,
-		does: (reason) => post(`${path}/lockout`, { reason })
-	}, used ? {
-		label: t("take_out"),
-		needs: "PUT /vehicles/{vehicle}/service",
-		grave: true,
-		does: (reason) => call("PUT", `${path}/service`, {
-			in_service: false,
-			reason
-		})
-	} : {
-		label: t("put_back"),
-		needs: "PUT /vehicles/{vehicle}/service",
-		bare: true,
-		does: () => call("PUT", `${path}/service`, { in_service: true })
-	}] });
-}
-function Past$1({ path }) {
-	const round = Math.floor(changes.vehicles.value / 30);
-	const { value } = useRead(`${path}/commands?limit=12`, round);
-	return /* @__PURE__ */ a("table", {
-		class: "bits",
-		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
-			title: command.actor,
-			children: [
-				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
-				/* @__PURE__ */ a("td", { children: command.kind }),
-				/* @__PURE__ */ a("td", { children: [
-					command.state,
-					" ",
-					tell(command.outcome)
-				] })
-			]
-		}, command.cmd_id)) })
-	});
-}
-// src/parts/VehiclePanel.tsx
-/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
-function VehiclePanel({ id }) {
-	const now = vehicleNow(id);
-	tick.value;
-	if (!now) return null;
-	const load = now.loaded === null ? t("unknown") : now.loaded ? now.carrier ?? t("loaded") : t("empty");
-	return /* @__PURE__ */ a(Panel, {
-		title: now.id,
-		tag: doing(now),
-		colour: LOOKS[lookOf(now)],
-		children: [
-			/* @__PURE__ */ a(Notes, { vehicle: now }),
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("state"),
-					children: [
-						said(now.state),
-						" · ",
-						said(now.service)
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("mode"),
-					children: [
-						upper(now.mode),
-						" · ",
-						upper(now.oper),
-						now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("carrier"),
-					children: load
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t(lineOf(id) ? "tag" : "place"),
-					children: [now.barcode ?? t("unknown"), now.dist ? ` + ${now.dist} mm` : ""]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("job"),
-					children: now.job ? /* @__PURE__ */ a(Name, { id: now.job }) : t("none")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("goal"),
-					children: now.goal ? /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => selected.value = {
-							kind: "station",
-							id: now.goal
-						},
-						children: now.goal
-					}) : t("none")
-				})
-			] }),
-			/* @__PURE__ */ a(Decide, { vehicle: now }),
-			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
-			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
-			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
-			!now.agv && /* @__PURE__ */ a(Taught, {
-				kind: "vehicle",
-				id
-			}),
-			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
-		]
-	});
-}
-/** The line that an AGV shares with others; null for a hoist. */
-var lineOf = (id) => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
-var upper = (word) => word === null ? "–" : word.toUpperCase();
-var hex = (code) => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
-function Notes({ vehicle }) {
-	return /* @__PURE__ */ a($, { children: [
-		vehicle.lockout && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("locked", vehicle.lockout.owner) }),
-				" ",
-				vehicle.lockout.reason
-			]
-		}),
-		vehicle.hold && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("held_note") }),
-				" ",
-				tell(vehicle.hold.reason),
-				" ",
-				/* @__PURE__ */ a("em", { children: tell(vehicle.hold.remedy) })
-			]
-		}),
-		vehicle.waiting && !vehicle.hold && /* @__PURE__ */ a("p", {
-			class: "note waits",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("waits") }),
-				" ",
-				tell(vehicle.waiting)
-			]
-		})
-	] });
-}
-function Bits({ vehicle }) {
-	return /* @__PURE__ */ a("details", {
-		open: true,
-		children: [
-			/* @__PURE__ */ a("summary", { children: [t(lineOf(vehicle.id) ? "status" : "status_bits"), !lineOf(vehicle.id) && /* @__PURE__ */ a("code", { children: [
-				vehicle.status1 ?? "–",
-				" ",
-				vehicle.status2 ?? ""
-			] })] }),
-			vehicle.bits.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: t("no_status")
-			}),
-			/* @__PURE__ */ a("table", {
-				class: "bits",
-				children: /* @__PURE__ */ a("tbody", { children: vehicle.bits.map((bit) => /* @__PURE__ */ a("tr", { children: [
-					/* @__PURE__ */ a("th", { children: bit.name }),
-					/* @__PURE__ */ a("td", { children: bit.value }),
-					/* @__PURE__ */ a("td", { children: bit.meaning })
-				] }, bit.name)) })
-			})
-		]
-	});
-}
-function AgvFacts({ agv }) {
-	const word = (name) => said(`agv_${name}`);
-	const flag = (on) => t(on ? "yes" : "no");
-	return /* @__PURE__ */ a("section", {
-		class: "part",
-		children: [/* @__PURE__ */ a("h3", { children: t("status") }), /* @__PURE__ */ a("dl", { children: [
-			/* @__PURE__ */ a(Fact, {
-				name: t("cart"),
-				children: word(agv.cart)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("lift"),
-				children: word(agv.lift)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("steering"),
-				children: word(agv.steering)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("in_position"),
-				children: flag(agv.in_position)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("charges_now"),
-				children: flag(agv.charging)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("last_tag"),
-				children: agv.tag
-			}),
-			agv.toward && /* @__PURE__ */ a(Fact, {
-				name: t("beyond"),
-				children: agv.toward
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("path"),
-				children: agv.path
-			})
-		] })]
-	});
-}
-function LinkFacts({ vehicle }) {
-	const { link } = vehicle;
-	const line = lineOf(vehicle.id);
-	return /* @__PURE__ */ a("dl", { children: [
-		/* @__PURE__ */ a(Fact, {
-			name: t("link"),
-			children: [/* @__PURE__ */ a("span", {
-				class: link.up ? "good" : "bad",
-				children: t(link.up ? "link_up" : "link_down", clock(link.since))
-			}), !link.up && link.reason && /* @__PURE__ */ a("small", { children: [" · ", tell(link.reason)] })]
-		}),
-		!line && /* @__PURE__ */ a(Fact, {
-			name: t("round_trip"),
-			children: link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("frames_io"),
-			children: [
-				link.frames_in,
-				" / ",
-				link.frames_out
-			]
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("trouble_counts"),
-			children: [
-				link.garbled,
-				" / ",
-				link.resends,
-				" / ",
-				link.duplicates
-			]
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("seen"),
-			children: vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"
-		}),
-		line ? /* @__PURE__ */ a(Fact, {
-			name: t("on_line"),
-			children: t("line_number", line, vehicle.dev_id)
-		}) : /* @__PURE__ */ a(Fact, {
-			name: t("address"),
-			children: [
-				vehicle.address,
-				" · DEV_ID ",
-				vehicle.dev_id,
-				" · ",
-				vehicle.dialect
-			]
-		})
-	] });
-}
-var VERDICTS = [
-	"go_on",
-	"off_rail",
-	"stands_at"
-];
-/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
-function Decide({ vehicle }) {
-	const reason = useSignal("");
-	const verdict = useSignal("go_on");
-	const barcode = useSignal(vehicle.barcode ?? "");
-	const error = useSignal(null);
-	const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
-	const send = (event) => {
-		event.preventDefault();
-		error.value = null;
-		const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
-		const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
-		post(path, releasing ? {
-			verdict: verdict.value,
-			reason: reason.value,
-			...stands
-		} : { reason: reason.value }).then(() => reason.value = "", (failure) => error.value = failure);
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "decide",
-		onSubmit: send,
-		children: [
-			releasing && /* @__PURE__ */ a("select", {
-				"aria-label": t("verdict"),
-				value: verdict.value,
-				onChange: (event) => verdict.value = event.currentTarget.value,
-				children: VERDICTS.map((word) => /* @__PURE__ */ a("option", {
-					value: word,
-					children: t(`verdict_${word}`)
-				}, word))
-			}),
-			releasing && verdict.value === "stands_at" && /* @__PURE__ */ a("input", {
-				"aria-label": t("barcode"),
-				required: true,
-				value: barcode.value,
-				onInput: (event) => barcode.value = event.currentTarget.value
-			}),
-			/* @__PURE__ */ a("input", {
-				"aria-label": t("reason"),
-				placeholder: t("reason"),
-				required: true,
-				maxLength: 200,
-				value: reason.value,
-				onInput: (event) => reason.value = event.currentTarget.value
-			}),
-			/* @__PURE__ */ a(Button, {
-				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
-				type: "submit",
-				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
-				children: t(releasing ? "release" : "hold")
-			}),
-			/* @__PURE__ */ a(Problem, { error: error.value })
-		]
-	});
 }
 // src/parts/WalkDetail.tsx
 /** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */
