@@ -21,6 +21,10 @@ FLAGS = (
 )  # fmt: skip
 
 
+PATIENCE = 120.0
+"""Seconds that a page, or Chromium itself, may take on a machine that has more to do. Our choice."""
+
+
 class PageError(AssertionError):
     """The page did not do what was expected of it."""
 
@@ -45,7 +49,7 @@ class Page:
             self.call(f"{domain}.enable")
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
-    def call(self, method: str, *, within: float = 60.0, **params: Any) -> dict[str, Any]:
+    def call(self, method: str, *, within: float = PATIENCE, **params: Any) -> dict[str, Any]:
         """Call a DevTools method; return its result. Raises PageError, TimeoutError: no answer ``within`` seconds."""
         number = next(self._numbers)
         message: dict[str, Any] = {"id": number, "method": method, "params": params}
@@ -66,7 +70,7 @@ class Page:
         """Go to an address."""
         self.call("Page.navigate", url=url)
 
-    def ask(self, expression: str, within: float = 60.0) -> Any:
+    def ask(self, expression: str, within: float = PATIENCE) -> Any:
         """Return the value of an expression in the page, awaited. Raises PageError: it threw."""
         result = self.call(
             "Runtime.evaluate", within=within, expression=expression, awaitPromise=True, returnByValue=True
@@ -75,7 +79,7 @@ class Page:
             raise PageError(f"{expression}: {json.dumps(result['exceptionDetails'])[:500]}")
         return result["result"].get("value")
 
-    def until(self, condition: str, within: float = 20.0) -> None:
+    def until(self, condition: str, within: float = PATIENCE) -> None:
         """Return once an expression in the page is true. Raises PageError: not ``within`` so many seconds."""
         watch = f"""new Promise((done) => {{
           const end = Date.now() + {within * 1000};

@@ -462,7 +462,7 @@ def test_every_record_type_has_a_row_a_statement_and_a_strategy() -> None:
     assert kinds == set(ROW_OF) == {*REPLACED, *APPENDED, CarrierGone} == set(RECORDS)
 
 
-@pytest.fixture(scope="session", params=["sqlite", pytest.param("postgres", marks=pytest.mark.postgres)])
+@pytest.fixture(scope="module", params=["sqlite", pytest.param("postgres", marks=pytest.mark.postgres)])
 def lent_url(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A database that one test after the other is lent: to make its tables takes as long as the examples of one test."""
     if request.param == "sqlite":

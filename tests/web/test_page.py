@@ -67,19 +67,16 @@ def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits() -> None:
         page.until(text_of(".panel .note", "for 1003 held by V002"))
         page.until(text_of(".panel .bits th", "MODE") + " && " + text_of(".panel .bits td", "no FOUP"))
         page.until(text_of(".panel dd", "1002"))
-        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        page.until(DRAWN)
         assert page.complaints == []
 
 
-def drawn(page: Page) -> bool:
-    """Whether anything is on the canvas of what moves."""
-    return bool(
-        page.ask("""new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-          const canvas = document.querySelector('.map canvas.front');
-          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-          done(data.some((value) => value > 0));
-        })))""")
-    )
+DRAWN = """(() => {
+  const canvas = document.querySelector('.map canvas.front');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  return data.some((value) => value > 0);
+})()"""
+"""Whether anything is on the canvas of what moves."""
 
 
 def test_a_refusal_is_shown_with_its_remedy() -> None:
@@ -146,7 +143,7 @@ def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() ->
         page.ask(tab("Drives"))
         for drive in ("STK01-LIFT", "STK01-FORK", "SORT01-TURN"):
             page.until(text_of(f"[data-drive={drive}]", "monitoring"))
-        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        page.until(DRAWN)
         assert page.complaints == []
 
 
@@ -172,10 +169,10 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         page.ask("document.querySelector('[data-drive=D1]').click()")
         page.until("document.querySelector('.panel .halt')")
         page.ask("document.querySelector('.panel .halt').click()")
-        end_of_operation(server, page, 1)
+        end_of_operation(server, 1)
         page.until(text_of(".panel .done", "Stop / reset: done"))
         page.ask("document.querySelector('.panel .part h3 button').click()")
-        end_of_operation(server, page, 2)
+        end_of_operation(server, 2)
         page.until(text_of(".panel .done", "Read parameters: done"))
         page.until("[...document.querySelectorAll('.panel .numbered tr')].length > 0")
         asked = [type(request).__name__ for request in server.controller.seen]
@@ -222,13 +219,10 @@ def test_a_door_is_commanded_by_two_presses() -> None:
         assert [type(request).__name__ for request in server.controller.seen] == ["CommandDevice"]
 
 
-def end_of_operation(server: Served, page: Page, number: int) -> None:
+def end_of_operation(server: Served, number: int) -> None:
     """Let an operation end once the page has asked for it."""
     drives = server.controller.drives
-    for _ in range(600):
-        if number in drives.operations:
-            break
-        page.ask("new Promise(requestAnimationFrame)")
+    wait_until(lambda: number in drives.operations, "the request")
     server.show([drives.end(number)])
 
 
@@ -306,7 +300,7 @@ def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
         page.until(text_of(".panel .choice", "V001") + " && " + text_of(".panel .choice", "12.3 s to the source"))
         page.until(text_of(".panel .choice tr", "V002") + " && " + text_of(".panel .choice tr", "is not free"))
         page.until(text_of(".panel .why-list", "P2 is occupied by F7"))
-        assert page.ask("location.hash") == "#/map?job=J1"
+        page.until("location.hash === '#/map?job=J1'")
         assert page.complaints == []
 
 
@@ -329,8 +323,10 @@ def test_theme_and_language_are_kept(theme: str, language: str, word: str) -> No
         page.until(LIVE)
         if page.ask("document.documentElement.dataset.theme") != theme:
             page.ask("[...document.querySelectorAll('header .plain')][0].click()")
+            page.until(f"localStorage.getItem('hoistway.theme') === {theme!r}")
         if page.ask("document.documentElement.lang") != language:
             page.ask("[...document.querySelectorAll('header .plain')][1].click()")
+            page.until(f"localStorage.getItem('hoistway.language') === {language!r}")
         page.open("about:blank")
         page.open(server.url)
         page.until(f"{LIVE} && document.documentElement.dataset.theme === {theme!r}")
