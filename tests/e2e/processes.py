@@ -19,7 +19,7 @@ GENEROUS = 180.0
 """Seconds that anything may take."""
 PLANTS = Path(__file__).parents[2] / "plants"
 COMMAND = (sys.executable, "-m", "app.cli")
-HTTP = httpx.Client(verify=False, trust_env=False, limits=httpx.Limits(max_keepalive_connections=0))
+HTTP = httpx.Client(verify=False, trust_env=False, limits=httpx.Limits(max_keepalive_connections=0), timeout=GENEROUS)
 """Asks servers, over a new connection each time, as curl does. ``httpx.get`` would read all certificates for each request:
 25 ms of a core."""
 

@@ -58,11 +58,11 @@ class Shift:
 
     def get(self, path: str) -> object:
         """Ask for something, past the scripts."""
-        return HTTP.get(f"{self.url}/api/v1{path}", timeout=10.0).json()
+        return HTTP.get(f"{self.url}/api/v1{path}").json()
 
     def order(self) -> httpx.Response:
         """Order a transfer from the port that is taught."""
-        return HTTP.post(f"{self.url}/api/v1/jobs", json=ORDER, timeout=10.0)
+        return HTTP.post(f"{self.url}/api/v1/jobs", json=ORDER)
 
 
 @pytest.fixture
