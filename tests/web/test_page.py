@@ -118,7 +118,7 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
         use(page, KEY)
         page.until(LIVE)
         page.until(text_of("header .account", "access-key"))
-        assert page.ask("Object.values(sessionStorage).join()") == KEY
+        assert page.ask("sessionStorage.getItem('hoistway.key')") == KEY
         assert KEY not in page.ask("Object.values(localStorage).join()")
         assert not [address for address in page.requests if KEY in address]
 
