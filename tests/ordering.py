@@ -51,6 +51,7 @@ TOGETHER = (
     "tests/store/test_roundtrip.py",
     "tests/test_site.py",
     "tests/web/test_access.py",
+    "tests/web/test_page.py",
     "tests/web/test_panels.py",
     "tests/web/test_playback.py",
     "tests/web/test_walks.py",

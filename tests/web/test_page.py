@@ -1,9 +1,11 @@
 """The page in a real browser, with the real application behind it."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from urllib.parse import urlsplit
 
 import pytest
+from websockets.sync.client import ClientConnection
 
 from app.domain.devices import AgvMoveManual, AgvSetCurrent, AgvSpeed, ManualDirection
 from app.domain.ids import JobId, VehicleId
@@ -15,7 +17,7 @@ from tests.api.scripted import NOW
 from tests.e2e.processes import wait_until
 from tests.web.served import Served, served
 from tests.web.whole import device, whole
-from tools.chromium import Page, browser, installed
+from tools.chromium import Page, chromium, installed, new_tab
 
 pytestmark = [
     pytest.mark.browser,
@@ -24,6 +26,13 @@ pytestmark = [
 
 LIVE = "document.querySelector('.link.live')"
 KEY = "a-key-of-sixteen-or-more-letters"
+
+
+@pytest.fixture(scope="module")
+def wire() -> Iterator[ClientConnection]:
+    """A Chromium for all tests: its start takes longer than most of them. Each has a tab without a past."""
+    with chromium() as wire:
+        yield wire
 
 
 def text_of(selector: str, words: str) -> str:
@@ -43,8 +52,8 @@ def order(page: Page, source: str, destination: str) -> None:
     page.ask("document.querySelector('.transfer button[type=submit]').click()")
 
 
-def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host() -> None:
-    with served() as server, browser() as page:
+def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.until(text_of(".chip", "V001") + " && " + text_of(".chip", "V002"))
@@ -58,8 +67,8 @@ def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host() 
         assert page.complaints == []
 
 
-def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits() -> None:
-    with served() as server, browser() as page:
+def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         server.place("V001", "1002", activity="waiting", waiting="V001 waits at 1002 for 1003 held by V002")
@@ -79,8 +88,8 @@ DRAWN = """(() => {
 """Whether anything is on the canvas of what moves."""
 
 
-def test_a_refusal_is_shown_with_its_remedy() -> None:
-    with served() as server, browser() as page:
+def test_a_refusal_is_shown_with_its_remedy(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask("document.querySelector('.chip').click()")
@@ -91,8 +100,10 @@ def test_a_refusal_is_shown_with_its_remedy() -> None:
         page.until(text_of(".problem", "Send the header X-Actor"))
 
 
-def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history() -> None:
-    with browser() as page:
+def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history(
+    wire: ClientConnection,
+) -> None:
+    with new_tab(wire) as page:
         with served() as first:
             port = first.port
             page.open(first.url)
@@ -107,8 +118,8 @@ def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_anot
             assert not page.ask(text_of(".events li", "Vehicle departed"))
 
 
-def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
-    with served(access_key=KEY) as server, browser() as page:
+def test_the_access_key_is_asked_for_and_kept_in_the_tab_only(wire: ClientConnection) -> None:
+    with served(access_key=KEY) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until("document.querySelector('dialog[open]')")
         page.ask("document.querySelector('dialog button.text').click()")
@@ -128,8 +139,8 @@ def use(page: Page, key: str) -> None:
     page.ask("document.querySelector('dialog form').requestSubmit()")
 
 
-def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.until(text_of(".chip", "AGV1") + " && " + text_of(".chip", "AGV2"))
@@ -147,8 +158,8 @@ def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() ->
         assert page.complaints == []
 
 
-def test_a_door_that_is_not_heard_says_so_and_why() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_a_door_that_is_not_heard_says_so_and_why(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Devices"))
@@ -160,8 +171,8 @@ def test_a_door_that_is_not_heard_says_so_and_why() -> None:
         page.until(text_of(".panel dd", "last said: open"))
 
 
-def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
-    with served() as server, browser() as page:
+def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Drives"))
@@ -180,8 +191,8 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         assert page.complaints == []
 
 
-def test_an_agv_is_driven_by_hand_and_told_where_it_stands() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_an_agv_is_driven_by_hand_and_told_where_it_stands(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(f"{server.url}#/map?vehicle=AGV1")
         page.until(LIVE)
         page.until("document.querySelector('[data-commands=AGV1]')")
@@ -203,8 +214,8 @@ def press(words: str) -> str:
     return f"[...document.querySelectorAll('.panel button')].find((e) => e.textContent === {words!r}).click()"
 
 
-def test_a_door_is_commanded_by_two_presses() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_a_door_is_commanded_by_two_presses(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Devices"))
@@ -227,8 +238,8 @@ def end_of_operation(server: Served, number: int) -> None:
 
 
 @pytest.mark.parametrize(("name", "kind"), [("DOOR1", "Door"), ("CHARGER1", "Charger"), ("AB2", "AGV buffer")])
-def test_what_stands_in_the_hall_is_chosen_on_the_map(name: str, kind: str) -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_what_stands_in_the_hall_is_chosen_on_the_map(wire: ClientConnection, name: str, kind: str) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         click(page, *place_on_map(page, name))
@@ -259,8 +270,8 @@ def click(page: Page, x: float, y: float) -> None:
         page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
 
-def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_the_form_offers_only_ends_that_one_vehicle_can_join(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         ends = "[...document.querySelectorAll('.transfer label:nth-of-type(2) option')].map((e) => e.value).join()"
@@ -272,8 +283,8 @@ def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
         assert page.ask("document.querySelector('.transfer label:nth-of-type(2) select').value") == ""
 
 
-def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms() -> None:
-    with served() as server, browser() as page:
+def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         (now,) = server.controller.model.all(Topic.CONTROLLER)
@@ -286,8 +297,8 @@ def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms() -> None:
         assert page.complaints == []
 
 
-def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
-    with served() as server, browser() as page:
+def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         order(page, "P1", "P2")
@@ -304,8 +315,8 @@ def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
         assert page.complaints == []
 
 
-def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(fill(".finder input", "etch01-p"))
@@ -317,8 +328,8 @@ def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen() -> None:
 
 
 @pytest.mark.parametrize(("theme", "language", "word"), [("light", "en", "Jobs"), ("dark", "ko", "작업")])
-def test_theme_and_language_are_kept(theme: str, language: str, word: str) -> None:
-    with served() as server, browser() as page:
+def test_theme_and_language_are_kept(wire: ClientConnection, theme: str, language: str, word: str) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         if page.ask("document.documentElement.dataset.theme") != theme:
