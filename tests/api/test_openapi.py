@@ -29,8 +29,10 @@ from tests.api.test_policy import MAY_SAY
 from tests.api.test_problems import EXAMPLES
 
 ROOT = Path(__file__).parents[2]
+QUICK = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+"""Reads YAML ten times as quickly, where PyYAML was built with it: each worker reads this file twice."""
 DOCUMENT: dict[str, Any] = json.loads((ROOT / "openapi/openapi.json").read_text(encoding="utf-8"))
-ASYNC: dict[str, Any] = yaml.safe_load((ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8"))
+ASYNC: dict[str, Any] = yaml.load((ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8"), QUICK)
 REGISTRY: Registry[Any] = Registry().with_resources(
     [
         (name, DRAFT202012.create_resource(contents))
