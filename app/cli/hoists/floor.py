@@ -6,7 +6,7 @@ import sys
 from dataclasses import replace
 
 from app.cli.hoists.child import Figures, obey, plant_in, tell
-from app.cli.hoists.sampling import less, usage
+from app.cli.hoists.sampling import Lateness, less, usage
 from app.cli.running import on_loop, stop_signal
 from app.domain.ids import VehicleId
 from app.domain.layout import PulseSet, StationKind
@@ -52,6 +52,7 @@ class Floor:
         self._oracle = Oracle(plant, self._plant.truth) if self._whole else None
         self._servers: list[DeviceServer] = []
         self._before = usage()
+        self._late: Lateness | None = None
 
     def _act(self, act: Act) -> None:
         if self._oracle is not None:
@@ -77,12 +78,15 @@ class Floor:
 
     def begin(self) -> None:
         """Count from now on."""
-        self._before = usage()
+        self._before, self._late = usage(), Lateness()
 
     def end(self) -> Figures:
-        """Return CPU and memory since ``begin``, and what the oracle has seen."""
+        """Return CPU, lateness and memory since ``begin``, and what the oracle has seen."""
         now = usage()
         figures: Figures = {**less(now, self._before), "rss": now["rss"]}
+        if self._late is not None:
+            self._late.stop()
+            figures["late"] = self._late.figures()
         if self._oracle is not None:
             figures |= {"violations": self._oracle.violations, "takes": self._oracle.takes, "puts": self._oracle.puts}
         return figures

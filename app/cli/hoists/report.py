@@ -29,6 +29,8 @@ def report(found: Found) -> Iterator[str]:
     plant = sum(floor["user"] + floor["kernel"] for floor in found.floors)
     memory = sum(floor["rss"] for floor in found.floors)
     yield f"plant         {_share(plant, seconds)} of a processor in {len(found.floors)} processes, {memory:.0f} MB"
+    for floor in found.floors:
+        yield f"plant late    {_spread(floor['late'])}: so much later a simulated hoist drives, answers and reads than a real one"
     yield f"together      {_share(total + plant, seconds)} of a processor"
     yield "commands      " + ", ".join(f"{name} {count:,}" for name, count in found.commands.items() if count)
     for floor in found.floors:
