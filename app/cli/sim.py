@@ -18,6 +18,7 @@ from app.cli.plainly import CannotStart, plainly, positive, refuse, said, text_o
 from app.cli.running import on_again, on_loop, plant_of, reader_of, stop_signal
 from app.cli.tongue import say
 from app.domain.errors import HoistwayError
+from app.domain.versions import Source
 from app.wire.names import nearest
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def sim(
         reader = reader_of(plant)
 
         def read(text: str | None) -> Plant:
-            return simulated(reader(text_of(plant) if text is None else text)[0], only or (), without or ())
+            return simulated(reader(Source(text_of(plant) if text is None else text)).plant, only or (), without or ())
 
         try:
             floor = _Floor(found, journal, host, controller, haste, operator, panel or (), read)

@@ -167,7 +167,15 @@ async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scri
     controller.drives.keep_backup()
     controller.drives.traffic = [(NOW, "out", b"\x02M1SSQ@#8\x03"), (NOW, "in", b"\x06")]
     known = {"job": "LOT-1", "vehicle": "V001", "station": "P1", "carrier": "F1", "command": command, "code": "invalid"}
-    known |= {"drive": "D1", "operation": "1", "backup": "1", "jog": "1", "number": "1C", "link": "AXES"}
+    known |= {
+        "drive": "D1",
+        "operation": "1",
+        "backup": "1",
+        "jog": "1",
+        "number": "1C",
+        "link": "AXES",
+        "model": "demo",
+    }
     await client.put("/stations/P1/dest", json=pulses)
     await client.put("/vehicles/V001/offset", json=pulses)
     controller.teach()
