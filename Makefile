@@ -17,10 +17,10 @@ run: $(READY)  ## simulate the demo plant, control it, print where to look; else
 	@$(BIN)/hoistway demo $(if $(PORT),--port $(PORT))
 
 test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.py)
-	$(BIN)/pytest -n auto --dist loadgroup
+	$(BIN)/pytest -n auto
 
 campaign: $(READY)  ## hundreds of runs in which everything goes wrong, and known mistakes that must be noticed
-	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls && $(BIN)/python -m tests.acceptance.power --cuts 1000 && $(BIN)/pytest -n auto --dist loadgroup -m campaign
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls && $(BIN)/python -m tests.acceptance.power --cuts 1000 && $(BIN)/pytest -n auto -m campaign
 
 soak: $(READY)  ## the same for hours: 20,000 runs, and each known mistake on seeds that nobody chose
 	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000

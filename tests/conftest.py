@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 import structlog
 from hypothesis import settings
+from xdist.remote import Producer
 
-from tests.ordering import spread, weight
+from tests.ordering import Shared, spread, together, weight
 
 # Compiling takes longer than any test of what is compiled: tests run the same functions as they stand.
 os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
@@ -31,18 +32,24 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_xdist_auto_num_workers() -> int | None:
-    """Two workers a core for ``-n auto``: the long tests wait for real processes most of their time."""
+    """Two workers a core and two more for ``-n auto``: the long tests wait for real processes most of their time."""
     if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ:
         return None
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return 2 * (cores or 1)
+    return 2 * (cores or 1) + 2
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Shared:
+    """Go by the table, not by marks: pytest-xdist 3.8 writes the group of a mark where pytest 9.2 does not read it."""
+    config.option.loadscopereorder = False
+    return Shared(config, log)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin the long tests first where several workers share the tests."""
     workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
     if workers > 1:
-        items[:] = spread(items, workers, lambda item: weight(item.nodeid))
+        items[:] = spread(items, workers, lambda item: weight(item.nodeid), lambda item: together(item.nodeid))
 
 
 def pytest_collection_finish() -> None:

@@ -1,8 +1,10 @@
 """In which order the tests begin, so that no core idles while a test waits, and no long test is begun last."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from itertools import zip_longest
 from typing import TypeVar
+
+from xdist.scheduler import LoadScopeScheduling
 
 T = TypeVar("T")
 LONG = {
@@ -36,21 +38,60 @@ LONG = {
     "tests/e2e/test_command_line.py::test_a_killed_demo": 5,
     "tests/e2e/test_command_line.py::test_the_workload": 5,
 }
-"""Seconds that a test of this file, or of this name, takes by itself on an idle machine: those of five or more."""
+"""Seconds that a test of this file, or of this name, takes by itself on an idle machine: those of five or more. Of a file whose
+tests stay together: all of them."""
+
+
+TOGETHER = (
+    "tests/e2e/test_device_scripts.py",
+    "tests/e2e/test_room_scripts.py",
+    "tests/plant/fab/test_fab.py",
+    "tests/planning/test_routing_fab.py",
+    "tests/sim/kinematic/test_fab.py",
+    "tests/store/test_roundtrip.py",
+    "tests/test_site.py",
+    "tests/web/test_access.py",
+    "tests/web/test_page.py",
+    "tests/web/test_panels.py",
+    "tests/web/test_playback.py",
+    "tests/web/test_walks.py",
+)
+"""Files whose tests share what takes a while to make (a plant under way, a browser, a fab): one worker runs all of a file."""
 
 
 def weight(nodeid: str) -> int:
-    """Return the seconds that the table gives for a test; 0 for a short one."""
+    """Return the seconds that the table gives for a test, or for all of a file that stays together; 0 for a short one."""
     return next((seconds for name, seconds in LONG.items() if nodeid.startswith(name)), 0)
 
 
-def spread(tests: Sequence[T], workers: int, weigh: Callable[[T], int]) -> list[T]:
+def together(nodeid: str) -> str:
+    """Return what a test is part of that one worker runs whole: its file, or nothing but itself."""
+    file = nodeid.partition("::")[0]
+    return file if file in TOGETHER else nodeid
+
+
+class Shared(LoadScopeScheduling):  # type: ignore[misc]
+    """Gives each worker one test after the other, and the whole of a file whose tests stay together."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        return together(nodeid)
+
+
+def spread(
+    tests: Sequence[T], workers: int, weigh: Callable[[T], int], part_of: Callable[[T], Hashable] = lambda test: test
+) -> list[T]:
     """Return the same tests with those that weigh anything first, the heaviest before all.
 
     A worker is given its next test while it still runs one, and that one waits for the other to end. So each worker begins
     with a long test and has a short one next; from then on long ones and short ones take turns. Short ones keep their order.
+    Tests that are ``part_of`` the same count, and stay, as one.
     """
-    long = sorted(filter(weigh, tests), key=weigh, reverse=True)
-    short = [test for test in tests if not weigh(test)]
+    parts: dict[Hashable, list[T]] = {}
+    for test in tests:
+        parts.setdefault(part_of(test), []).append(test)
+    weights = {part: max(map(weigh, those)) for part, those in parts.items()}
+    long = sorted(filter(weights.__getitem__, parts), key=weights.__getitem__, reverse=True)
+    short = [part for part in parts if not weights[part]]
     turns = zip_longest(long[workers:], short[workers:])
-    return [*long[:workers], *short[:workers], *(test for turn in turns for test in turn if test is not None)]
+    rest = (part for turn in turns for part in turn if part is not None)
+    return [test for part in (*long[:workers], *short[:workers], *rest) for test in parts[part]]

@@ -10,11 +10,12 @@ import yaml
 
 from app.api.commands import COMMANDS
 from app.cli import app as cli
+from tests.api.test_openapi import QUICK
 from tools import reference
 from tools.site import ROOT, lay_out, troubles
 
 REST = json.loads((ROOT / "openapi/openapi.json").read_text(encoding="utf-8"))
-LIVE = yaml.safe_load((ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8"))
+LIVE = yaml.load((ROOT / "openapi/asyncapi.yaml").read_text(encoding="utf-8"), QUICK)
 
 
 @pytest.fixture(scope="module")

@@ -93,6 +93,11 @@ def test_every_saying_is_still_said_somewhere() -> None:
             "가용 차량 없음: V001 작업 J7 수행 중, V002 is not ready",
         ),
         ("P2 is occupied by F7", "P2에 F7이(가) 있음"),
+        ("does HW-2", "HW-2 수행 중"),
+        (
+            "not connected yet; look where it stands; release it with verdict go_on if the barcode is right",
+            "아직 연결되지 않음; 위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요",
+        ),
     ],
 )
 def test_what_the_controller_says_is_told_in_korean(sentence: str, korean: str) -> None:

@@ -21,6 +21,11 @@ FLAGS = (
 )  # fmt: skip
 
 
+_NUMBERS = itertools.count(1)
+PATIENCE = 120.0
+"""Seconds that a page, or Chromium itself, may take on a machine that has more to do. Our choice."""
+
+
 class PageError(AssertionError):
     """The page did not do what was expected of it."""
 
@@ -37,17 +42,17 @@ class Page:
         self.requests: list[str] = []
         self.complaints: list[str] = []
         self._wire = wire
-        self._numbers = itertools.count(1)
         self._session: str | None = None
-        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self._past = self.call("Target.createBrowserContext")["browserContextId"]
+        target = self.call("Target.createTarget", url="about:blank", browserContextId=self._past)["targetId"]
         self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
-    def call(self, method: str, *, within: float = 60.0, **params: Any) -> dict[str, Any]:
+    def call(self, method: str, *, within: float = PATIENCE, **params: Any) -> dict[str, Any]:
         """Call a DevTools method; return its result. Raises PageError, TimeoutError: no answer ``within`` seconds."""
-        number = next(self._numbers)
+        number = next(_NUMBERS)
         message: dict[str, Any] = {"id": number, "method": method, "params": params}
         if self._session is not None:
             message["sessionId"] = self._session
@@ -56,7 +61,8 @@ class Page:
             answer: dict[str, Any] = json.loads(self._wire.recv(timeout=within))
             if answer.get("id") == number:
                 break
-            self._heard(answer)
+            if answer.get("sessionId") == self._session:
+                self._heard(answer)
         if "error" in answer:
             raise PageError(f"{method}: {answer['error']['message']}")
         result: dict[str, Any] = answer["result"]
@@ -66,7 +72,7 @@ class Page:
         """Go to an address."""
         self.call("Page.navigate", url=url)
 
-    def ask(self, expression: str, within: float = 60.0) -> Any:
+    def ask(self, expression: str, within: float = PATIENCE) -> Any:
         """Return the value of an expression in the page, awaited. Raises PageError: it threw."""
         result = self.call(
             "Runtime.evaluate", within=within, expression=expression, awaitPromise=True, returnByValue=True
@@ -75,7 +81,7 @@ class Page:
             raise PageError(f"{expression}: {json.dumps(result['exceptionDetails'])[:500]}")
         return result["result"].get("value")
 
-    def until(self, condition: str, within: float = 20.0) -> None:
+    def until(self, condition: str, within: float = PATIENCE) -> None:
         """Return once an expression in the page is true. Raises PageError: not ``within`` so many seconds."""
         watch = f"""new Promise((done) => {{
           const end = Date.now() + {within * 1000};
@@ -89,6 +95,11 @@ class Page:
         if not self.ask(watch, within + 30):
             text = self.ask("document.body ? document.body.innerText.slice(0, 1500) : ''")
             raise PageError(f"not within {within} s: {condition}\n{text}\n{self.complaints}")
+
+    def close(self) -> None:
+        """Close the tab, and forget all that it kept."""
+        self._session = None
+        self.call("Target.disposeBrowserContext", browserContextId=self._past)
 
     def picture(self) -> bytes:
         """Return the page as PNG."""
@@ -110,8 +121,8 @@ class Page:
 
 
 @contextmanager
-def browser(width: int = 1280, height: int = 800, flags: Sequence[str] = ()) -> Iterator[Page]:
-    """Give one empty tab of a fresh Chromium. Raises FileNotFoundError: there is none."""
+def chromium(width: int = 1280, height: int = 800, flags: Sequence[str] = ()) -> Iterator[ClientConnection]:
+    """Give the wire to a fresh Chromium. Raises FileNotFoundError: there is none."""
     path = installed()
     if path is None:
         raise FileNotFoundError("Chromium is not installed (Debian: apt-get install chromium)")
@@ -124,11 +135,28 @@ def browser(width: int = 1280, height: int = 800, flags: Sequence[str] = ()) -> 
         ):
             try:
                 with connect(_address(process), max_size=None, compression=None) as wire:
-                    yield Page(wire, width, height)
+                    yield wire
             finally:
                 process.terminate()
                 assert process.stderr is not None
                 process.stderr.read()
+
+
+@contextmanager
+def new_tab(wire: ClientConnection, width: int = 1280, height: int = 800) -> Iterator[Page]:
+    """Give an empty tab without a past, in a Chromium under way."""
+    page = Page(wire, width, height)
+    try:
+        yield page
+    finally:
+        page.close()
+
+
+@contextmanager
+def browser(width: int = 1280, height: int = 800, flags: Sequence[str] = ()) -> Iterator[Page]:
+    """Give one empty tab of a fresh Chromium. Raises FileNotFoundError: there is none."""
+    with chromium(width, height, flags) as wire:
+        yield Page(wire, width, height)
 
 
 def _address(process: subprocess.Popen[bytes]) -> str:

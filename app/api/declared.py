@@ -239,6 +239,10 @@ OTHERS: Json = {
             {"open": FLAG, "name": nullable(TEXT), "person": FLAG, "roles": list_of(TEXT), "scopes": list_of(TEXT)}
         ),
     },
+    "Required": {
+        "description": "Whether callers have to say who they are.",
+        **record({"required": FLAG}),
+    },
     "Call": {
         "description": "Method and path under /api/v1, which roles may, and whether the caller may (all, where nobody has to "
         "say who they are).",

@@ -182,6 +182,7 @@ ROUTES: Mapping[str, Scope] = {
     "LIVE /live": Scope.READ,
     "POST /session": Scope.PUBLIC,
     "GET /session": Scope.SELF,
+    "GET /session/required": Scope.PUBLIC,
     "GET /session/calls": Scope.SELF,
     "DELETE /session": Scope.SELF,
     "POST /session/renew": Scope.SELF,

@@ -9,7 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from app.api.access_inputs import Password, fitting
-from app.api.callers import caller_of, credential_of
+from app.api.callers import Callers, caller_of, credential_of
 from app.api.calls import Ctl, answer_of, items
 from app.api.declared import gives
 from app.api.inputs import TEXT_PATTERN, Strict
@@ -102,6 +102,13 @@ async def who_am_i(request: Request) -> Response:
             "scopes": [scope.value for scope in Scope if caller is None or scope in caller.scopes],
         }
     )
+
+
+@router.get("/required", **gives("Required"))
+async def show_required(request: Request) -> Response:
+    """Show whether callers have to say who they are: a page asks for a log-in then, before it asks for anything else."""
+    callers: Callers = request.app.state.callers
+    return answer_of({"required": callers.closed})
 
 
 @router.get("/calls", **gives("Call[]", description="Every call of the API; `next` is null."))

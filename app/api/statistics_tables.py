@@ -4,6 +4,7 @@ import csv
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -15,6 +16,11 @@ from app.runtime.showing import iso
 
 Cell = str | int | float | None
 NAMES = ("phases", "intervals", "vehicles", "waits", "transfers")
+TEXTS = frozenset({"phase", "vehicle", "cause", "job", "state", "carrier", "source", "destination"})
+COUNTS = frozenset({"count", "ordered", "completed", "unfinished", "failures", "times", "priority"})
+MOMENTS = frozenset({"begin", "created", "ended"})
+"""What a column's cells are, by its name; in all others numbers that may have a fraction. It does not depend on the rows,
+so that the files of several shifts can be read as one table."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +127,20 @@ def as_parquet(table: Table) -> bytes:
     arrow: Any = import_module("pyarrow")
     parquet: Any = import_module("pyarrow.parquet")
     columns = list(zip(*table.rows, strict=True)) or [()] * len(table.columns)
+    arrays = {
+        name: arrow.array(map(_moment, cells) if name in MOMENTS else cells, _kind(arrow, name))
+        for name, cells in zip(table.columns, columns, strict=True)
+    }
     out = io.BytesIO()
-    parquet.write_table(arrow.table({n: list(c) for n, c in zip(table.columns, columns, strict=True)}), out)
+    parquet.write_table(arrow.table(arrays), out)
     return out.getvalue()
+
+
+def _kind(arrow: Any, name: str) -> Any:
+    if name in MOMENTS:
+        return arrow.timestamp("ms", "UTC")
+    return arrow.string() if name in TEXTS else arrow.int64() if name in COUNTS else arrow.float64()
+
+
+def _moment(cell: Cell) -> datetime | None:
+    return None if cell is None else datetime.fromisoformat(str(cell))

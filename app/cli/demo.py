@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly
-from app.cli.running import on_again, on_loop, plant_and_text_of, stop_signal
+from app.cli.running import bound, on_again, on_loop, plant_and_text_of, stop_signal, uncollected, url_of
 from app.cli.tongue import say
 from app.cli.workload import order
 
@@ -55,13 +55,13 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
 
     set_up(as_json=False, level=settings.log_level)
     plant, text = plant_and_text_of(file)
-    from app.cli import hosting  # heavy: a wrong plant file is told before
-    from app.cli.shown import ShownChanges, Simulator
-    from app.runtime.clock import Clock
+    listening = bound(settings.host, settings.port)
+    with uncollected():
+        from app.cli import hosting  # heavy: a wrong plant file and a port in use are told before
+        from app.cli.shown import ShownChanges, Simulator
+        from app.runtime.clock import Clock
 
-    listening = hosting.bound(settings.host, settings.port)
-    url = hosting.url_of(settings.host, listening.getsockname()[1])
-
+    url = url_of(settings.host, listening.getsockname()[1])
     simulator = Simulator(file, text, operator)
     with ShownChanges(file, settings.database, Clock().utc, simulator) as changes:
         plant = changes.begin(plant, text)

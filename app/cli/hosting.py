@@ -20,7 +20,7 @@ from app.api.port import Controller as Shown
 from app.api.streams import Stream
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart, said
-from app.cli.running import COLLECTED
+from app.cli.running import COLLECTED, url_of
 from app.cli.tls import context_of, renewed
 from app.domain.errors import PlantError
 from app.domain.layout import Plant
@@ -40,17 +40,6 @@ FILES = 1 << 16
 """Most open files that we ask the system for. Our choice."""
 WORD = 1 << 16
 """Longest message that a watcher may send before its connection is cut, bytes. Our choice."""
-
-
-def bound(host: str, port: int, option: str = "--port") -> socket.socket:
-    """Return a socket that listens there; ``option`` is what chose the port. Raises CannotStart."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    try:
-        return socket.create_server((host, port), family=family, backlog=2048)
-    except OSError as wrong:
-        raise CannotStart(
-            f"cannot listen at {host}:{port}: {said(wrong)}", remedy=f"Choose another one with {option}."
-        ) from None
 
 
 class _Server(uvicorn.Server):
@@ -257,12 +246,6 @@ def _files() -> int:
     if soft != resource.RLIM_INFINITY and soft < most:
         resource.setrlimit(resource.RLIMIT_NOFILE, (most, hard))
     return most
-
-
-def url_of(host: str, port: int, *, tls: bool = False) -> str:
-    """Return where a person finds the server."""
-    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)  # noqa: S104 (shown, not listened at)
-    return f"{'https' if tls else 'http'}://{shown}:{port}"
 
 
 def who_may_call(controller: Controller, settings: Settings) -> str:

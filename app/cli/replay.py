@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
-from app.cli.running import on_loop, stop_signal
+from app.cli.running import bound, on_loop, stop_signal
 
 if TYPE_CHECKING:
     from app.runtime.incident import Incident
@@ -58,7 +58,7 @@ def _serve(incident: Incident, port: int) -> int:
     from app.settings import Settings
 
     settings = Settings(port=port)
-    listening = hosting.bound(settings.host, port)
+    listening = bound(settings.host, port)
 
     async def run(recorded: Recorded) -> int:
         return await hosting.serve_only(

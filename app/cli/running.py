@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import signal
-from collections.abc import Callable, Coroutine
+import socket
+from collections.abc import Callable, Coroutine, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from app.cli.catalogues import catalogue_texts, equipped, with_texts
-from app.cli.plainly import CannotStart, text_of
+from app.cli.plainly import CannotStart, said, text_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -29,7 +32,8 @@ def plant_of(file: Path) -> Plant:
 
 def plant_and_text_of(file: Path) -> tuple[Plant, str]:
     """Return the plant of a file, and what the file says. Raises CannotStart."""
-    from app.plant import UnusablePlant, read
+    with uncollected():
+        from app.plant import UnusablePlant, read
 
     text = text_of(file)
     try:
@@ -58,6 +62,34 @@ def reader_of(file: Path) -> Callable[[Source], Understood]:
         return Understood(whole, [*findings, *(finding for _, finding in besides)], replace(source, catalogues=texts))
 
     return read_as
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Look for no rings of garbage in the block: nothing of what is imported is ever garbage, and it is much."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
+def bound(host: str, port: int, option: str = "--port") -> socket.socket:
+    """Return a socket that listens there; ``option`` is what chose the port. Raises CannotStart."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family, backlog=2048)
+    except OSError as wrong:
+        raise CannotStart(
+            f"cannot listen at {host}:{port}: {said(wrong)}", remedy=f"Choose another one with {option}."
+        ) from None
+
+
+def url_of(host: str, port: int, *, tls: bool = False) -> str:
+    """Return where a person finds the server."""
+    shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(host, f"[{host}]" if ":" in host else host)  # noqa: S104 (shown, not listened at)
+    return f"{'https' if tls else 'http'}://{shown}:{port}"
 
 
 def on_loop(main: Coroutine[Any, Any, int]) -> int:

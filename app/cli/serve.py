@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse
-from app.cli.running import on_again, on_loop, plant_and_text_of, stop_signal
+from app.cli.running import bound, on_again, on_loop, plant_and_text_of, stop_signal, uncollected
 from app.cli.tongue import say
 
 if TYPE_CHECKING:
@@ -42,12 +42,13 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
 
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
     plant, text = plant_and_text_of(file)
-    from app.cli import hosting  # heavy: a wrong plant file is told before
-    from app.cli.changes import Changes
-    from app.runtime.clock import Clock
-    from app.runtime.notify import Notifier
+    listening = bound(settings.host, settings.port)
+    with uncollected():
+        from app.cli import hosting  # heavy: a wrong plant file and a port in use are told before
+        from app.cli.changes import Changes
+        from app.runtime.clock import Clock
+        from app.runtime.notify import Notifier
 
-    listening = hosting.bound(settings.host, settings.port)
     with Changes(file, settings.database, Clock().utc) as changes:
         plant = changes.begin(plant, text)
         said = ""

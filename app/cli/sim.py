@@ -15,7 +15,7 @@ import typer
 
 from app.cli.panel import set_panels
 from app.cli.plainly import CannotStart, plainly, positive, refuse, said, text_of
-from app.cli.running import on_again, on_loop, plant_of, reader_of, stop_signal
+from app.cli.running import bound, on_again, on_loop, plant_of, reader_of, stop_signal
 from app.cli.tongue import say
 from app.domain.errors import HoistwayError
 from app.domain.versions import Source
@@ -229,7 +229,6 @@ class _Floor:
         """Let people at the simulated hoists, if that is wanted."""
         if self._operator is None:
             return None
-        from app.cli.hosting import bound
         from app.cli.operator import Bench, Hands
         from app.runtime.clock import Clock
 

@@ -7,6 +7,7 @@ XMOVE goes on from it; where that comes too late, the vehicle stops by itself an
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
+from math import sqrt
 
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
@@ -15,7 +16,7 @@ from app.domain.ids import StationId, VehicleId
 from app.domain.job import Job
 from app.domain.layout import StopAction
 from app.domain.records import IntentState
-from app.domain.units import Barcode, Millimetres
+from app.domain.units import Barcode, Millimetres, Seconds
 from app.domain.vehicle import Oper
 from app.fleet.books import SYSTEM, Books
 from app.fleet.closed import Reason
@@ -26,10 +27,13 @@ from app.fleet.horizon import horizon
 from app.fleet.passages import Passages
 from app.fleet.vehicle import Amendment, Drive, Errand, Purpose, Stage, VehicleNow
 from app.planning.blocking import Blocked, BlockReason
-from app.planning.kinematics import braking_distance, driving_time, elements
+from app.planning.kinematics import braking_distance, driving_time, edge_speed, elements, time_to_braking
 
 LAST_SEQ = 60_000
 """A path that has come this far is not extended any more; a fresh MOVE begins at SEQ 0 (PROTOCOLS I48)."""
+
+HEARING = Seconds(0.05)
+"""From the decision to an XMOVE to the vehicle's having it: our commit and the link. Our choice, as in the fast plant."""
 
 
 class OffPath(Exception):
@@ -98,6 +102,8 @@ class Motion:
         count = vehicle.ahead.index(barcode) + 1
         passed = [b for b in (vehicle.barcode, *vehicle.ahead[:count]) if b is not None]
         gone = self._books.track.distance(passed)
+        if vehicle.drive is not None:
+            vehicle.drive.driven, vehicle.drive.read = Millimetres(vehicle.drive.driven + gone), self._books.now
         trail = {b: Millimetres(d + gone) for b, d in vehicle.trail.items()}
         for start, end in pairwise(passed):
             gone = Millimetres(gone - self._books.track.edge(start, end).length)
@@ -325,12 +331,11 @@ class Motion:
         ending = [here, *vehicle.ahead]
         left = track.distance(ending)
         low, high = horizon(self._books, vehicle)
-        too_late = left <= braking_distance(vehicle.spec.max_speed, vehicle.spec)
         if drive.end.barcode != ending[-1] or left > low or not vehicle.rest or drive.end.seq > LAST_SEQ:
             return None
         blocked = self._claim(vehicle, high)
         added = vehicle.ahead[len(ending) - 1 :]
-        if not added or too_late:
+        if not added or self._brakes(vehicle, drive, ending):
             return blocked
         action = StopAction.STOP if vehicle.rest else errand.action
         path = elements(track, [drive.end.barcode, *added], action, vehicle.spec, drive.end.seq)
@@ -348,6 +353,24 @@ class Motion:
         drive.amendment = Amendment(intent.cmd_id, path, intent)
         vehicle.waiting = ""
         return blocked
+
+    def _brakes(self, vehicle: VehicleNow, drive: Drive, ending: Sequence[Barcode]) -> bool:
+        """Whether the vehicle may brake for the end of this path, from the barcode read last, before an XMOVE reaches it.
+
+        It may have accelerated all the way since it set out. However long ago it read that barcode, it is not past the next.
+        """
+        spec, track, since = vehicle.spec, self._books.track, drive.read or drive.acknowledged
+        if since is None or len(ending) < 2:
+            return True
+        edges = [track.edge(start, end) for start, end in pairwise(ending)]
+        limit, left = edge_speed(edges[0], spec), track.distance(ending)
+        speed = min(limit, sqrt(2 * spec.acceleration * drive.driven))
+        if self._books.now + HEARING < since + time_to_braking(
+            speed, left, max(edge_speed(e, spec) for e in edges), spec
+        ):
+            return False
+        at_next = min(limit, sqrt(2 * spec.acceleration * (drive.driven + edges[0].length)))
+        return left - edges[0].length < braking_distance(at_next, spec)
 
     # -- what became of it --------------------------------------------------------------------------------------------
 

@@ -63,7 +63,8 @@ class Drive:
 
     ``acknowledged`` is when its ACK came; ``answered``: RESP1 RESULT 0 came before it stood at the end (vehicles that answer
     on acceptance, PROTOCOLS I19); ``stopping``: an XMOVE was refused, it runs to its end. ``recalled``: we have stopped it
-    ourselves, so that its abnormal end says nothing against the vehicle.
+    ourselves, so that its abnormal end says nothing against the vehicle. ``driven`` is the way since it set out, up to the last
+    barcode that it has read, and ``read`` when that was.
     """
 
     cmd_id: CmdId
@@ -74,6 +75,8 @@ class Drive:
     stopping: bool = False
     recalled: bool = False
     amendment: Amendment | None = None
+    driven: Millimetres = Millimetres(0)
+    read: Seconds | None = None
 
     @property
     def end(self) -> PathElement:

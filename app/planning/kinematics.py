@@ -38,6 +38,19 @@ def braking_distance(speed_mm_s: float, spec: VehicleSpec) -> Millimetres:
     return Millimetres(ceil(speed_mm_s * speed_mm_s / (2 * spec.braking)))
 
 
+def time_to_braking(speed_mm_s: float, way: float, limit: float, spec: VehicleSpec) -> Seconds:
+    """Return how long a vehicle may go on from this speed until it must brake to stand after ``way`` mm; below 0: too late.
+
+    It accelerates up to ``limit`` mm/s where the way allows it. All as hard as it can.
+    """
+    up, down = spec.acceleration, spec.braking
+    cruising = way - (limit**2 - speed_mm_s**2) / (2 * up) - limit**2 / (2 * down)
+    if cruising >= 0:
+        return Seconds(max(0.0, limit - speed_mm_s) / up + cruising / limit)
+    peak = sqrt((2 * up * down * way + down * speed_mm_s**2) / (up + down))
+    return Seconds((peak - speed_mm_s) / up)
+
+
 def driving_time(track: Rails, path: Sequence[Barcode], spec: VehicleSpec) -> Seconds:
     """Return the time over a path from standstill to standstill, accelerating and braking as hard as the vehicle can.
 

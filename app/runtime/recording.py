@@ -1,7 +1,8 @@
 """Records what is shown, for playback: beside the controller, bounded, and never in its way.
 
-Of vehicles only what a map shows is recorded, and only where it is other than before; a second thread makes differences,
-compresses and writes. What it cannot write in time is left out but for the newest; what failed, a whole state makes good.
+Of vehicles only what a map shows is recorded, and only where it is other than before; of drives what they do and what is
+wrong with them, not where they are; a second thread makes differences, compresses and writes. What it cannot write in time is
+left out but for the newest; what failed, a whole state makes good.
 """
 
 import queue
@@ -16,7 +17,7 @@ from structlog.typing import FilteringBoundLogger
 
 from app.domain.errors import StoreError
 from app.domain.units import Timestamp
-from app.domain.view import Topic, Update, VehicleView
+from app.domain.view import DriveView, HoldView, LockoutView, Topic, Update, VehicleView
 from app.runtime.showing import encode, shown
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
 
@@ -28,10 +29,12 @@ RECORDED = frozenset(
         Topic.STATIONS,
         Topic.CARRIERS,
         Topic.DEVICES,
+        Topic.DRIVES,
         Topic.CLOSURES,
         Topic.ALARMS,
     }
 )
+"""Teaching is not among them: its proposals and versions are kept for ever with their times, and no map shows them."""
 _SEEN = (
     "state",
     "activity",
@@ -45,10 +48,16 @@ _SEEN = (
     "job",
     "goal",
     "parked",
+    "hold",
+    "lockout",
 )
 VEHICLE_FIELDS = (*_SEEN, "waiting", "granted")
 """What is recorded of a vehicle. A change of the last two alone is no change: they follow the others."""
-_compared = attrgetter(*_SEEN)
+_COMPARED: dict[type, Callable[[Any], tuple[object, ...]]] = {
+    VehicleView: attrgetter(*_SEEN),
+    DriveView: attrgetter("online", "mode", "code", "error", "reason", "moving", "operation", "lockout"),
+}
+"""What has to be other than before for an object to be recorded anew; all others are, whenever they are published."""
 PIECE_SECONDS = 2.0
 """Changes of so many seconds are one piece. Our choice."""
 STATE_SECONDS = 60.0
@@ -81,7 +90,7 @@ class Recorder:
         self, store: PlaybackStore, limits: Limits, utc: Callable[[], Timestamp], log: FilteringBoundLogger
     ) -> None:
         self._store, self._limits, self._utc, self._log = store, limits, utc, log
-        self._seen: dict[str, tuple[object, ...]] = {}
+        self._seen: dict[tuple[Topic, str], tuple[object, ...]] = {}
         self._some: list[tuple[float, Update]] = []
         self._waiting: queue.Queue[list[tuple[float, Update]] | None] = queue.Queue()
         self._left_out = False
@@ -93,19 +102,27 @@ class Recorder:
         """Take what has just been published."""
         at, some = self._utc(), self._some
         for update in updates:
-            if update.topic is Topic.VEHICLES and isinstance(update.value, VehicleView):
-                now = _compared(update.value)
-                if self._seen.get(update.key) == now:
+            compared = _COMPARED.get(type(update.value))
+            if compared is not None:
+                now, which = compared(update.value), (update.topic, update.key)
+                if self._seen.get(which) == now:
                     continue
-                self._seen[update.key] = now
+                self._seen[which] = now
             elif update.topic not in RECORDED:
                 continue
+            elif update.value is None:
+                self._seen.pop((update.topic, update.key), None)
             some.append((at, update))
+
+    @property
+    def waiting(self) -> int:
+        """How many pieces wait for the disk."""
+        return self._waiting.qsize()
 
     def flush(self) -> None:
         """Give what was noted to the thread; while that is far behind, keep the newest of each object alone."""
         some = self._some
-        if self._waiting.qsize() >= WAITING:
+        if self.waiting >= WAITING:
             self._some = list({(update.topic, update.key): (at, update) for at, update in some}.values())
             self._some.sort(key=lambda one: one[0])
             if not self._left_out:
@@ -175,7 +192,7 @@ class _Writes:
         if not isinstance(view, VehicleView):
             of_topic[key] = value = shown(view)
             return at, topic, key, value
-        before, now = of_topic.get(key, {}), {name: getattr(view, name) for name in VEHICLE_FIELDS}
+        before, now = of_topic.get(key, {}), {name: _plain(getattr(view, name)) for name in VEHICLE_FIELDS}
         of_topic[key] = now
         return (
             at,
@@ -183,3 +200,8 @@ class _Writes:
             key,
             {name: value for name, value in now.items() if name not in before or before[name] != value},
         )
+
+
+def _plain(value: Any) -> Any:
+    """Return a field as JSON has it: a hold and a lockout with the moment since when they are."""
+    return shown(value) if isinstance(value, HoldView | LockoutView) else value

@@ -89,7 +89,13 @@ def told(sentence: str, language: Language) -> str:
 @lru_cache(maxsize=4096)
 def _retold(sentence: str, language: Language, depth: int) -> str:
     found = _matched(sentence, _patterns(language), language, depth)
-    return sentence if found is None else found
+    if found is not None:
+        return found
+    # A reason, and what would help.
+    reason, found_one, remedy = sentence.partition("; ")
+    if not found_one or not depth:
+        return sentence
+    return f"{_retold(reason, language, depth - 1)}; {_retold(remedy, language, depth - 1)}"
 
 
 def _matched(sentence: str, patterns: Patterns, language: Language, depth: int) -> str | None:

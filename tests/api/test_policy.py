@@ -211,6 +211,7 @@ MAY: dict[str, str] = {
     "LIVE /live": ALL,
     "POST /session": OPEN,
     "GET /session": ALL,
+    "GET /session/required": OPEN,
     "GET /session/calls": ALL,
     "DELETE /session": ALL,
     "POST /session/renew": ALL,

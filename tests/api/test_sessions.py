@@ -65,6 +65,7 @@ async def test_all_is_open_until_there_is_somebody_and_then_everybody_logs_in(ap
     async with calls(app) as client:
         who = (await client.get("/session")).json()
         assert (who["open"], who["name"], who["roles"]) == (True, None, [role.value for role in Role])
+        assert (await client.get("/session/required")).json() == {"required": False}
         assert (await client.get("/jobs")).status_code == 200
         refused = await client.post("/users", json=LEE)
         assert (refused.status_code, refused.json()["field"]) == (409, "roles")
@@ -72,6 +73,7 @@ async def test_all_is_open_until_there_is_somebody_and_then_everybody_logs_in(ap
         assert (added.status_code, added.headers["location"]) == (201, "/api/v1/users/kim")
         assert added.json()["created_by"] == "root"
         assert PASSWORD not in added.text
+        assert (await client.get("/session/required")).json() == {"required": True}
         assert (await client.get("/jobs")).status_code == 401
     async with await logged_in(app) as client:
         who = (await client.get("/session")).json()

@@ -2,11 +2,14 @@
 
 import csv
 import io
+from datetime import datetime
+from importlib import import_module
 from importlib.util import find_spec
 
 import httpx
 import pytest
 
+from app.api.statistics_tables import COUNTS, MOMENTS, NAMES, TEXTS
 from app.domain.statistics import Transfer
 from tests.api.scripted import NOW, Scripted
 
@@ -56,6 +59,30 @@ async def test_a_parquet_file_is_written_where_its_writer_is_installed(client: h
         assert (answer.status_code, answer.json()["detail"]) == (409, "Parquet needs pyarrow.")
     else:
         assert answer.content[:4] == answer.content[-4:] == b"PAR1"
+
+
+@pytest.mark.skipif(find_spec("pyarrow") is None, reason="pyarrow is not installed")
+async def test_the_columns_of_a_parquet_file_are_of_the_same_kind_whatever_is_in_them(
+    client: httpx.AsyncClient,
+) -> None:
+    parquet = import_module("pyarrow.parquet")
+    for table in NAMES:
+        full, empty = [
+            parquet.read_table(io.BytesIO((await client.get(f"/statistics/{table}.parquet{asked}")).content)).schema
+            for asked in ("", "?from=2020-01-01T00:00:00Z&to=2020-01-01T08:00:00Z")
+        ]
+        assert full == empty
+        assert "null" not in {str(field.type) for field in full}
+
+
+async def test_every_column_holds_what_its_name_says(client: httpx.AsyncClient) -> None:
+    for table in NAMES:
+        head, *rows = csv.reader((await client.get(f"/statistics/{table}.csv")).text.splitlines())
+        for name, cell in ((name, cell) for row in rows for name, cell in zip(head, row, strict=True) if cell):
+            if name in MOMENTS:
+                assert datetime.fromisoformat(cell).tzinfo is not None
+            elif name not in TEXTS:
+                assert (int if name in COUNTS else float)(cell) >= 0
 
 
 async def test_the_report_of_a_shift_is_one_page_in_two_languages(client: httpx.AsyncClient) -> None:

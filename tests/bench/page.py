@@ -1,9 +1,11 @@
-"""The live map of a whole fab, moved about in Chromium without a GPU: 1,000 vehicles that report ten times a second."""
+"""The map of a whole fab in Chromium without a GPU: 1,000 vehicles that report ten times a second, and the same played back."""
 
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 
+from tests.bench import past
 from tests.bench.measuring import Row, Skipped, child, line_of
 from tools.chromium import Page, browser, installed
 
@@ -57,18 +59,30 @@ def _ran(page: Page) -> float:
 
 
 def rows() -> Iterator[Row]:
-    """Measure the whole fab at once, and from nearer. Frames want the machine for themselves; CPU for each does not."""
+    """Measure the whole fab at once, from nearer, and its past. Frames want the machine for themselves; CPU for each does not."""
     if installed() is None:
         raise Skipped("Chromium is not installed")
-    with child(sys.executable, "-m", "tests.web.fab", "--vehicles", str(VEHICLES), stdout=subprocess.PIPE) as server:
-        url = line_of(server.stdout).strip()
-        with browser(1280, 800) as page:
-            page.call("Performance.enable", timeDomain="threadTicks")
-            page.open(url)
-            page.until(
-                "document.querySelector('.link.live') && document.querySelector('.front').dataset.pictures > 20", 60
-            )
-            for name, closer in (("the whole fab", 0), ("a few bays", 5), ("one bay", 4)):
-                frames, cost = measured(page, closer)
-                yield Row(f"page: panning {name}", frames, GOAL, None, "frames/s", 1.0, "higher")
-                yield Row(f"page: the page's thread for a frame, panning {name}", cost, 1000 / GOAL, None, "ms", 1.0)
+    with _served() as url, _opened() as page:
+        page.open(url)
+        page.until("document.querySelector('.link.live') && document.querySelector('.front').dataset.pictures > 20", 60)
+        for name, closer in (("the whole fab", 0), ("a few bays", 5), ("one bay", 4)):
+            frames, cost = measured(page, closer)
+            yield Row(f"page: panning {name}", frames, GOAL, None, "frames/s", 1.0, "higher")
+            yield Row(f"page: the page's thread for a frame, panning {name}", cost, 1000 / GOAL, None, "ms", 1.0)
+    with _served("--recorded", past.RECORDED) as url, _opened() as page:
+        yield from past.rows(page, url, lambda: _ran(page), lambda closer: measured(page, closer))
+
+
+@contextmanager
+def _served(*more: object) -> Iterator[str]:
+    """Serve the fab beside us; give its address."""
+    command = (sys.executable, "-m", "tests.web.fab", "--vehicles", VEHICLES, *more)
+    with child(*map(str, command), stdout=subprocess.PIPE) as server:
+        yield line_of(server.stdout).strip()
+
+
+@contextmanager
+def _opened() -> Iterator[Page]:
+    with browser(1280, 800) as page:
+        page.call("Performance.enable", timeDomain="threadTicks")
+        yield page

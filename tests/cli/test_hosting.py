@@ -10,7 +10,7 @@ import pytest
 from app.cli import hosting
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart
-from app.cli.running import plant_and_text_of
+from app.cli.running import bound, plant_and_text_of
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.runtime.notify import Notifier
@@ -79,7 +79,7 @@ def test_an_edited_plant_that_cannot_be_started_gives_way_to_the_one_before(
 
     async def run(plant: Plant, changes: Changes) -> int:
         stop = asyncio.Event()
-        with hosting.bound("127.0.0.1", 0) as listening:
+        with bound("127.0.0.1", 0) as listening:
             return await hosting.serve(
                 plant,
                 settings,

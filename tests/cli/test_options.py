@@ -9,8 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 from app.cli import app
-from app.cli.hosting import bound
 from app.cli.plainly import CannotStart, said
+from app.cli.running import bound
 
 PLANT = str(Path(__file__).parents[2] / "plants" / "small.yaml")
 

@@ -9,8 +9,8 @@ import pytest
 import structlog
 import trustme
 
-from app.cli.hosting import url_of
 from app.cli.plainly import CannotStart
+from app.cli.running import url_of
 from app.cli.tls import context_of, renewed
 from app.settings import Settings, SettingsError, load
 from tests.runtime.peers import settled

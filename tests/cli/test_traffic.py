@@ -175,7 +175,7 @@ def test_a_file_with_something_else_in_it_is_left_as_it_is(option: str, text: st
 
 
 def test_the_full_extent_soaks_and_drills_for_eight_hours() -> None:
-    assert (FULL.soak, FULL.drill, FULL.fleets) == (8.0, 8.0, Extent().fleets)
+    assert (FULL.soak, FULL.drill, FULL.drills, FULL.fleets) == (8.0, 8.0, (1, 2, 3), Extent().fleets)
 
 
 def test_a_run_without_a_delivery_at_its_end_is_at_a_standstill_unless_it_is_locked_up() -> None:

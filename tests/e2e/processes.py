@@ -19,7 +19,7 @@ GENEROUS = 180.0
 """Seconds that anything may take."""
 PLANTS = Path(__file__).parents[2] / "plants"
 COMMAND = (sys.executable, "-m", "app.cli")
-HTTP = httpx.Client(verify=False, trust_env=False, limits=httpx.Limits(max_keepalive_connections=0))
+HTTP = httpx.Client(verify=False, trust_env=False, limits=httpx.Limits(max_keepalive_connections=0), timeout=GENEROUS)
 """Asks servers, over a new connection each time, as curl does. ``httpx.get`` would read all certificates for each request:
 25 ms of a core."""
 
@@ -80,13 +80,14 @@ def running(*arguments: str, log: Path, command: Sequence[str] = COMMAND) -> Ite
 
 
 def wait_until(condition: Callable[[], bool], what: str, log: Path | None = None, bound: float = GENEROUS) -> None:
-    """Wait for something that must come."""
-    end = time.monotonic() + bound
+    """Wait for something that must come. It is looked for ever more seldom: what takes long is not worth a core."""
+    begun = time.monotonic()
     while not condition():
-        if time.monotonic() > end:
+        waited = time.monotonic() - begun
+        if waited > bound:
             tail = log.read_text(encoding="utf-8", errors="replace")[-3000:] if log else ""
             raise AssertionError(f"{what} did not come in {bound:g} s\n{tail}")
-        time.sleep(0.05)
+        time.sleep(min(0.25, 0.02 + waited / 20))
 
 
 def answers(url: str) -> bool:

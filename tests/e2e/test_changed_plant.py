@@ -55,7 +55,7 @@ class Plant:
 
         def asked() -> bool:
             with suppress(httpx.TransportError):
-                found.append(HTTP.get(f"{self.url}/api/v1{path}", timeout=30.0).json())
+                found.append(HTTP.get(f"{self.url}/api/v1{path}").json())
             return bool(found)
 
         wait_until(asked, path, self.log)
@@ -66,7 +66,7 @@ class Plant:
 
     def order(self, name: str, source: str, destination: str) -> None:
         body = {"job_id": name, "source": source, "destination": destination}
-        assert HTTP.post(f"{self.url}/api/v1/jobs", json=body, timeout=30.0).status_code == 201
+        assert HTTP.post(f"{self.url}/api/v1/jobs", json=body).status_code == 201
 
     def change(self, text: str) -> None:
         """Write the file, and ask the controller to look at it."""

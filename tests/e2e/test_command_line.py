@@ -51,7 +51,7 @@ def is_alive(pid: int) -> bool:
 
 
 def jobs_at(url: str) -> list[object]:
-    items: list[object] = HTTP.get(f"{url}/api/v1/jobs", timeout=10.0).json()["items"]
+    items: list[object] = HTTP.get(f"{url}/api/v1/jobs").json()["items"]
     return items
 
 
@@ -70,11 +70,11 @@ def test_the_demo_prints_one_line_to_try_that_works_and_ends_cleanly_on_ctrl_c(p
         (line,) = (line for line in said.splitlines() if line.strip().startswith("curl "))
         body = re.search(r"-d '(.*)'", line)
         assert body is not None
-        answer = HTTP.post(f"http://127.0.0.1:{port}/api/v1/jobs", json=json.loads(body[1]), timeout=10.0)
+        answer = HTTP.post(f"http://127.0.0.1:{port}/api/v1/jobs", json=json.loads(body[1]))
         assert answer.status_code == 201, answer.text
         job = answer.json()["id"]
         url = f"http://127.0.0.1:{port}/api/v1/jobs/{job}"
-        wait_until(lambda: HTTP.get(url, timeout=10.0).json()["state"] == "completed", "the end of the job", log)
+        wait_until(lambda: HTTP.get(url).json()["state"] == "completed", "the end of the job", log)
         simulators = children_of(demo)
         assert len(simulators) == 1
         demo.send_signal(signal.SIGINT)

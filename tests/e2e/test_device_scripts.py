@@ -13,8 +13,6 @@ import pytest
 from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 SCRIPTS = Path(__file__).parents[2] / "examples/curl"
-pytestmark = pytest.mark.xdist_group("device scripts")
-"""One worker, since all use one plant."""
 HALL = """
 links:
   hall: {{protocol: enig, address: "127.0.0.1:{port}"}}

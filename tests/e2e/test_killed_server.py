@@ -123,10 +123,7 @@ def wait_for_progress(journal: Path, acts: int, dice: Random) -> None:
     """Let the vehicles do something, and a random little while more."""
     if len(journal_of(journal)) < 2 * len(jobs()):
         wait_until(lambda: len(journal_of(journal)) >= min(acts, 2 * len(jobs())), "a physical act")
-    try:
-        subprocess.run(["sleep", str(dice.uniform(0.0, 1.5))], check=True, timeout=30)
-    except subprocess.TimeoutExpired as slow:
-        raise AssertionError("the machine stands still") from slow
+    subprocess.run(["sleep", str(dice.uniform(0.0, 1.5))], check=True)
 
 
 def assert_each_carrier_was_fetched_once_a_job(journal: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.e2e.processes import HTTP, answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
 
 ROOT = Path(__file__).parents[2]
 
@@ -39,7 +39,7 @@ def test_the_mes_in_python_sees_its_orders_to_their_end_through_a_killed_server(
                 process.send_signal(signal.SIGKILL)
                 process.wait()
                 stack.enter_context(running(*server, log=log))
-                assert mes.wait(150) == 0, said.read_text(encoding="utf-8")
+                assert mes.wait(GENEROUS) == 0, said.read_text(encoding="utf-8")
             finally:
                 mes.kill()
         lines = said.read_text(encoding="utf-8").splitlines()
@@ -56,7 +56,7 @@ def test_the_mes_with_curl_follows_a_job_to_its_end(tmp_path: Path, monkeypatch:
         wait_until(lambda: answers(url), "the server", log)
         monkeypatch.setenv("HOISTWAY_URL", url)
         script = [str(ROOT / "examples/curl/mes.sh"), "LOT-9", "P1", "P2"]
-        done = subprocess.run(script, capture_output=True, text=True, timeout=150, check=False)
+        done = subprocess.run(script, capture_output=True, text=True, timeout=GENEROUS, check=False)
         assert done.returncode == 0, done.stderr
         assert done.stdout.splitlines()[-1] == "completed"
         assert "TransferCompleted V00" in done.stdout

@@ -13,7 +13,6 @@ from tests.e2e.processes import GENEROUS, HTTP, answers, free_ports, quick_plant
 from tests.e2e.test_killed_server import Server
 
 SCRIPTS = Path(__file__).parents[2] / "examples/curl"
-pytestmark = pytest.mark.xdist_group("room scripts")
 
 
 class Room:

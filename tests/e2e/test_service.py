@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.e2e.processes import answers, free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, answers, free_ports, quick_plant, running, wait_until
 
 
 def test_a_server_tells_its_service_manager_of_readiness_life_and_end(
@@ -34,9 +34,9 @@ def test_a_server_tells_its_service_manager_of_readiness_life_and_end(
         with running("serve", "--plant", plant, "--database", database, "--port", str(port), log=log) as process:
             assert os.getpid() != process.pid
             wait_until(lambda: heard("READY=1"), "readiness", log)
-            assert answers(f"http://127.0.0.1:{port}")
+            wait_until(lambda: answers(f"http://127.0.0.1:{port}"), "an answer", log)
             assert f"STATUS=controls small at http://127.0.0.1:{port}" in said[0]
             wait_until(lambda: heard("WATCHDOG=1"), "a sign of life", log)
             process.send_signal(signal.SIGTERM)
             wait_until(lambda: heard("STOPPING=1"), "the end", log)
-            assert process.wait(60) == 0
+            assert process.wait(GENEROUS) == 0

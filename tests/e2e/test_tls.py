@@ -10,7 +10,7 @@ import pytest
 import trustme
 from websockets.asyncio.client import connect
 
-from tests.e2e.processes import free_ports, quick_plant, running, wait_until
+from tests.e2e.processes import GENEROUS, free_ports, quick_plant, running, wait_until
 
 
 def test_everything_goes_over_tls_where_a_certificate_is_given(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -30,7 +30,7 @@ def test_everything_goes_over_tls_where_a_certificate_is_given(tmp_path: Path, m
 
     with (
         running("serve", "--plant", plant, "--database", database, "--port", str(port), log=log),
-        httpx.Client(base_url=f"https://127.0.0.1:{port}", verify=trusting) as client,
+        httpx.Client(base_url=f"https://127.0.0.1:{port}", verify=trusting, timeout=GENEROUS) as client,
     ):
         wait_until(lambda: f"https://127.0.0.1:{port}" in log.read_text(), "the server", log)
         page = client.get("/")

@@ -98,7 +98,7 @@ class Desk:
 
     def idle(self, *vehicles: str) -> bool:
         """Whether these vehicles have nothing to do."""
-        found = HTTP.get(f"{self.url}/api/v1/vehicles", timeout=10.0).json()["items"]
+        found = HTTP.get(f"{self.url}/api/v1/vehicles").json()["items"]
         return all(vehicle["activity"] == "idle" for vehicle in found if vehicle["id"] in vehicles)
 
 

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from app.domain.commands import Move, Xmove
+from app.domain.commands import Move, Send, Xmove
 from app.domain.layout import StopAction
 from app.domain.records import IntentState
+from app.domain.units import Barcode
 from app.fleet.motion import LAST_SEQ
 from app.fleet.vehicle import Stage
 from tests.fleet.drives import RUN, drive_on, driving, extended, go, last_intent, motions, names, path_of
@@ -27,6 +28,52 @@ def test_an_xmove_goes_on_from_the_present_stop_element_before_the_vehicle_brake
     assert xmove.command.amends == move.cmd_id
     intent = next(i for i in ready.intents(V1) if i.cmd_id == xmove.cmd_id)
     assert (intent.amends, intent.path) == (move.cmd_id, tuple(names(path_of(xmove))))
+
+
+def creeping(ready: Script, taken: str = "105") -> Send:
+    """V001 has a MOVE up to what V002 holds, and nobody obeys by itself."""
+    ready.toys[V1].linked = ready.toys[V2].linked = False
+    ready.fleet.books.traffic.hold(V2, [Barcode(taken)])
+    go(ready, "108")
+    move = ready.last(Move, V1)
+    ready.acknowledge(move)
+    return move
+
+
+def let_go(ready: Script, taken: str = "105") -> None:
+    """V002 has left it."""
+    ready.fleet.books.traffic.release(V2, [Barcode(taken)])
+    ready.fleet.motion.lead(ready.vehicle(V1), ready.vehicle(V1).rest)
+    ready.report(V2, ready.vehicle(V2).barcode or "")
+
+
+def test_a_vehicle_that_creeps_goes_on_without_a_stop_if_it_need_not_brake_yet(ready: Script) -> None:
+    move = creeping(ready)
+    assert names(path_of(move)) == ["103", "104"]
+    ready.wait(0.5)
+    let_go(ready)
+    xmove = ready.last(Xmove, V1)
+    assert isinstance(xmove.command, Xmove)
+    assert xmove.command.amends == move.cmd_id
+    assert names(path_of(xmove)) == ["104", "105", "106", "107", "108"]
+
+
+def test_a_vehicle_that_brakes_already_is_sent_nothing_until_it_stands(ready: Script) -> None:
+    move = creeping(ready)
+    ready.wait(1)
+    let_go(ready)
+    assert motions(ready) == [move]
+    drive_on(ready, path_of(move)[1:])
+    ready.answer(move, "104", words(), seq=1)
+    assert names(path_of(ready.last(Move, V1))) == ["104", "105", "106", "107", "108"]
+
+
+def test_a_vehicle_whose_reads_come_slowly_is_not_believed_to_be_past_the_next_barcode(ready: Script) -> None:
+    move = creeping(ready, "108")
+    assert names(path_of(move)) == ["103", "104", "105", "106", "107"]
+    ready.wait(20)
+    let_go(ready, "108")
+    assert isinstance(motions(ready)[-1].command, Xmove)
 
 
 def test_no_second_xmove_leaves_while_one_is_not_answered(ready: Script) -> None:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from app.domain.ids import DevId, VehicleId
 from app.domain.layout import Edge, StopAction, VehicleSpec
 from app.domain.units import Barcode, Millimetres, Percent
-from app.planning.kinematics import braking_distance, driving_time, edge_speed, edge_time, elements
+from app.planning.kinematics import braking_distance, driving_time, edge_speed, edge_time, elements, time_to_braking
 from app.planning.track import Track
 
 Lay: TypeAlias = Callable[..., Track]
@@ -54,6 +54,26 @@ def test_a_slow_edge_is_entered_and_left_at_its_own_speed(lay: Lay) -> None:
     before = 1.5 + (9000 - 2250 - (3000**2 - 1000**2) / 6000) / 3000 + 2 / 3
     after = 1.0 + (9000 - (3000**2 - 1000**2) / 4000 - 1500) / 3000 + 1.0
     assert driving_time(track, [A, B, C, D], SPEC) == pytest.approx(before + 2.0 + after)
+
+
+@given(st.floats(0, 3000), st.floats(1, 20_000), st.floats(500, 3000))
+def test_who_brakes_when_it_is_time_stands_at_the_end_of_the_way(speed: float, way: float, limit: float) -> None:
+    speed = min(speed, limit)
+    time = time_to_braking(speed, way, limit, SPEC)
+    rise = min(time, (limit - speed) / SPEC.acceleration)
+    top = speed + SPEC.acceleration * rise
+    gone = (speed + top) / 2 * rise + top * (time - rise)
+    if time >= 0:
+        assert gone + top**2 / (2 * SPEC.braking) == pytest.approx(way)
+    else:
+        assert way < speed**2 / (2 * SPEC.braking)
+
+
+@given(st.integers(1, 20_000))
+def test_braking_begins_when_what_is_left_of_the_drive_is_braking(lay: Lay, way: int) -> None:
+    peak = min(3000.0, sqrt(2 * 2000 * 3000 * way / 5000))
+    begun = time_to_braking(0, way, 3000, SPEC)
+    assert begun + peak / 3000 == pytest.approx(driving_time(lay("a b", length=way), [A, B], SPEC))
 
 
 @given(

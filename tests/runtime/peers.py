@@ -9,7 +9,7 @@ import uvloop
 
 from app.domain.units import Seconds
 
-GENEROUS = 60.0
+GENEROUS = 180.0
 
 
 class Echo:

@@ -7,7 +7,7 @@ from typing import Any
 
 from app.domain.errors import StoreError
 from app.domain.units import Timestamp
-from app.domain.view import CarrierView, LinkView, Topic, Update, VehicleView
+from app.domain.view import CarrierView, DriveView, HoldView, LinkView, LockoutView, Topic, Update, VehicleView
 from app.runtime.playback import Playback
 from app.runtime.recording import WAITING, Limits, Recorder
 from app.runtime.telemetry import logger
@@ -89,6 +89,49 @@ def test_what_looks_the_same_on_a_map_is_not_kept(tmp_path: Path) -> None:
     playback.close()
 
 
+def test_a_hold_and_a_lockout_are_recorded_with_their_reason_and_since_when(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    scene.show(1000)
+    scene.recorder.flush()
+    scene.show(1001, hold=HoldView("F = 1 without a job", "look at it", 1001.0))
+    scene.show(1002, hold=HoldView("F = 1 without a job", "look at it", 1001.0), dist=5)
+    scene.show(1003, lockout=LockoutView("kim", "belt", 1003.0))
+    playback = scene.ended()
+    since = {"reason": "F = 1 without a job", "remedy": "look at it", "since": "1970-01-01T00:16:41.000Z"}
+    locked = {"owner": "kim", "reason": "belt", "since": "1970-01-01T00:16:43.000Z", "releases": []}
+    assert [change[3] for _, change in playback.changes(1000.5, 2000)] == [
+        {"hold": since},
+        {"hold": None, "lockout": locked},
+    ]
+    playback.close()
+
+
+def test_a_drive_is_recorded_when_it_does_something_else_but_not_wherever_it_goes(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    drive = DriveView("X", "X axis", "L1", 1, "m1", online=True, mode="monitoring")
+    seen = (drive, replace(drive, distance=500), replace(drive, distance=900, moving=True), replace(drive, error="hot"))
+    for second, view in enumerate(seen):
+        scene.now = 1000.0 + second
+        scene.recorder.note([Update(Topic.DRIVES, "X", view)])
+        scene.recorder.flush()
+    playback = scene.ended()
+    kept = [(change[0], change[3]["distance"], change[3]["error"]) for _, change in playback.changes(1000.5, 2000)]
+    assert kept == [(1002.0, 900, ""), (1003.0, None, "hot")]
+    playback.close()
+
+
+def test_what_went_and_came_again_as_it_was_is_there_again(tmp_path: Path) -> None:
+    scene = Scene(tmp_path)
+    scene.show(1000)
+    scene.recorder.flush()
+    scene.now = 1001.0
+    scene.recorder.note([Update(Topic.VEHICLES, "V1", None)])
+    scene.show(1002)
+    playback = scene.ended()
+    assert barcode(playback, 1003) == "101"
+    playback.close()
+
+
 def test_objects_that_go_are_gone_and_topics_without_a_place_are_left_out(tmp_path: Path) -> None:
     scene = Scene(tmp_path)
     scene.show(1000)
@@ -126,7 +169,7 @@ def test_a_slow_disk_never_lets_more_than_so_much_wait(tmp_path: Path) -> None:
     for n in range(WAITING * 3):
         scene.show(1000.0 + n, barcode=str(n))
         scene.recorder.flush()
-    assert scene.recorder._waiting.qsize() <= WAITING
+    assert scene.recorder.waiting <= WAITING
     store.held.set()
     playback = scene.ended()
     assert barcode(playback, 2000) == str(WAITING * 3 - 1)

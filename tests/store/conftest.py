@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -38,9 +39,9 @@ def sqlite_url(tmp_path: Path) -> str:
     return f"sqlite:///{tmp_path}/plant.db"
 
 
-@pytest.fixture
-def postgres_url() -> Iterator[str]:
-    """A schema of its own in the database that HOISTWAY_TEST_POSTGRES_URL names."""
+@contextmanager
+def own_schema() -> Iterator[str]:
+    """Make a schema of its own in the database that HOISTWAY_TEST_POSTGRES_URL names."""
     base = os.environ.get("HOISTWAY_TEST_POSTGRES_URL")
     if base is None:
         pytest.skip("HOISTWAY_TEST_POSTGRES_URL is not set")
@@ -53,6 +54,12 @@ def postgres_url() -> Iterator[str]:
     with engine.begin() as connection:
         connection.execute(sa.schema.DropSchema(schema, cascade=True))
     engine.dispose()
+
+
+@pytest.fixture
+def postgres_url() -> Iterator[str]:
+    with own_schema() as url:
+        yield url
 
 
 @pytest.fixture(params=["sqlite", pytest.param("postgres", marks=pytest.mark.postgres)])

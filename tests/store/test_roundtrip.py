@@ -1,6 +1,6 @@
 """Every record type comes back equal to what was written, whatever it says."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, get_args
 
 import pytest
@@ -54,10 +54,12 @@ from app.domain.walks import Walk, WalkPlace, WalkState
 from app.domain.webhooks import Webhook, WebhookProgress, WebhookState, WebhookTry
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
+from app.store.engine import parsed
 from app.store.reading import Reader
 from app.store.rows import ROW_OF
 from app.store.statements import APPENDED, REPLACED
-from tests.store.conftest import Open
+from tests.shares import shared
+from tests.store.conftest import Open, own_schema
 
 TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"), max_size=12)
 INT64 = st.integers(-(1 << 63), (1 << 63) - 1)
@@ -460,16 +462,39 @@ def test_every_record_type_has_a_row_a_statement_and_a_strategy() -> None:
     assert kinds == set(ROW_OF) == {*REPLACED, *APPENDED, CarrierGone} == set(RECORDS)
 
 
+@pytest.fixture(scope="module", params=["sqlite", pytest.param("postgres", marks=pytest.mark.postgres)])
+def lent_url(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A database that one test after the other is lent: to make its tables takes as long as the examples of one test."""
+    if request.param == "sqlite":
+        yield f"sqlite:///{tmp_path_factory.mktemp('lent')}/plant.db"
+        return
+    with own_schema() as url:
+        yield url
+
+
+@pytest.fixture
+def empty_url(lent_url: str) -> Iterator[str]:
+    """The same database, without a row when the next test gets it, whatever became of this one."""
+    yield lent_url
+    engine = sa.create_engine(parsed(lent_url))
+    with engine.begin() as connection:
+        for table in reversed(tables.metadata.sorted_tables):
+            connection.execute(table.delete())
+    engine.dispose()
+
+
+@pytest.mark.parametrize("examples", shared([15, 100], 1))
 @pytest.mark.parametrize("kind", RECORDS, ids=lambda kind: kind.__name__)
-def test_a_record_comes_back_equal(kind: type, url: str, open_ledger: Open, raw: sa.Engine) -> None:
-    ledger, reader = open_ledger(url), Reader(url)
+def test_a_record_comes_back_equal(kind: type, examples: int, empty_url: str, open_ledger: Open) -> None:
+    ledger, reader = open_ledger(empty_url), Reader(empty_url)
+    raw = sa.create_engine(parsed(empty_url))
+    assert ledger.load().fresh
 
     @given(record=RECORDS[kind])
-    @settings(max_examples=40)
+    @settings(max_examples=examples)
     def comes_back(record: Record) -> None:
         with raw.begin() as connection:
             connection.execute(tables.metadata.tables[TABLE[kind]].delete())
-        ledger.load()
         ledger.commit([record])
         answers = FOUND[kind](record, ledger.load(), reader)
         assert answers
@@ -477,3 +502,4 @@ def test_a_record_comes_back_equal(kind: type, url: str, open_ledger: Open, raw:
 
     comes_back()
     reader.close()
+    raw.dispose()

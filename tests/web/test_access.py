@@ -22,9 +22,12 @@ from tools.chromium import browser, installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("staffed"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
+
+RENEW_NOW = """() => { const kept = JSON.parse(sessionStorage.getItem('hoistway.session'));
+  sessionStorage.setItem('hoistway.session', JSON.stringify({ ...kept, renew: 0 })); }"""
+"""The token is to be renewed as soon as the page is loaded again."""
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +60,56 @@ def test_whoever_logs_in_sees_who_they_are_and_acts_in_their_own_name(plant: Sta
         account.click()
         page.get_by_role("button", name="Log out").click()
         expect(page.locator("dialog")).to_be_visible()
-        assert page.evaluate("Object.values(sessionStorage).join('')") == ""
+        page.wait_for_function("() => Object.values(sessionStorage).join('') === ''")
+
+
+def test_a_first_visit_asks_for_nothing_but_a_log_in_and_then_shows_the_room_that_was_wanted(plant: Staffed) -> None:
+    with plant.visitor() as page:
+        said: list[str] = []
+        page.on("console", lambda word: said.append(word.text) if word.type in {"error", "warning"} else None)
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url) if "/api/" in request.url else None)
+        page.goto(f"{plant.server.url}#/audit")
+        page.reload()
+        expect(page.locator("dialog input[name=name]")).to_be_visible()
+        expect(page.get_by_role("heading", name="Audit")).to_be_attached()
+        assert {url.partition("/api/v1")[2] for url in asked} == {"/session/required"}
+        log_in(page, "kim")
+        expect(page.locator(".link.live")).to_be_visible()
+        expect(page.locator("dialog")).to_have_count(0)
+        assert said == []
+
+
+def test_tabs_made_of_one_another_go_on_with_a_new_token_and_are_logged_out_together(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        with page.expect_popup() as opening:
+            page.evaluate("window.open(location.href)")
+        other = opening.value
+        expect(other.locator("header .account > button")).to_contain_text("lee")
+        first = page.evaluate("sessionStorage.getItem('hoistway.key')")
+        page.evaluate(RENEW_NOW)
+        page.reload()
+        other.wait_for_function("first => sessionStorage.getItem('hoistway.key') !== first", arg=first)
+        keys = [tab.evaluate("sessionStorage.getItem('hoistway.key')") for tab in (page, other)]
+        assert keys[0] == keys[1]
+        page.locator("header .account > button").click()
+        page.get_by_role("button", name="Log out").click()
+        for tab in (page, other):
+            expect(tab.locator("dialog input[name=name]")).to_be_visible()
+            tab.wait_for_function("() => Object.values(sessionStorage).join('') === ''")
+
+
+def test_somebody_else_in_another_tab_stays_logged_in(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        other = page.context.new_page()
+        other.goto(plant.server.url)
+        log_in(other, "mia")
+        expect(other.locator("header .account > button")).to_contain_text("mia")
+        page.locator("header .account > button").click()
+        page.get_by_role("button", name="Log out").click()
+        expect(page.locator("dialog input[name=name]")).to_be_visible()
+        expect(other.locator(".link.live")).to_be_visible()
+        assert other.evaluate("sessionStorage.getItem('hoistway.key')") != ""
 
 
 def test_a_button_that_a_role_may_not_press_says_whose_it_is_and_asks_nothing(plant: Staffed) -> None:
@@ -91,10 +143,8 @@ def test_every_role_may_press_what_the_policy_says_and_nothing_else(plant: Staff
         with plant.at_work(name, "map?vehicle=V001") as page:
             page.locator(".panel details.acts").first.evaluate("(box) => { box.open = true; }")
             for what, selector in buttons.items():
-                assert ("barred" in (page.locator(selector).get_attribute("class") or "")) is (what not in wanted), (
-                    name,
-                    what,
-                )
+                button = expect(page.locator(selector), f"{what}, by {name}")
+                (button.not_to_contain_class if what in wanted else button.to_contain_class)("barred")
 
 
 def test_a_session_that_ends_asks_again_and_loses_nothing_that_was_being_written(plant: Staffed) -> None:
@@ -116,10 +166,7 @@ def test_a_session_that_ends_asks_again_and_loses_nothing_that_was_being_written
 def test_a_token_is_renewed_before_it_ends_and_a_new_page_of_the_tab_goes_on(plant: Staffed) -> None:
     with plant.at_work("lee") as page:
         first = page.evaluate("sessionStorage.getItem('hoistway.key')")
-        page.evaluate(
-            """() => { const kept = JSON.parse(sessionStorage.getItem('hoistway.session'));
-            sessionStorage.setItem('hoistway.session', JSON.stringify({ ...kept, renew: 0 })); }"""
-        )
+        page.evaluate(RENEW_NOW)
         page.reload()
         page.wait_for_function("(first) => sessionStorage.getItem('hoistway.key') !== first", arg=first)
         expect(page.locator(".link.live")).to_be_visible()
@@ -258,6 +305,7 @@ def test_logging_in_who_is_known_and_what_a_viewer_may_not_press_are_accessible(
     found: dict[str, list[str]] = {}
     for name, places in {"kim": ["access"], "vic": ["map?drive=D1"]}.items():
         with plant.visitor(theme=theme, language=language) as page:
+            expect(page.locator("dialog input[name=name]")).to_be_visible()
             found[f"{name} logs in"] = faults(page)
             log_in(page, name)
             expect(page.locator(".link.live")).to_be_visible()

@@ -13,7 +13,6 @@ from tools.chromium import installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("page-layouts"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
 

@@ -1,9 +1,11 @@
 """The page in a real browser, with the real application behind it."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from urllib.parse import urlsplit
 
 import pytest
+from websockets.sync.client import ClientConnection
 
 from app.domain.devices import AgvMoveManual, AgvSetCurrent, AgvSpeed, ManualDirection
 from app.domain.ids import JobId, VehicleId
@@ -15,7 +17,7 @@ from tests.api.scripted import NOW
 from tests.e2e.processes import wait_until
 from tests.web.served import Served, served
 from tests.web.whole import device, whole
-from tools.chromium import Page, browser, installed
+from tools.chromium import Page, chromium, installed, new_tab
 
 pytestmark = [
     pytest.mark.browser,
@@ -24,6 +26,13 @@ pytestmark = [
 
 LIVE = "document.querySelector('.link.live')"
 KEY = "a-key-of-sixteen-or-more-letters"
+
+
+@pytest.fixture(scope="module")
+def wire() -> Iterator[ClientConnection]:
+    """A Chromium for all tests: its start takes longer than most of them. Each has a tab without a past."""
+    with chromium() as wire:
+        yield wire
 
 
 def text_of(selector: str, words: str) -> str:
@@ -43,8 +52,8 @@ def order(page: Page, source: str, destination: str) -> None:
     page.ask("document.querySelector('.transfer button[type=submit]').click()")
 
 
-def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host() -> None:
-    with served() as server, browser() as page:
+def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.until(text_of(".chip", "V001") + " && " + text_of(".chip", "V002"))
@@ -58,8 +67,8 @@ def test_the_page_shows_vehicles_jobs_and_events_live_and_calls_no_other_host() 
         assert page.complaints == []
 
 
-def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits() -> None:
-    with served() as server, browser() as page:
+def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         server.place("V001", "1002", activity="waiting", waiting="V001 waits at 1002 for 1003 held by V002")
@@ -67,23 +76,20 @@ def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits() -> None:
         page.until(text_of(".panel .note", "for 1003 held by V002"))
         page.until(text_of(".panel .bits th", "MODE") + " && " + text_of(".panel .bits td", "no FOUP"))
         page.until(text_of(".panel dd", "1002"))
-        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        page.until(DRAWN)
         assert page.complaints == []
 
 
-def drawn(page: Page) -> bool:
-    """Whether anything is on the canvas of what moves."""
-    return bool(
-        page.ask("""new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
-          const canvas = document.querySelector('.map canvas.front');
-          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-          done(data.some((value) => value > 0));
-        })))""")
-    )
+DRAWN = """(() => {
+  const canvas = document.querySelector('.map canvas.front');
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  return data.some((value) => value > 0);
+})()"""
+"""Whether anything is on the canvas of what moves."""
 
 
-def test_a_refusal_is_shown_with_its_remedy() -> None:
-    with served() as server, browser() as page:
+def test_a_refusal_is_shown_with_its_remedy(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask("document.querySelector('.chip').click()")
@@ -94,8 +100,10 @@ def test_a_refusal_is_shown_with_its_remedy() -> None:
         page.until(text_of(".problem", "Send the header X-Actor"))
 
 
-def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history() -> None:
-    with browser() as page:
+def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history(
+    wire: ClientConnection,
+) -> None:
+    with new_tab(wire) as page:
         with served() as first:
             port = first.port
             page.open(first.url)
@@ -110,8 +118,8 @@ def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_anot
             assert not page.ask(text_of(".events li", "Vehicle departed"))
 
 
-def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
-    with served(access_key=KEY) as server, browser() as page:
+def test_the_access_key_is_asked_for_and_kept_in_the_tab_only(wire: ClientConnection) -> None:
+    with served(access_key=KEY) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until("document.querySelector('dialog[open]')")
         page.ask("document.querySelector('dialog button.text').click()")
@@ -121,7 +129,7 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only() -> None:
         use(page, KEY)
         page.until(LIVE)
         page.until(text_of("header .account", "access-key"))
-        assert page.ask("Object.values(sessionStorage).join()") == KEY
+        assert page.ask("sessionStorage.getItem('hoistway.key')") == KEY
         assert KEY not in page.ask("Object.values(localStorage).join()")
         assert not [address for address in page.requests if KEY in address]
 
@@ -131,8 +139,8 @@ def use(page: Page, key: str) -> None:
     page.ask("document.querySelector('dialog form').requestSubmit()")
 
 
-def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.until(text_of(".chip", "AGV1") + " && " + text_of(".chip", "AGV2"))
@@ -146,12 +154,12 @@ def test_the_page_of_the_demo_plant_shows_the_door_both_agvs_and_the_drives() ->
         page.ask(tab("Drives"))
         for drive in ("STK01-LIFT", "STK01-FORK", "SORT01-TURN"):
             page.until(text_of(f"[data-drive={drive}]", "monitoring"))
-        assert drawn(page), "nothing is drawn on the map's upper canvas"
+        page.until(DRAWN)
         assert page.complaints == []
 
 
-def test_a_door_that_is_not_heard_says_so_and_why() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_a_door_that_is_not_heard_says_so_and_why(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Devices"))
@@ -163,8 +171,8 @@ def test_a_door_that_is_not_heard_says_so_and_why() -> None:
         page.until(text_of(".panel dd", "last said: open"))
 
 
-def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
-    with served() as server, browser() as page:
+def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Drives"))
@@ -172,10 +180,10 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         page.ask("document.querySelector('[data-drive=D1]').click()")
         page.until("document.querySelector('.panel .halt')")
         page.ask("document.querySelector('.panel .halt').click()")
-        end_of_operation(server, page, 1)
+        end_of_operation(server, 1)
         page.until(text_of(".panel .done", "Stop / reset: done"))
         page.ask("document.querySelector('.panel .part h3 button').click()")
-        end_of_operation(server, page, 2)
+        end_of_operation(server, 2)
         page.until(text_of(".panel .done", "Read parameters: done"))
         page.until("[...document.querySelectorAll('.panel .numbered tr')].length > 0")
         asked = [type(request).__name__ for request in server.controller.seen]
@@ -183,8 +191,8 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read() -> None:
         assert page.complaints == []
 
 
-def test_an_agv_is_driven_by_hand_and_told_where_it_stands() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_an_agv_is_driven_by_hand_and_told_where_it_stands(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(f"{server.url}#/map?vehicle=AGV1")
         page.until(LIVE)
         page.until("document.querySelector('[data-commands=AGV1]')")
@@ -206,8 +214,8 @@ def press(words: str) -> str:
     return f"[...document.querySelectorAll('.panel button')].find((e) => e.textContent === {words!r}).click()"
 
 
-def test_a_door_is_commanded_by_two_presses() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_a_door_is_commanded_by_two_presses(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(tab("Devices"))
@@ -222,19 +230,16 @@ def test_a_door_is_commanded_by_two_presses() -> None:
         assert [type(request).__name__ for request in server.controller.seen] == ["CommandDevice"]
 
 
-def end_of_operation(server: Served, page: Page, number: int) -> None:
+def end_of_operation(server: Served, number: int) -> None:
     """Let an operation end once the page has asked for it."""
     drives = server.controller.drives
-    for _ in range(600):
-        if number in drives.operations:
-            break
-        page.ask("new Promise(requestAnimationFrame)")
+    wait_until(lambda: number in drives.operations, "the request")
     server.show([drives.end(number)])
 
 
 @pytest.mark.parametrize(("name", "kind"), [("DOOR1", "Door"), ("CHARGER1", "Charger"), ("AB2", "AGV buffer")])
-def test_what_stands_in_the_hall_is_chosen_on_the_map(name: str, kind: str) -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_what_stands_in_the_hall_is_chosen_on_the_map(wire: ClientConnection, name: str, kind: str) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         click(page, *place_on_map(page, name))
@@ -265,8 +270,8 @@ def click(page: Page, x: float, y: float) -> None:
         page.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
 
-def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_the_form_offers_only_ends_that_one_vehicle_can_join(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         ends = "[...document.querySelectorAll('.transfer label:nth-of-type(2) option')].map((e) => e.value).join()"
@@ -278,8 +283,8 @@ def test_the_form_offers_only_ends_that_one_vehicle_can_join() -> None:
         assert page.ask("document.querySelector('.transfer label:nth-of-type(2) select').value") == ""
 
 
-def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms() -> None:
-    with served() as server, browser() as page:
+def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         (now,) = server.controller.model.all(Topic.CONTROLLER)
@@ -292,8 +297,8 @@ def test_a_circle_of_hoists_stands_over_the_map_and_among_the_alarms() -> None:
         assert page.complaints == []
 
 
-def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
-    with served() as server, browser() as page:
+def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for(wire: ClientConnection) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         order(page, "P1", "P2")
@@ -306,12 +311,12 @@ def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for() -> None:
         page.until(text_of(".panel .choice", "V001") + " && " + text_of(".panel .choice", "12.3 s to the source"))
         page.until(text_of(".panel .choice tr", "V002") + " && " + text_of(".panel .choice tr", "is not free"))
         page.until(text_of(".panel .why-list", "P2 is occupied by F7"))
-        assert page.ask("location.hash") == "#/map?job=J1"
+        page.until("location.hash === '#/map?job=J1'")
         assert page.complaints == []
 
 
-def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen() -> None:
-    with served(controller=whole()) as server, browser() as page:
+def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen(wire: ClientConnection) -> None:
+    with served(controller=whole()) as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         page.ask(fill(".finder input", "etch01-p"))
@@ -323,14 +328,16 @@ def test_what_is_looked_for_is_found_by_a_part_of_its_name_and_chosen() -> None:
 
 
 @pytest.mark.parametrize(("theme", "language", "word"), [("light", "en", "Jobs"), ("dark", "ko", "작업")])
-def test_theme_and_language_are_kept(theme: str, language: str, word: str) -> None:
-    with served() as server, browser() as page:
+def test_theme_and_language_are_kept(wire: ClientConnection, theme: str, language: str, word: str) -> None:
+    with served() as server, new_tab(wire) as page:
         page.open(server.url)
         page.until(LIVE)
         if page.ask("document.documentElement.dataset.theme") != theme:
             page.ask("[...document.querySelectorAll('header .plain')][0].click()")
+            page.until(f"localStorage.getItem('hoistway.theme') === {theme!r}")
         if page.ask("document.documentElement.lang") != language:
             page.ask("[...document.querySelectorAll('header .plain')][1].click()")
+            page.until(f"localStorage.getItem('hoistway.language') === {language!r}")
         page.open("about:blank")
         page.open(server.url)
         page.until(f"{LIVE} && document.documentElement.dataset.theme === {theme!r}")

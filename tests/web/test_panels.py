@@ -23,7 +23,6 @@ from tools.chromium import installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("staffed-panels"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
 
@@ -102,10 +101,9 @@ def test_a_drives_parameters_are_watched_live_as_long_as_somebody_looks(plant: S
         page.wait_for_function("() => Number(document.querySelector('[data-points]').dataset.points) >= 2")
         box.get_by_role("button", name="End", exact=True).click()
         expect(box.get_by_role("button", name="Watch", exact=True)).to_be_visible()
-        page.wait_for_load_state("networkidle")
+        wait_until(lambda: isinstance(words[-1], UnwatchDrive), "the end of the watch")
     (watched,) = {(word.drive, word.parameters) for word in words if isinstance(word, WatchDrive)}
     assert watched == ("D1", (Parameter(0x1C),))
-    assert [type(word) for word in words][-1] is UnwatchDrive
 
 
 def test_a_line_says_how_it_does_and_stops_all_its_drives_at_one_press(plant: Staffed) -> None:
@@ -127,8 +125,8 @@ def test_what_was_asked_of_a_drive_can_be_cancelled_while_it_runs(plant: Staffed
         box = opened(page.locator(".panel"), "What was asked of it")
         running = box.locator("[data-operation]", has_text="under way").first
         press_twice(running, "Cancel")
+        wait_until(lambda: bool(seen(plant, CancelDriveOperation)), "the request")
         expect(box.locator("[data-operation]", has_text="read").first).to_contain_text("done")
-    assert seen(plant, CancelDriveOperation)
 
 
 def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> None:
@@ -141,6 +139,7 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
         group = page.get_by_role("group", name="Plant…")
         group.get_by_label("Reason").fill("smoke in bay 2")
         press_twice(group, "There is a fire")
+        wait_until(lambda: bool(seen(plant, RaiseEmergency)), "the request")
         page.keyboard.press("Escape")
         page.goto(f"{plant.server.url}#/map?vehicle=V001")
         panel = page.locator(".panel")
@@ -164,7 +163,7 @@ def test_taught_values_are_read_from_a_file_after_a_look_at_each_row(plant: Staf
         page.get_by_label("Read a file").set_input_files(file)
         expect(page.locator("[data-import=tried]")).to_contain_text("1 new")
         press_twice(page.locator(".room"), "Import")
-        page.wait_for_load_state("networkidle")
+        wait_until(lambda: bool(seen(plant, ImportTaught)), "the request")
     (asked,) = seen(plant, ImportTaught)
     assert [row.name for row in asked.rows] == ["P1"]
 

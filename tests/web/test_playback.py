@@ -72,6 +72,27 @@ def test_a_link_to_a_moment_shows_what_was_then_and_one_click_what_is(
     assert complaints == []
 
 
+def test_who_was_held_is_seen_to_have_been_held_and_why(page: Page, tmp_path: Path, complaints: list[str]) -> None:
+    held = {"reason": "V001 has a carrier and no job", "remedy": "look at it", "since": "2025-12-31T23:59:10.000Z"}
+    drive = {"id": "X", "name": "X axis", "line": "L1", "address": 1, "online": True, "mode": "error", "code": 3}
+    hot = {**drive, "meaning": "overheated", "error": "overheated", "remedy": "let it cool", "moving": False}
+    changes = [
+        (NOW - 50, "vehicles", "V001", {"activity": "held", "hold": held}),
+        (NOW - 50, "drives", "X", {**hot, "lockout": None, "reason": ""}),
+    ]
+    replayed: Any = Recorded(Incident(PLANT, NOW - 60, NOW, NOW, "kim", STATE_AT_START, changes, []), tmp_path)
+    with served(controller=replayed) as server:
+        page.goto(f"{server.url}#/playback?vehicle=V001&at={AT}05Z")
+        expect(place(page)).to_have_text("1001")
+        expect(page.locator(".panel .note")).to_have_count(0)
+        page.goto(f"{server.url}#/playback?vehicle=V001&at={AT}15Z")
+        expect(page.locator(".panel .note.held")).to_contain_text("V001 has a carrier and no job look at it")
+        page.goto(f"{server.url}#/playback?drive=X&at={AT}15Z")
+        expect(page.locator(".panel .note.alarm")).to_contain_text("overheated let it cool")
+    replayed.close()
+    assert complaints == []
+
+
 def test_the_past_is_played_to_its_end_and_scrubbed_by_key(page: Page, server: Served, complaints: list[str]) -> None:
     page.goto(f"{server.url}#/playback?vehicle=V001&at={AT}05Z")
     expect(place(page)).to_have_text("1001")

@@ -95,8 +95,10 @@ def transfer(page: Page, source: str, destination: str) -> None:
     panel = page.locator(".panel")
     expect(panel.locator(".choice").first).to_contain_text("to the source")
     expect(panel.locator("h2")).to_contain_text("completed")
-    expect(panel.locator(".phases span")).to_have_count(3)
-    expect(panel.get_by_text(re.compile("queued .* fetching .* carrying"))).to_be_visible()
+    expect(panel.locator(".phases span")).to_have_count(5)
+    expect(
+        panel.get_by_text(re.compile("queued .* fetching .* picking up .* carrying .* putting down"))
+    ).to_be_visible()
 
 
 def follow(page: Page) -> None:

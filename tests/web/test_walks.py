@@ -14,7 +14,6 @@ from tools.chromium import installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("staffed-walks"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
 

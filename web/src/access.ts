@@ -29,6 +29,8 @@ interface Session {
 }
 
 const KEPT = "hoistway.session";
+/** What a tab and those that were made of it have in common: a name for the log-in. */
+const FAMILY = "hoistway.family";
 /** Looked so often whether the token is to be renewed, ms. */
 const LOOK = 15_000;
 /** A server that does not answer is asked again after so long, ms. */
@@ -65,6 +67,21 @@ function keep(next: Kept | null): void {
   else sessionStorage.removeItem(KEPT);
 }
 
+/** Said to the tabs that were duplicated from this one, or it from them: a new token, or that they are logged out. */
+type Word = { family: string; token: string; kept: Kept } | { family: string; token: null };
+const others = new BroadcastChannel(KEPT);
+
+const family = (): string => sessionStorage.getItem(FAMILY) ?? "";
+
+function hear({ data }: MessageEvent<Word>): void {
+  if (!family() || data.family !== family()) return;
+  if (data.token === null) void leave();
+  else {
+    api.useKey(data.token);
+    keep(data.kept);
+  }
+}
+
 /** All roles there are: each may at least look. */
 export const allRoles = computed(() => {
   const lists = [...rulings.value.values()].map(({ roles }) => roles);
@@ -98,31 +115,52 @@ async function learn(anew = false): Promise<void> {
 
 function take({ token, expires, until }: Session): void {
   const [now, end] = [api.serverNow(), Date.parse(expires)];
+  const kept = { renew: now + (end - now) / 2, expires: end, until: Date.parse(until) };
   api.useKey(token);
-  keep({ renew: now + (end - now) / 2, expires: end, until: Date.parse(until) });
+  keep(kept);
+  if (family()) others.postMessage({ family: family(), token, kept } satisfies Word);
+}
+
+/** Somebody has said who they are: what waited for that goes on. */
+async function entered(): Promise<void> {
+  await learn(true);
+  asked.value = false;
+  api.letGo();
 }
 
 /** Log in with a password. Raises Refused. */
 export async function logIn(name: string, password: string): Promise<void> {
-  take(await api.post<Session>("/session", { name, password }));
-  await learn(true);
-  asked.value = false;
+  const given = await api.post<Session>("/session", { name, password });
+  sessionStorage.setItem(FAMILY, api.freshKey());
+  take(given);
+  await entered();
 }
 
 /** Use a machine's key. Raises Refused. */
 export async function useKey(key: string): Promise<void> {
   keep(null);
+  sessionStorage.setItem(FAMILY, api.freshKey());
   api.useKey(key);
-  await learn(true);
-  asked.value = false;
+  await entered();
 }
 
-/** Log out, and begin with an empty page: nothing of what was shown stays. */
+/** Log out, here and in the tabs that were duplicated. */
 export async function logOut(): Promise<void> {
+  if (family()) others.postMessage({ family: family(), token: null } satisfies Word);
+  await leave();
+}
+
+/** End the session, and begin with an empty page: nothing of what was shown stays. */
+async function leave(): Promise<void> {
   if (me.value?.person) await api.call("DELETE", "/session").catch(() => undefined);
-  api.useKey("");
-  keep(null);
+  forget();
   location.reload();
+}
+
+function forget(): void {
+  api.useKey("");
+  sessionStorage.removeItem(FAMILY);
+  keep(null);
 }
 
 async function renew(): Promise<void> {
@@ -142,13 +180,23 @@ export function begin(go: () => void): void {
   api.onKeyWanted(() => (asked.value = true));
   // Roles may have changed since they were asked for.
   api.onForbidden(() => void learn().catch(() => undefined));
+  others.addEventListener("message", hear);
   window.setInterval(() => void renew(), LOOK);
-  const first = (): void => {
-    learn().catch((error: unknown) => {
-      if (!(error instanceof api.Refused && error.status === 401)) window.setTimeout(first, LATER);
-    });
+  if (session.value && session.value.expires < api.serverNow()) forget();
+  if (!api.hasKey()) api.holdBack();
+  const first = async (): Promise<void> => {
+    try {
+      if (!api.hasKey() && (await api.get<{ required: boolean }>("/session/required")).required) {
+        asked.value = true;
+        return;
+      }
+      api.letGo();
+      await learn();
+    } catch (error) {
+      if (!(error instanceof api.Refused && error.status === 401)) window.setTimeout(() => void first(), LATER);
+    }
   };
-  first();
+  void first();
   void renew();
   let before = round.value;
   round.subscribe((now) => {

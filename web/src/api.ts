@@ -33,6 +33,23 @@ export function onForbidden(call: () => void): void {
   forbidden = call;
 }
 
+let may: Promise<void> = Promise.resolve();
+let goOn: () => void = () => undefined;
+
+/** Nothing is asked for but who is there, until it is known that somebody may: `letGo`. */
+export function holdBack(): void {
+  may = new Promise((done) => (goOn = done));
+}
+
+export function letGo(): void {
+  goOn();
+}
+
+/** Whether a key or token is kept. */
+export function hasKey(): boolean {
+  return key !== "";
+}
+
 export function useKey(given: string): void {
   key = given;
   sessionStorage.setItem(KEY, given);
@@ -65,10 +82,12 @@ export function forbidWhile(why: () => string): void {
 
 /** Who is there may be said at any time, and the stream goes on. */
 const ALWAYS = /^\/(session|live)(\/|$)/;
+const SESSION = /^\/session(\/|$)/;
 
 export async function call<T>(method: string, path: string, body?: unknown, extra: Record<string, string> = {}): Promise<T> {
   const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
   if (why) throw new Refused(0, why);
+  if (!SESSION.test(path)) await may;
   const language = document.documentElement.lang || "en";
   const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": language, ...extra };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
@@ -107,6 +126,7 @@ export const post = <T>(path: string, body?: unknown, extra?: Record<string, str
   call<T>("POST", path, body, extra);
 
 async function fetched(path: string): Promise<Response> {
+  await may;
   const headers: Record<string, string> = key ? { Authorization: `Bearer ${headerText(key)}` } : {};
   const response = await fetch(`/api/v1${path}`, { headers, signal: AbortSignal.timeout(TIMEOUT) }).catch(() => {
     throw new Refused(0, "The server does not answer.");
@@ -124,6 +144,7 @@ export async function upload<T>(path: string, text: string, kind: string): Promi
   const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": document.documentElement.lang || "en", "Content-Type": kind };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
   if (actor()) headers["X-Actor"] = headerText(actor());
+  await may;
   const response = await fetch(`/api/v1${path}`, { method: "POST", headers, body: text, signal: AbortSignal.timeout(TIMEOUT) });
   if (!response.ok) throw await refusal(response);
   return (await response.json()) as T;

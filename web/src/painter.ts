@@ -14,7 +14,7 @@ import { plan } from "./plan";
 import { clustersOf, MARK } from "./places";
 import { Sheet } from "./sheet";
 import { lookOf } from "./shows";
-import { moment, pace, playing, trails } from "./past/player";
+import { loading, moment, pace, playing, trails } from "./past/player";
 import { devices, inPast, layout, lookAt, type Selection, selected, stations, track, vehicles } from "./store";
 import type { Spot } from "./track";
 import type { LayoutVehicle, Vehicle } from "./types";
@@ -227,6 +227,8 @@ export class Painter {
     if (!shown || (due && ms - this.overAt > OVER)) this.paintOver(scene, ms);
     if (!this.front.follow(view, ms) || due) this.paintFront(ms);
     this.front.canvas.dataset["pictures"] = String(++this.count);
+    // Which moment of the past can be seen now, for whoever measures how long that takes.
+    if (inPast.value && !loading.value) this.front.canvas.dataset["moment"] = String(moment.value);
     const alarm = this.bodies.some((body) => body.look === "alarm");
     const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
     const busy = !STILL.matches && (alarm || drives);

@@ -44,7 +44,10 @@ export class Sayings {
         return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
       });
     }
-    return sentence;
+    // A reason, and what would help.
+    const end = sentence.indexOf("; ");
+    if (end < 0 || depth === 0) return sentence;
+    return `${this.retold(sentence.slice(0, end), depth - 1)}; ${this.retold(sentence.slice(end + 2), depth - 1)}`;
   }
 }
 

@@ -73,6 +73,10 @@ describe("sayings", () => {
     expect(sayings.translate("V1 waits at 1001 for 1002 held by V2")).toBe("1001의 V1: V2이(가) 점유한 1002 대기");
   });
 
+  test("are told apart where one says a reason and what would help", () => {
+    expect(sayings.translate("nobody knows; V3, which is silent (off)")).toBe("nobody knows; 응답 없는 V3 (off)");
+  });
+
   test("stay as they are where no pattern fits", () => {
     expect(sayings.translate("nothing of this is known")).toBe("nothing of this is known");
     expect(sayings.translate("")).toBe("");

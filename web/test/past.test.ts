@@ -34,12 +34,22 @@ function reel() {
 }
 
 describe("the reel", () => {
-  test("shows a moment from the whole state before it", () => {
+  test("shows a moment from the whole state before it, all changes since then at once", () => {
     const { at, made } = reel();
-    expect(at(102)).toEqual(["all 1", "2"]);
-    expect(at(150)).toEqual(["all 1", "2", "3"]);
-    expect(at(161.5)).toEqual(["all 9", "4"]);
+    expect(at(150)).toEqual(["all 3"]);
+    expect(at(161.5)).toEqual(["all 4"]);
+    expect(at(102)).toEqual(["all 2"]);
+    expect(at(165)).toEqual(["all "]);
+    expect(at(100)).toEqual(["all 1"]);
     expect([made.holds(99), made.holds(100), made.holds(162), made.holds(163)]).toEqual([false, true, true, false]);
+  });
+
+  test("goes on to a later moment where no whole state lies between", () => {
+    const { at } = reel();
+    expect(at(102)).toEqual(["all 2"]);
+    expect(at(103)).toEqual(["3"]);
+    expect(at(103)).toEqual([]);
+    expect(at(161)).toEqual(["all 4"]);
   });
 
   test("goes on from there, each change once, and takes a whole state on its way", () => {

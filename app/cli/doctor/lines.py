@@ -52,7 +52,7 @@ def _group(path: Path) -> str:
 
 
 def _listening(address: tuple[str, int]) -> Found:
-    from app.cli.hosting import bound
+    from app.cli.running import bound
 
     host, port = address
     try:

@@ -112,7 +112,7 @@ def _plant(settings: Settings) -> tuple[Plant | None, list[Found]]:
 
 
 def _port(what: str, host: str, port: int, option: str) -> Found:
-    from app.cli.hosting import bound
+    from app.cli.running import bound
 
     try:
         bound(host, port, option).close()

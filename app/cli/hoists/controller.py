@@ -7,7 +7,7 @@ import time
 from app.cli import hosting
 from app.cli.hoists.child import Figures, obey, plant_in, tell
 from app.cli.hoists.sampling import Lateness, Sampler, cpu_by_thread, less, usage, waited
-from app.cli.running import on_loop, stop_signal
+from app.cli.running import bound, on_loop, stop_signal
 from app.runtime.controller import Controller
 from app.runtime.telemetry import set_up
 from app.settings import load
@@ -60,7 +60,7 @@ def main(file: str, database: str) -> int:
     set_up(as_json=True, level="error")
     plant = plant_in(file)
     settings = load(database=database, host="127.0.0.1", port=0, log_level="error")
-    listening = hosting.bound(settings.host, settings.port)
+    listening = bound(settings.host, settings.port)
     measured = Measured()
 
     async def run() -> int:

@@ -1,6 +1,6 @@
 """Trials of the rules of traffic in the fast plant: what is compared with what, and what counts (TRAFFIC sections 3 to 6)."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from itertools import groupby
@@ -136,7 +136,7 @@ class Storm:
     """What a storm of events did: deliveries as shares of those of the same fab undisturbed in the same seconds.
 
     ``before``: in the five minutes before its first event; ``during``: until the end of its last one; ``after``: in the next
-    five minutes; ``then``: in the five after those. None: the drill was over by then.
+    five minutes; ``then``: in the five after those, of ``usual`` deliveries. None: the drill was over by then.
     """
 
     began: float
@@ -146,6 +146,7 @@ class Storm:
     during: float
     after: float | None
     then: float | None
+    usual: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +190,7 @@ def drill(shape: Shape, vehicles: int, hours: float, per_hour: float, seed: int,
     twin.run(fab.now)
     own, usual = (np.array([one.at for one in some.delivered]) for some in (fab, twin))
     end = trouble.began + 60.0 * len(per_minute)
-    storms = tuple(_storms(trouble, partial(_share, own, usual), end))
+    storms = tuple(_storms(trouble, partial(_share, own, usual), usual, end))
     named = sum(bool(event.cut_off) for event in trouble.events)
     rate = 3600 * int(((usual > trouble.began) & (usual <= end)).sum()) / (end - trouble.began)
     return Drilled(len(trouble.events), named, outcome, rate, storms)
@@ -201,12 +202,26 @@ def _share(own: Real, usual: Real, begin: float, end: float) -> float:
     return first / max(1, second)
 
 
-def _storms(trouble: Drill, share: Callable[[float, float], float], end: float) -> Iterator[Storm]:
+def _storms(trouble: Drill, share: Callable[[float, float], float], undisturbed: Real, end: float) -> Iterator[Storm]:
     """Give what each storm did, as far as the drill went on after it."""
     for _, some in groupby(trouble.events, key=lambda event: int((event.at - trouble.began) // CYCLE)):
         events = list(some)
         begin, over = events[0].at, max(event.ends for event in events)
         if over > end:
             return
-        following = [share(at, at + WINDOW) if at + WINDOW <= end else None for at in (over, over + WINDOW)]
-        yield Storm(begin, over, len(events), share(begin - WINDOW, begin), share(begin, over), *following)
+        after, then = (share(at, at + WINDOW) if at + WINDOW <= end else None for at in (over, over + WINDOW))
+        usual = int(((undisturbed > over + WINDOW) & (undisturbed <= over + 2 * WINDOW)).sum())
+        yield Storm(begin, over, len(events), share(begin - WINDOW, begin), share(begin, over), after, then, usual)
+
+
+def together(drills: Sequence[Drilled]) -> list[float]:
+    """Return what was delivered from five to ten minutes after each storm, in several drills together, as shares of their twins'.
+
+    A storm is the one of its number in each. One that is not judged in all of them is left out.
+    """
+    found: list[float] = []
+    for storms in zip(*(drilled.storms for drilled in drills), strict=False):
+        counted = [(storm.then * storm.usual, storm.usual) for storm in storms if storm.then is not None]
+        if len(counted) == len(drills):
+            found.append(sum(own for own, _ in counted) / max(1, sum(usual for _, usual in counted)))
+    return found

@@ -634,6 +634,10 @@ class Calls(Synchronous):
         """Log out: the token, and those that it was renewed from, are good no longer."""
         self._call("DELETE", "/api/v1/session")
 
+    def show_required(self) -> m.Required:
+        """Show whether callers have to say who they are: a page asks for a log-in then, before it asks for anything else."""
+        return cast("m.Required", self._call("GET", "/api/v1/session/required"))
+
     def list_calls(self) -> m.Page[m.Call]:
         """List every call with the roles that may, and whether the caller may: what a page shows as buttons that can be
         pressed.
@@ -1364,6 +1368,10 @@ class AsyncCalls(Asynchronous):
     async def log_out(self) -> None:
         """Log out: the token, and those that it was renewed from, are good no longer."""
         await self._call("DELETE", "/api/v1/session")
+
+    async def show_required(self) -> m.Required:
+        """Show whether callers have to say who they are: a page asks for a log-in then, before it asks for anything else."""
+        return cast("m.Required", await self._call("GET", "/api/v1/session/required"))
 
     async def list_calls(self) -> m.Page[m.Call]:
         """List every call with the roles that may, and whether the caller may: what a page shows as buttons that can be

@@ -1076,6 +1076,12 @@ class ReplayIn(TypedDict):
     after: int
 
 
+class Required(TypedDict):
+    """Whether callers have to say who they are."""
+
+    required: bool
+
+
 class RestoreIn(TypedDict):
     """Which backup to write back. ``dry_run``: only say what would be written."""
 

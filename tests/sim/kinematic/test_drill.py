@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.cli.traffic.trials import HOIST, drill, fab_of, locked, run
+from app.cli.traffic.trials import HOIST, Drilled, Outcome, Storm, drill, fab_of, locked, run, together
 from app.plant.fab import SIZES
 from app.sim.kinematic.drill import CYCLE, STORM, Drill
 from app.sim.kinematic.events import fail, repair
@@ -98,6 +98,19 @@ def test_a_whole_drill_compares_each_storm_with_the_same_fab_undisturbed() -> No
 def test_a_storm_after_which_the_drill_ends_at_once_is_not_judged() -> None:
     found = drill(FAB, 12, 0.3, 40.0, 1, settle=30.0)
     assert found.judged == []
+
+
+def storm(then: float | None, usual: int) -> Storm:
+    return Storm(0.0, 300.0, 10, 1.0, 0.5, 0.9, then, usual)
+
+
+def test_storms_of_several_drills_are_judged_by_all_they_delivered_together() -> None:
+    quiet = Outcome(1, 1.0, (), 0, 0, 0, 0.0, 0.0)
+    first = Drilled(20, 1, quiet, 100.0, (storm(0.5, 100), storm(1.0, 100), storm(1.0, 50)))
+    second = Drilled(20, 1, quiet, 100.0, (storm(1.0, 300), storm(None, 0), storm(0.8, 50), storm(1.0, 9)))
+    assert together([first]) == [0.5, 1.0, 1.0]
+    assert together([first, second]) == pytest.approx([350 / 400, 90 / 100])
+    assert together([]) == []
 
 
 def test_a_run_counts_each_minute_and_the_fleet_that_is_held_back_delivers_too() -> None:

@@ -2,20 +2,23 @@
 import { useSignal } from "@preact/signals";
 import type { Wrong } from "../alarms";
 import { post } from "../api";
-import { clock, span } from "../shows";
+import { clock } from "../shows";
 import { alarmList, changes, selected, troubles, vehicles, devices, drives } from "../store";
 import { said, t, tell } from "../texts";
 import type { Alarm, AlarmCount } from "../types";
+import { AlarmHistory } from "./AlarmHistory";
 import { useRead } from "./asking";
 import { Name } from "./Name";
 import { Reasoned } from "./Reasoned";
-import { Table } from "./Table";
+import { Reliability } from "./Reliability";
 
-type Tab = "now" | "history" | "pareto";
-const TABS: Tab[] = ["now", "history", "pareto"];
+type Tab = "now" | "history" | "pareto" | "reliability";
+const TABS: Tab[] = ["now", "history", "pareto", "reliability"];
 
 export function Alarms() {
   const tab = useSignal<Tab>("now");
+  /** Whose alarms the history is to show; "": everybody's. */
+  const source = useSignal("");
   return (
     <section class="room" aria-label={t("alarms")}>
       <div class="head">
@@ -25,14 +28,22 @@ export function Alarms() {
         <span class="tabs">
           {TABS.map((name) => (
             <button type="button" key={name} aria-pressed={tab.value === name} onClick={() => (tab.value = name)}>
-              {t(`alarms_${name}`)}
+              {name === "reliability" ? t(name) : t(`alarms_${name}`)}
             </button>
           ))}
         </span>
       </div>
       {tab.value === "now" && <Present />}
-      {tab.value === "history" && <History />}
+      {tab.value === "history" && <AlarmHistory source={source} />}
       {tab.value === "pareto" && <Pareto />}
+      {tab.value === "reliability" && (
+        <Reliability
+          show={(id) => {
+            source.value = id;
+            tab.value = "history";
+          }}
+        />
+      )}
     </section>
   );
 }
@@ -104,30 +115,6 @@ function Other({ wrong }: { wrong: Wrong }) {
       </span>
       {wrong.remedy && <p class="remedy">{tell(wrong.remedy)}</p>}
     </li>
-  );
-}
-
-const lasted = (alarm: Alarm): number => (alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY);
-
-function History() {
-  const { value } = useRead<{ items: Alarm[] }>("/alarms?limit=500", changes.alarms.value);
-  return (
-    <Table
-      label={t("alarms_history")}
-      rows={value?.items ?? []}
-      keyOf={(row) => String(row.id)}
-      none={t("no_alarms_yet")}
-      columns={[
-        { name: "#", by: (row) => row.id, of: (row) => row.id, number: true },
-        { name: t("when"), by: (row) => row.begun, of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}` },
-        { name: t("kind"), by: (row) => row.kind, of: (row) => said(row.kind) },
-        { name: t("name"), by: (row) => row.source, of: (row) => <Name id={row.source} /> },
-        { name: t("cause"), by: (row) => row.code, of: (row) => tell(row.cause) },
-        { name: t("takes"), by: lasted, of: (row) => (row.ended ? span(lasted(row)) : t("still")), number: true },
-        { name: t("result"), by: (row) => row.outcome, of: (row) => tell(row.outcome) },
-        { name: t("acknowledge"), by: (row) => row.acknowledged_by, of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ") },
-      ]}
-    />
   );
 }
 

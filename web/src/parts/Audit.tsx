@@ -163,16 +163,16 @@ function Rows() {
         columns={[
           { name: "#", of: (row) => row.seq, number: true },
           { name: t("when"), of: (row) => moment(row.at) },
-          { name: t("who"), of: (row) => row.actor },
+          { name: t("who"), of: (row) => tell(row.actor) },
           { name: t("what"), of: (row) => row.action },
           { name: t("on_what"), of: (row) => row.target },
           { name: t("result"), of: (row) => <span class={row.accepted ? "good" : "bad"}>{t(row.accepted ? "carried_out" : "refused")}</span> },
-          { name: t("in_words"), of: (row) => row.detail },
+          { name: t("in_words"), wraps: true, of: (row) => tell(row.detail) },
         ]}
       />
       <div class="padded acts-row">
         <button type="button" disabled={pages.value.length < 2} onClick={() => (pages.value = pages.value.slice(0, -1))}>
-          ◀ {t("newer")}
+          ◀ {t("newer_rows")}
         </button>
         <span class="calm">{t("page_number", pages.value.length)}</span>
         <button
@@ -180,7 +180,7 @@ function Rows() {
           disabled={!value?.next}
           onClick={() => value?.next && (pages.value = [...pages.value, value.next])}
         >
-          {t("older")} ▶
+          {t("older_rows")} ▶
         </button>
       </div>
     </div>

@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { theme } from "../theme";
+import { language, t } from "../texts";
 
 export interface Line {
   label: string;
@@ -13,6 +14,14 @@ export interface Line {
 }
 
 const HEIGHT = 190;
+/** How moments stand under a chart, from years down to seconds: the form, and what is added where the day changes. */
+const MOMENTS: uPlot.Axis.DynamicValues | (string | number | null)[][] = [
+  [3600 * 24 * 365, "{YYYY}", null, null, null, null, null, null, 1],
+  [3600 * 24 * 28, "{YYYY}-{MM}", null, null, null, null, null, null, 1],
+  [3600 * 24, "{MM}-{DD}", "\n{YYYY}", null, null, null, null, null, 1],
+  [60, "{HH}:{mm}", "\n{MM}-{DD}", null, "\n{MM}-{DD}", null, null, null, 1],
+  [1, "{HH}:{mm}:{ss}", "\n{MM}-{DD}", null, "\n{MM}-{DD}", null, null, null, 1],
+];
 
 /** `times` in seconds since 1970, one for each value. */
 export function Chart({ label, times, lines, unit }: { label: string; times: number[]; lines: Line[]; unit: string }) {
@@ -28,7 +37,7 @@ export function Chart({ label, times, lines, unit }: { label: string; times: num
         width: parent.clientWidth,
         height: HEIGHT,
         series: [
-          {},
+          { label: t("when"), value: "{YYYY}-{MM}-{DD} {HH}:{mm}" },
           ...lines.map((line) => ({
             label: line.label,
             stroke: of(line.colour),
@@ -36,7 +45,7 @@ export function Chart({ label, times, lines, unit }: { label: string; times: num
             ...(line.bars ? { fill: `${of(line.colour)}66`, paths: uPlot.paths.bars?.({ size: [0.8, 40] }) as uPlot.Series.PathBuilder } : {}),
           })),
         ],
-        axes: [axis, { ...axis, label: unit, labelSize: 16, stroke: of("--dim") }],
+        axes: [{ ...axis, values: MOMENTS as uPlot.Axis.Values }, { ...axis, label: unit, labelSize: 16, stroke: of("--dim") }],
         cursor: { drag: { x: true, y: false } },
       },
       [times, ...lines.map(({ values }) => values)] as uPlot.AlignedData,
@@ -48,7 +57,7 @@ export function Chart({ label, times, lines, unit }: { label: string; times: num
       size.disconnect();
       chart.destroy();
     };
-  }, [wears, times, lines]);
+  }, [wears, language.value, times, lines]);
   return (
     <figure class="chart">
       <figcaption>{label}</figcaption>

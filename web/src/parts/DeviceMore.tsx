@@ -6,6 +6,7 @@ import { said, t, tell } from "../texts";
 import type { Command, Device } from "../types";
 import { useRead } from "./asking";
 import { LineFrames } from "./Frames";
+import { commandName } from "./VehicleCommands";
 
 export function DeviceMore({ device }: { device: Device }) {
   const path = `/devices/${encodeURIComponent(device.id)}`;
@@ -29,9 +30,9 @@ function Past({ path }: { path: string }) {
           {value?.items.map((command) => (
             <tr key={command.cmd_id}>
               <th>{clock(command.opened)}</th>
-              <td>{said(command.state)}</td>
+              <td>{said(`cs_${command.state}`)}</td>
               <td>
-                {command.kind} · {command.actor} {tell(command.outcome)}
+                {commandName(command.kind)} · {command.actor} {tell(command.outcome)}
               </td>
             </tr>
           ))}

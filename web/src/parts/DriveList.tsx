@@ -1,7 +1,7 @@
 /** Axis drives, each in one line: what it does, or what is wrong with it. */
 import { hundredths, lookOfDrive } from "../shows";
 import { driveList, selected } from "../store";
-import { t } from "../texts";
+import { said, t, tell } from "../texts";
 import type { Drive } from "../types";
 
 export function DriveList() {
@@ -18,7 +18,7 @@ function Row({ drive }: { drive: Drive }) {
   const { word, tone } = lookOfDrive(drive);
   const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
   const heard = drive.online === true;
-  const why = drive.online ? drive.meaning : drive.reason;
+  const why = drive.online ? said(drive.meaning) : tell(drive.reason);
   const choose = (): void => {
     selected.value = chosen ? null : { kind: "drive", id: drive.id };
   };

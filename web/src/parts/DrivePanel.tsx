@@ -11,7 +11,7 @@ import { Fact, Panel } from "./Panel";
 import { Outcome, Parameters } from "./Parameters";
 import { Problem } from "./Problem";
 
-const COLOURS = { calm: "var(--dim)", go: "var(--accent)", wait: "var(--wait)", good: "var(--good)", bad: "var(--bad)" };
+export const COLOURS = { calm: "var(--dim)", go: "var(--accent)", wait: "var(--wait)", good: "var(--good)", bad: "var(--bad)" };
 
 export function DrivePanel({ id }: { id: string }) {
   const now = driveNow(id);
@@ -27,7 +27,7 @@ export function DrivePanel({ id }: { id: string }) {
         </Fact>
         {now.mode !== null && (
           <Fact name={t(now.mode === "error" ? "error_fact" : "operation_fact")}>
-            {now.meaning || "–"} <small>{now.code}</small>
+            {said(now.meaning) || "–"} <small>{now.code}</small>
           </Fact>
         )}
         {now.online && (
@@ -76,7 +76,8 @@ function StopKey({ id }: { id: string }) {
   );
 }
 
-function Notes({ drive }: { drive: Drive }) {
+/** What is wrong with it, why it is not heard, who has locked it out. */
+export function Notes({ drive }: { drive: Drive }) {
   return (
     <>
       {drive.mode === "error" && drive.online && (

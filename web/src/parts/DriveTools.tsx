@@ -8,6 +8,8 @@ import { t } from "../texts";
 import type { Backup, Drive, Operation } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
+import { BackupContents } from "./BackupContents";
+import { DriveCatalogue } from "./DriveCatalogue";
 import { DriveMore } from "./DriveMore";
 import { DriveWatch } from "./DriveWatch";
 import { Outcome } from "./Parameters";
@@ -21,6 +23,7 @@ export function DriveTools({ drive }: { drive: Drive }) {
       <Jog drive={drive} path={path} />
       <DriveWatch path={path} />
       <Backups drive={drive} path={path} />
+      <DriveCatalogue path={path} />
       <DriveMore drive={drive} path={path} />
       <details class="part acts">
         <summary>{t("lockout")}</summary>
@@ -182,6 +185,7 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
               {t("restore_dry")}
             </Button>
             <Sure needs="POST /drives/{drive}/restore" label={t("restore")} does={() => begin("restore", { backup: backup.id }, t("restore"))} />
+            <BackupContents path={`${path}/backups/${backup.id}`} />
           </div>
         ))}
         <Told asking={asking} />

@@ -1,7 +1,7 @@
 /** What has happened, newest first. */
 import { clock } from "../shows";
 import { happenings, selected } from "../store";
-import { happening, t, tell } from "../texts";
+import { happening, said, t, tell } from "../texts";
 import type { Happening } from "../types";
 
 const BAD = /AlarmSet|Failed|VehicleHeld|VehicleRemoved|Abort/;
@@ -36,7 +36,7 @@ function Line({ event }: { event: Happening }) {
         <span />
       )}
       <span class="more">
-        {[...new Set([event.job, event.carrier, where, event.result, tell(event.detail)])].filter(Boolean).join(" · ")}
+        {[...new Set([event.job, event.carrier, where, event.result && said(event.result), tell(event.detail)])].filter(Boolean).join(" · ")}
       </span>
     </li>
   );

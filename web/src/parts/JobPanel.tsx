@@ -1,7 +1,8 @@
 /** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { call, get, post } from "../api";
+import { call, get, post, serverNow } from "../api";
+import { phasesOf } from "../phases";
 import { clock, TONES } from "../shows";
 import { changes, ENDED, jobList, layout, tick } from "../store";
 import { happening, said, t, tell } from "../texts";
@@ -65,7 +66,7 @@ export function JobPanel({ id }: { id: string }) {
         </Fact>
         {over && <Fact name={t("result")}>{tell(job.result || job.reason) || said(job.state)}</Fact>}
       </dl>
-      {why.value && <Phases why={why.value} />}
+      {whole.value && <Phases job={job} events={whole.value.history} />}
       {!over && <Change job={job} />}
       {why.value && <Why why={why.value} />}
       {whole.value && <History events={whole.value.history} />}
@@ -76,12 +77,9 @@ export function JobPanel({ id }: { id: string }) {
 
 const seconds = (value: number): string => (value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`);
 
-/** How long it lay, was fetched, was carried: drawn to scale. */
-function Phases({ why }: { why: JobWhy }) {
-  const phases = (["queued", "fetching", "carrying"] as const).flatMap((name) => {
-    const took = why[name];
-    return took === null ? [] : [{ name, took }];
-  });
+/** How long it lay, was fetched, picked up, carried and put down: drawn to scale. */
+function Phases({ job, events }: { job: Job; events: Happening[] }) {
+  const phases = phasesOf(job.created, ENDED.has(job.state) ? null : serverNow(), events);
   if (phases.length === 0) return null;
   return (
     <section class="part">
@@ -172,7 +170,7 @@ function History({ events }: { events: Happening[] }) {
               <th>{clock(event.ts)}</th>
               <td>#{event.seq}</td>
               <td>
-                {happening(event.event)} {[event.vehicle, event.result, tell(event.detail)].filter(Boolean).join(" · ")}
+                {happening(event.event)} {[event.vehicle, event.result && said(event.result), event.detail !== event.result && tell(event.detail)].filter(Boolean).join(" · ")}
               </td>
             </tr>
           ))}

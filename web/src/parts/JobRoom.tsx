@@ -80,7 +80,7 @@ export function JobRoom() {
           { name: t("vehicle"), by: (job) => job.vehicle, of: (job) => <Name id={job.vehicle} /> },
           { name: t("ordered_at"), by: (job) => job.created, of: (job) => clock(job.created) },
           { name: t("takes"), by: (job) => took(job), of: (job) => elapsed(job, serverNow()), number: true },
-          { name: t("why"), of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason) },
+          { name: t("why"), wraps: true, of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason) },
         ]}
       />
     </section>

@@ -1,7 +1,7 @@
 /** Jobs, newest first: what each does, or why it waits. */
 import { useSignal } from "@preact/signals";
 import { post, serverNow } from "../api";
-import { moment } from "../past/player";
+import { told } from "../past/player";
 import { elapsed, TONES } from "../shows";
 import { ENDED, inPast, jobList, selected, tick, vehicles } from "../store";
 import { said, t, tell } from "../texts";
@@ -66,7 +66,7 @@ function Row({ job, ask }: { job: Job; ask: (job: Job, what: "cancel" | "abort")
           </button>
         )}
       </span>
-      <span class="age">{elapsed(job, inPast.value ? moment.value * 1000 : serverNow())}</span>
+      <span class="age">{elapsed(job, inPast.value ? told.value * 1000 : serverNow())}</span>
       <span class="route">
         <Place id={job.source} />
         <i>→</i>

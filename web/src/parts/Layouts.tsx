@@ -46,8 +46,8 @@ export function Layouts() {
               { name: "#", by: (row) => row.number, of: (row) => <Chosen version={row} pick={() => (chosen.value = row.number)} />, number: true },
               { name: t("state"), by: (row) => row.state, of: (row) => <b class={TONE[row.state]}>{t(`version_${row.state}`)}</b> },
               { name: t("at"), by: (row) => row.activated ?? row.at, of: (row) => moment(row.activated ?? row.at) },
-              { name: t("actor"), by: (row) => row.activated_by ?? row.actor, of: (row) => row.activated_by ?? row.actor },
-              { name: t("reason"), of: (row) => row.why || row.reason },
+              { name: t("actor"), by: (row) => row.activated_by ?? row.actor, of: (row) => tell(row.activated_by ?? row.actor) },
+              { name: t("reason"), wraps: true, of: (row) => tell(row.why || row.reason) },
             ]}
           />
           <Problem error={error} />
@@ -213,7 +213,7 @@ function Changes({ difference, error }: { difference: Difference | null; error: 
           { name: t("what"), by: (row) => row.what, of: (row) => said(row.what) },
           { name: t("name"), by: (row) => row.name, of: (row) => row.name },
           { name: t("how"), by: (row) => row.how, of: (row) => <b class={`how ${row.how}`}>{t(`diff_${row.how}`)}</b> },
-          { name: t("in_words"), of: (row) => row.text },
+          { name: t("in_words"), wraps: true, of: (row) => row.text },
         ]}
       />
       <Breaks list={difference.breaks} tone="wait" />

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { post } from "../api";
 import { clock } from "../shows";
 import { tick } from "../store";
-import { t, tell } from "../texts";
+import { said, t, tell } from "../texts";
 import { Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
 import { Frames } from "./Frames";
@@ -35,11 +35,17 @@ export function LineList() {
   );
 }
 
+/** A count by its word, if it has one. */
+function countName(name: string): string {
+  const word = said(`count_${name}`);
+  return word === `count ${name.replaceAll("_", " ")}` ? name.replaceAll("_", " ") : word;
+}
+
 function Row({ line }: { line: Line }) {
   const open = useSignal(false);
   const asking = useAsking();
   const path = `/links/${encodeURIComponent(line.id)}`;
-  const figures = Object.entries(line.figures).map(([name, count]) => `${name.replaceAll("_", " ")} ${count}`);
+  const figures = Object.entries(line.figures).map(([name, count]) => `${countName(name)} ${count}`);
   return (
     <li data-line={line.id}>
       <span class={`sign ${line.up ? "good" : ""}`}>{line.up ? "●" : "✕"}</span>

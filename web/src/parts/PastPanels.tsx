@@ -1,9 +1,11 @@
 /** What was recorded of the chosen thing at the moment that is shown: to be read, nothing can be done about it any more. */
-import { clock, colourOfDevice, LOOKS, lookOf, TONES } from "../shows";
+import { clock, colourOfDevice, LOOKS, lookOf, lookOfDrive, TONES } from "../shows";
 import { deviceNow, driveNow, ENDED, jobList, layout, lookAt, type Selection, stationNow, vehicleNow } from "../store";
 import { said, t, tell } from "../texts";
+import { COLOURS, Notes as DriveNotes } from "./DrivePanel";
 import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
+import { Notes } from "./VehiclePanel";
 import { doing } from "./Vehicles";
 
 export function PastPanel({ pick }: { pick: NonNullable<Selection> }) {
@@ -16,8 +18,8 @@ export function PastPanel({ pick }: { pick: NonNullable<Selection> }) {
       return <PastJob id={pick.id} />;
     case "device":
       return <PastDevice id={pick.id} />;
-    default:
-      return driveNow(pick.id) ? null : <Unknown id={pick.id} />;
+    case "drive":
+      return <PastDrive id={pick.id} />;
   }
 }
 
@@ -37,11 +39,7 @@ function PastVehicle({ id }: { id: string }) {
   const load = then.loaded === null ? t("unknown") : then.loaded ? (then.carrier ?? t("loaded")) : t("empty");
   return (
     <Panel title={id} tag={doing(then)} colour={LOOKS[lookOf(then)]}>
-      {then.waiting && (
-        <p class="note waits">
-          <b>{t("waits")}</b> {tell(then.waiting)}
-        </p>
-      )}
+      <Notes vehicle={then} />
       <dl>
         <Fact name={t("state")}>
           {said(then.state)} · {said(then.service)}
@@ -80,8 +78,6 @@ function PastStation({ id }: { id: string }) {
     </Panel>
   );
 }
-
-const COLOURS = { calm: "var(--dim)", go: "var(--accent)", wait: "var(--wait)", good: "var(--good)", bad: "var(--bad)" };
 
 function PastJob({ id }: { id: string }) {
   const then = jobList.value.find((job) => job.id === id);
@@ -122,6 +118,28 @@ function PastDevice({ id }: { id: string }) {
         <Fact name={t("kind")}>{t(charger ? "charger" : "door")}</Fact>
         <Fact name={t("vehicles")}>{then?.vehicles.join(", ") || t("none")}</Fact>
         {then?.out_of_service && <Fact name={t("out_of_service")}>{then.out_of_service}</Fact>}
+      </dl>
+    </Panel>
+  );
+}
+
+/** Where it was is not recorded: only what it did, and what was wrong with it. */
+function PastDrive({ id }: { id: string }) {
+  const then = driveNow(id);
+  if (!then) return <Unknown id={id} />;
+  const { word, tone } = lookOfDrive(then);
+  return (
+    <Panel title={id} tag={then.name} colour={COLOURS[tone]}>
+      <DriveNotes drive={then} />
+      <dl>
+        <Fact name={t("state")}>
+          <b class={tone}>{t(`drive_${word}`)}</b>
+        </Fact>
+        <Fact name={t(then.mode === "error" ? "error_fact" : "operation_fact")}>
+          {then.meaning || "–"} <small>{then.code}</small>
+        </Fact>
+        <Fact name={t("moves")}>{then.moving === null ? t("unknown") : t(then.moving ? "yes" : "no")}</Fact>
+        <Fact name={t("on_line")}>{t("line_number", then.line, then.address)}</Fact>
       </dl>
     </Panel>
   );

@@ -1,11 +1,12 @@
 /** The plant as it was: the same map at a moment of the past, and how to move through the time that was recorded. */
+import { useComputed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { kept, error, loading, moment } from "../past/player";
+import { kept, error, loading, told } from "../past/player";
 import { goTo, marks, stepped } from "../past/marks";
 import { kindOf } from "../past/reach";
 import { room } from "../route";
 import { clock, span } from "../shows";
-import { recording, selected, tick, troubles } from "../store";
+import { layout, recording, type Selection, selected, tick, troubles } from "../store";
 import { happening, t, tell } from "../texts";
 import type { Happening } from "../types";
 import { Problem } from "./Problem";
@@ -41,13 +42,14 @@ export function dated(seconds: number): string {
 function PastBanner() {
   void tick.value;
   const incident = kept.value?.incident;
-  const ago = Math.max(0, serverNow() / 1000 - moment.value);
+  const at = told.value;
+  const ago = Math.max(0, serverNow() / 1000 - at);
   const grave = troubles.value.filter((wrong) => wrong.grave).length;
   return (
     <div class="past-banner" role="status" aria-live="off">
       <b>{t(recording.value ? "past_recording" : "past_here")}</b>
-      {moment.value > 0 && <time class="then-at">{dated(moment.value)}</time>}
-      {moment.value > 0 && !recording.value && <span>{t("past_ago", span(ago * 1000))}</span>}
+      {at > 0 && <time class="then-at">{dated(at)}</time>}
+      {at > 0 && !recording.value && <span>{t("past_ago", span(ago * 1000))}</span>}
       {incident && <span>{t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`)}</span>}
       <span>{t("past_no_commands")}</span>
       {loading.value && <span>{t("loading")}</span>}
@@ -65,7 +67,8 @@ function PastBanner() {
 /** What to look for in the stretch of time that is drawn; each leads to its moment. */
 export function PastEvents() {
   const list = marks.value.toReversed();
-  const at = moment.value;
+  // Drawn anew where the moment passes an event, and not at every moment.
+  const ahead = useComputed(() => marks.value.filter((event) => Date.parse(event.ts) / 1000 > told.value).length).value;
   useEffect(() => {
     document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
   }, [stepped.value]);
@@ -76,18 +79,27 @@ export function PastEvents() {
       </h2>
       <ol class="scroll" reversed tabIndex={0} aria-label={t("events_of_note")}>
         {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
-        {list.map((event) => (
-          <Line key={event.seq} event={event} past={Date.parse(event.ts) / 1000 <= at} />
+        {list.map((event, i) => (
+          <Line key={event.seq} event={event} past={i >= ahead} />
         ))}
       </ol>
     </section>
   );
 }
 
+/** The drive or device that an event without a vehicle is about, if it is about one. */
+function machineOf(id: string | null): Selection {
+  const plant = layout.value;
+  if (plant?.drives?.some((drive) => drive.id === id)) return { kind: "drive", id: id as string };
+  return [...(plant?.doors ?? []), ...(plant?.chargers ?? [])].some((one) => one.id === id) ? { kind: "device", id: id as string } : null;
+}
+
 function Line({ event, past }: { event: Happening; past: boolean }) {
   const kind = kindOf(event.event);
   const go = (): void => {
+    const machine = machineOf(event.source);
     if (event.vehicle) selected.value = { kind: "vehicle", id: event.vehicle };
+    else if (machine) selected.value = machine;
     void goTo(event);
   };
   return (

@@ -3,7 +3,7 @@ import { effect, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { download } from "../api";
 import { goTo, iso, marks, reach, readMarks, step, STRETCHES, stretch, type Stretch } from "../past/marks";
-import { kept, moment, pace, PACES, pause, play, playing, seek } from "../past/player";
+import { kept, moment, pace, PACES, pause, play, playing, seek, told } from "../past/player";
 import { kindOf, reachOf } from "../past/reach";
 import { clock } from "../shows";
 import { recording } from "../store";
@@ -33,8 +33,8 @@ function follow(): () => void {
   const stops = [
     effect(() => {
       const span = kept.value;
-      if (!span || moment.value === 0) return;
-      const next = reachOf(moment.value, span, STRETCHES[stretch.value], reach.peek());
+      if (!span || told.value === 0) return;
+      const next = reachOf(told.value, span, STRETCHES[stretch.value], reach.peek());
       const { from, to } = reach.peek();
       if (next.from !== from || next.to !== to) reach.value = next;
     }),
@@ -104,7 +104,7 @@ function Jump() {
         step="1"
         min={span ? local(span.from) : undefined}
         max={span ? local(span.to) : undefined}
-        value={moment.value ? local(Math.floor(moment.value)) : ""}
+        value={told.value ? local(Math.floor(told.value)) : ""}
         onChange={(event) => {
           const at = Date.parse(event.currentTarget.value) / 1000;
           if (!Number.isNaN(at)) void seek(at);
@@ -142,15 +142,15 @@ function Line() {
         min={Math.floor(from)}
         max={Math.ceil(to)}
         step="1"
-        value={moment.value}
+        value={told.value}
         aria-label={t("moment")}
-        aria-valuetext={dated(moment.value)}
+        aria-valuetext={dated(told.value)}
         onInput={(event) => void seek(Number(event.currentTarget.value))}
       />
       <div class="ends" aria-hidden="true">
         <span>{dated(from)}</span>
-        <span class="here" style={{ left: share(moment.value) }}>
-          {clock(iso(moment.value))}
+        <span class="here" style={{ left: share(told.value) }}>
+          {clock(iso(told.value))}
         </span>
         <span>{dated(to)}</span>
       </div>
@@ -179,8 +179,8 @@ function Export() {
   const asking = useAsking();
   const span = kept.value;
   if (recording.value || !span) return null;
-  const begin = from.value || Math.max(span.from, moment.value - 300);
-  const end = to.value || Math.min(span.to, moment.value + 300);
+  const begin = from.value || Math.max(span.from, told.value - 300);
+  const end = to.value || Math.min(span.to, told.value + 300);
   const field = (label: Word, value: number, set: (at: number) => void) => (
     <>
       <label class="jump">

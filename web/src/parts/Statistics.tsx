@@ -1,19 +1,22 @@
 /** What a period came to: delivery times by phase, throughput, queue, vehicles, what was waited for; as files, and to print. */
 import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
-import { download } from "../api";
+import { bytes, download, serverNow } from "../api";
 import { span } from "../shows";
 import { tick } from "../store";
 import { language, said, t, tell, type Word } from "../texts";
 import type { StatisticsShown, TimesShown } from "../types";
-import { Told, useAsking, useRead } from "./asking";
+import { Field, Told, useAsking, useRead } from "./asking";
 import { Chart } from "./Chart";
 import { Name } from "./Name";
 import { Problem } from "./Problem";
 import { Table } from "./Table";
 
 const PERIODS = { hour: [3600, 60], shift: [8 * 3600, 900], day: [86_400, 3600], week: [7 * 86_400, 6 * 3600] } as const;
-type Period = keyof typeof PERIODS;
+/** A period of one's own has so many intervals, none shorter than a minute. */
+const INTERVALS = 60;
+type Period = keyof typeof PERIODS | "other";
+const KINDS = ["csv", "parquet"] as const;
 const PHASES = ["queued", "fetching", "acquiring", "carrying", "depositing", "total"] as const;
 const TABLES = ["phases", "intervals", "vehicles", "waits", "transfers"] as const;
 /** Read anew so often, s. */
@@ -22,12 +25,11 @@ const EVERY = 60;
 export function Statistics() {
   const period = useSignal<Period>("hour");
   const round = Math.floor(tick.value / EVERY);
-  const query = useMemo(() => {
-    const [length, interval] = PERIODS[period.value];
-    const end = Date.now();
-    return new URLSearchParams({ from: new Date(end - length * 1000).toISOString(), to: new Date(end).toISOString(), interval: String(interval) });
-  }, [period.value, round]);
-  const { value, error } = useRead<StatisticsShown>(`/statistics?${query}`);
+  const kind = useSignal<(typeof KINDS)[number]>("csv");
+  const own = { begin: useSignal(""), end: useSignal("") };
+  const asked = period.value === "other" ? [own.begin.value, own.end.value] : [round];
+  const query = useMemo(() => queryOf(period.value, own.begin.value, own.end.value), [period.value, ...asked]);
+  const { value, error } = useRead<StatisticsShown>(query && `/statistics?${query}`);
   const asking = useAsking();
   const save = (path: string, name: string): void => void asking.ask(() => download(path, name), "");
   return (
@@ -35,19 +37,40 @@ export function Statistics() {
       <div class="head">
         <h2>{t("statistics")}</h2>
         <span class="tabs">
-          {(Object.keys(PERIODS) as Period[]).map((name) => (
+          {[...(Object.keys(PERIODS) as Period[]), "other" as const].map((name) => (
             <button type="button" key={name} aria-pressed={period.value === name} onClick={() => (period.value = name)}>
               {t(`period_${name}` as Word)}
             </button>
           ))}
         </span>
+        {period.value === "other" && (
+          <span class="own">
+            <Field label={t("period_begin")} name="begin" type="datetime-local" value={own.begin} />
+            <Field label={t("period_end")} name="end" type="datetime-local" value={own.end} />
+          </span>
+        )}
+        <select aria-label={t("file_kind")} value={kind.value} onChange={(event) => (kind.value = event.currentTarget.value as "csv")}>
+          {KINDS.map((name) => (
+            <option key={name} value={name}>
+              {name === "csv" ? "CSV" : "Parquet"}
+            </option>
+          ))}
+        </select>
         {TABLES.map((table) => (
-          <button type="button" key={table} title={t("save_csv")} onClick={() => save(`/statistics/${table}.csv?${query}`, `${table}.csv`)}>
+          <button
+            type="button"
+            key={table}
+            disabled={query === null}
+            onClick={() => save(`/statistics/${table}.${kind.value}?${query}`, `${table}.${kind.value}`)}
+          >
             {t(`table_${table}` as Word)} ⤓
           </button>
         ))}
-        <button type="button" onClick={() => save(`/statistics/report?${query}&lang=${language.value}`, "report.html")}>
+        <button type="button" disabled={query === null} onClick={() => save(`/statistics/report?${query}&lang=${language.value}`, "report.html")}>
           {t("report")} ⤓
+        </button>
+        <button type="button" disabled={query === null} title={t("print_report")} onClick={() => void asking.ask(() => print(`/statistics/report?${query}&lang=${language.value}`), "")}>
+          {t("print")}
         </button>
         <Told asking={asking} />
         <Problem error={error} />
@@ -59,6 +82,27 @@ export function Statistics() {
   );
 }
 
+/** What is asked for; null: a period of one's own that is not whole yet. */
+function queryOf(period: Period, begin: string, end: string): URLSearchParams | null {
+  const of = (from: number, to: number, interval: number): URLSearchParams =>
+    new URLSearchParams({ from: new Date(from).toISOString(), to: new Date(to).toISOString(), interval: String(interval) });
+  if (period !== "other") {
+    const [length, interval] = PERIODS[period];
+    const now = serverNow();
+    return of(now - length * 1000, now, interval);
+  }
+  const [from, to] = [Date.parse(begin), Date.parse(end)];
+  if (!(from < to)) return null;
+  return of(from, to, Math.max(60, Math.ceil((to - from) / 1000 / INTERVALS)));
+}
+
+/** Open a page of the server by itself, and its print dialog. A link could not carry the access key. */
+async function print(path: string): Promise<void> {
+  const page = URL.createObjectURL(new Blob([await bytes(path)], { type: "text/html" }));
+  const opened = window.open(page);
+  opened?.addEventListener("load", () => opened.print());
+}
+
 const seconds = (value: number | null): string => (value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1000));
 
 function Shown({ found }: { found: StatisticsShown }) {
@@ -66,7 +110,7 @@ function Shown({ found }: { found: StatisticsShown }) {
   const through = useMemo(
     () => [
       { label: t("completed"), colour: "--look-charging", values: found.intervals.map((one) => one.completed), bars: true },
-      { label: t("ordered_at"), colour: "--look-moving", values: found.intervals.map((one) => one.ordered) },
+      { label: t("jobs_ordered"), colour: "--look-moving", values: found.intervals.map((one) => one.ordered) },
       { label: t("queue"), colour: "--look-waiting", values: found.intervals.map((one) => one.queue) },
     ],
     [found, language.value],

@@ -10,6 +10,8 @@ export interface Column<T> {
   /** What it is sorted by; without it the column cannot be. */
   by?: (row: T) => string | number | null;
   number?: boolean;
+  /** Sentences: they may be broken into lines, and nothing else is then. */
+  wraps?: boolean;
 }
 
 interface Props<T> {
@@ -44,7 +46,7 @@ export function Table<T>({ label, rows, columns, keyOf, pick, chosen, none }: Pr
   };
   return (
     <div class="scroll" tabIndex={0} role="group" aria-label={label}>
-      <table class="list">
+      <table class={columns.some(({ wraps }) => wraps) ? "list tidy" : "list"}>
         <thead>
           <tr>
             {columns.map((column, i) => {
@@ -77,7 +79,7 @@ export function Table<T>({ label, rows, columns, keyOf, pick, chosen, none }: Pr
                 }}
               >
                 {columns.map((column) => (
-                  <td key={column.name} class={column.number ? "number" : ""}>
+                  <td key={column.name} class={column.number ? "number" : column.wraps ? "wraps" : ""}>
                     {column.of(row)}
                   </td>
                 ))}

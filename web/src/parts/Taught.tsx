@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { post } from "../api";
 import { clock } from "../shows";
 import { changes } from "../store";
-import { said, t } from "../texts";
+import { said, t, tell } from "../texts";
 import type { Comparison, PulsesVersion } from "../types";
 import { Told, useAsking, useRead } from "./asking";
 import { ByHand } from "./ByHand";
@@ -51,7 +51,7 @@ function Versions({ kind, id }: { kind: "station" | "vehicle"; id: string }) {
                 <Pulses axes={version} />
               </td>
               <td>
-                {said(version.source)} · {version.actor} · {clock(version.at)}
+                {tell(said(version.source))} · {version.actor} · {clock(version.at)}
                 {version.restores !== null && ` · = v${version.restores}`}
                 {version.reason && ` · ${version.reason}`}
                 {version.basis.map((basis) => (

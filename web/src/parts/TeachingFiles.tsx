@@ -1,8 +1,10 @@
 /** Taught values as files: saved, and read back after a look at what each row would come to. */
 import { useSignal } from "@preact/signals";
 import { download, upload } from "../api";
+import { moment } from "../shows";
+import { changes } from "../store";
 import { t, tell } from "../texts";
-import { Choice, Told, useAsking } from "./asking";
+import { Choice, Told, useAsking, useRead } from "./asking";
 import { Name } from "./Name";
 import { Sure } from "./Sure";
 import { Table } from "./Table";
@@ -106,18 +108,52 @@ export function TeachingFiles() {
         )}
         <Told asking={asking} />
       </div>
-      <Table
+      {!found && <InForce side={side.value} />}
+      {found && <Table
         label={t("import")}
-        rows={found?.items ?? []}
+        rows={found.items}
         keyOf={(row) => String(row.line)}
         none={t("import_none")}
         columns={[
           { name: t("line_of_file"), by: (row) => row.line, of: (row) => row.line, number: true },
           { name: t("name"), by: (row) => row.name, of: (row) => <Name id={row.name} /> },
           { name: t("result"), by: (row) => row.fate, of: (row) => <b class={TONES[row.fate] ?? ""}>{t(`fate_${row.fate as "new"}`)}</b> },
-          { name: t("in_words"), of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ") },
+          { name: t("in_words"), wraps: true, of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ") },
         ]}
-      />
+      />}
     </div>
+  );
+}
+
+interface Taught {
+  station?: string;
+  vehicle?: string;
+  version: number;
+  shft: number | null;
+  rota: number | null;
+  lift: number | null;
+  source: string;
+  actor: string;
+  at: string;
+}
+
+/** What the file would have: the values that pick-ups and put-downs are reckoned from now. */
+function InForce({ side }: { side: Side }) {
+  const { value } = useRead<{ items: Taught[] }>(`/teaching/${side}`, changes.teaching.value);
+  const nameOf = (row: Taught): string => row.station ?? row.vehicle ?? "";
+  return (
+    <Table
+      label={t("in_force")}
+      rows={value?.items ?? []}
+      keyOf={nameOf}
+      none={t("never_taught")}
+      columns={[
+        { name: t("name"), by: nameOf, of: (row) => <Name id={nameOf(row)} /> },
+        ...(["shft", "rota", "lift"] as const).map((axis) => ({ name: axis.toUpperCase(), by: (row: Taught) => row[axis], of: (row: Taught) => row[axis] ?? "–", number: true })),
+        { name: t("version"), by: (row) => row.version, of: (row) => `v${row.version}`, number: true },
+        { name: t("when"), by: (row) => row.at, of: (row) => moment(row.at) },
+        { name: t("who"), by: (row) => row.actor, of: (row) => `${row.actor} · ${tell(row.source)}` },
+      ]}
+    />
   );
 }

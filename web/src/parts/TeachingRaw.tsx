@@ -49,7 +49,7 @@ export function TeachingRaw() {
           {t("from_start")}
         </button>
         <button type="button" disabled={!value?.next} onClick={() => (after.value = value?.next ?? 0)}>
-          {t("newer")} ▶
+          {t("newer_rows")} ▶
         </button>
       </div>
     </div>

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { call, post } from "../api";
 import { clock } from "../shows";
 import { changes, layout } from "../store";
-import { t, tell, type Word } from "../texts";
+import { said, t, tell, type Word } from "../texts";
 import type { Command, Vehicle } from "../types";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
 import { AgvCommands } from "./AgvCommands";
@@ -23,6 +23,8 @@ const PLAIN = [
   "system_reset",
 ] as const;
 const AGV_PLAIN = ["stop", "alarm_clear", "agv_mark_stop"] as const;
+/** An AGV has no MANT that a stop would lead to. */
+const AGV_WORDS: Record<string, Word> = { stop: "vc_agv_stop" };
 const LIFTS = ["up", "down", "stop"] as const;
 
 export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
@@ -39,7 +41,7 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
         {vehicle.oper === "alarm" && <Recover path={path} />}
         <div class="acts-row" data-commands={vehicle.id}>
           {plain.map((command) => (
-            <Sure needs="POST /vehicles/{vehicle}/commands" key={command} label={t(`vc_${command}` as Word)} does={() => send({ command })} />
+            <Sure needs="POST /vehicles/{vehicle}/commands" key={command} label={t((agv && AGV_WORDS[command]) || (`vc_${command}` as Word))} does={() => send({ command })} />
           ))}
           {agv &&
             LIFTS.map((action) => (
@@ -152,6 +154,12 @@ function Service({ vehicle, path }: { vehicle: Vehicle; path: string }) {
   );
 }
 
+/** A command by its button's word, if it has one. */
+export function commandName(kind: string): string {
+  const word = `vc_${kind}`;
+  return said(word) === word.replaceAll("_", " ") ? kind.replaceAll("_", " ") : said(word);
+}
+
 function Past({ path }: { path: string }) {
   const round = Math.floor(changes.vehicles.value / 30);
   const { value } = useRead<{ items: Command[] }>(`${path}/commands?limit=12`, round);
@@ -161,9 +169,9 @@ function Past({ path }: { path: string }) {
         {value?.items.map((command) => (
           <tr key={command.cmd_id} title={command.actor}>
             <th>{clock(command.opened)}</th>
-            <td>{command.kind}</td>
+            <td>{commandName(command.kind)}</td>
             <td>
-              {command.state} {tell(command.outcome)}
+              {said(`cs_${command.state}`)} <small class="calm">{tell(command.outcome)}</small>
             </td>
           </tr>
         ))}

@@ -62,7 +62,8 @@ const lineOf = (id: string): string | null => layout.value?.vehicles.find((one) 
 const upper = (word: string | null): string => (word === null ? "–" : word.toUpperCase());
 const hex = (code: number): string => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
 
-function Notes({ vehicle }: { vehicle: Vehicle }) {
+/** Why it is locked out, held, or waits. */
+export function Notes({ vehicle }: { vehicle: Vehicle }) {
   return (
     <>
       {vehicle.lockout && (
@@ -99,16 +100,25 @@ function Bits({ vehicle }: { vehicle: Vehicle }) {
       <table class="bits">
         <tbody>
           {vehicle.bits.map((bit) => (
-            <tr key={bit.name}>
-              <th>{bit.name}</th>
+            <tr key={bit.name} data-bit={bit.name}>
+              <th title={said(`bit_${bit.name}`)}>{bit.name.toUpperCase()}</th>
               <td>{bit.value}</td>
-              <td>{bit.meaning}</td>
+              <td>
+                {meaningOf(bit)} <small class="calm">{said(`bit_${bit.name}`)}</small>
+              </td>
             </tr>
           ))}
         </tbody>
       </table>
     </details>
   );
+}
+
+/** A gripper's open and close are other words than a door's; what has no word is a number. */
+function meaningOf({ name, meaning }: { name: string; meaning: string }): string {
+  if (name === "grip" && (meaning === "open" || meaning === "close")) return said(`grip_${meaning}`);
+  if (name === "oper" && meaning === "pause") return said("pause_oper");
+  return said(meaning);
 }
 
 function AgvFacts({ agv }: { agv: Agv }) {

@@ -70,7 +70,7 @@ export function Vehicles() {
           },
           { name: t("job"), by: ({ job }) => job, of: ({ job }) => <Name id={job} /> },
           { name: t("goal"), by: ({ goal }) => goal, of: ({ goal }) => <Name id={goal} /> },
-          { name: t("why"), of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting) },
+          { name: t("why"), wraps: true, of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting) },
         ]}
       />
     </section>

@@ -18,6 +18,8 @@ export interface Kept {
 
 /** The moment that is shown, UTC seconds; 0: none yet. */
 export const moment = signal(0);
+/** The same as lists and fields tell it: they follow only some times a second, since the map wants the time. */
+export const told = signal(0);
 export const playing = signal(false);
 export const pace = signal<number>(1);
 /** From when to when something was recorded; null: that is not known yet, or nothing was. */
@@ -31,8 +33,14 @@ export const trails = new Trails();
 const AHEAD = 12;
 /** So much is fetched at once, seconds of the viewer's time. */
 const PORTION = 10;
+/** A moment that was asked for is fetched with so many seconds after it: the rest follows once it is shown. */
+const FIRST = 2;
+/** What was fetched is gone on with rather than begun anew for so many seconds beyond it. */
+const BEYOND = 30;
 /** What the lists and panels show follows so often, ms. */
 const SHOWN = 100;
+/** How often lists and fields follow while it plays, ms. */
+const TOLD = 250;
 /** Nobody looks at a page that was not painted for longer, ms. */
 const LONGEST = 250;
 /** Whether more was recorded is asked so often, ms. */
@@ -48,6 +56,7 @@ let wanted: number | null = null;
 let frame = 0;
 let last = 0;
 let flushed = 0;
+let toldAt = 0;
 let timer = 0;
 
 const iso = (seconds: number): string => new Date(seconds * 1000).toISOString();
@@ -121,9 +130,11 @@ async function load(): Promise<void> {
   try {
     for (let at = wanted; at !== null; at = wanted === at ? null : wanted) {
       const mine = ++round;
-      reel.clear();
-      trails.clear();
-      const end = Math.min(at + PORTION * pace.value, kept.value?.to ?? at);
+      if (at < reel.begin || at > reel.until + BEYOND) {
+        reel.clear();
+        trails.clear();
+      }
+      const end = Math.min(at + FIRST, kept.value?.to ?? at);
       // The newest state before may lie a minute back, with more between than one answer gives.
       for (let first = true; first || (reel.last !== null && reel.until < at); first = false) await fetchOn(at, end, mine);
       if (mine !== round) return;
@@ -140,6 +151,7 @@ async function load(): Promise<void> {
     loading.value = false;
     settle();
   }
+  void feed();
 }
 
 /** Where it stands still, the address names the moment. */
@@ -213,6 +225,13 @@ function leave(): void {
 /** Follow the room: whoever opens playback sees the past, whoever leaves it the present. A recorded incident has nothing else. */
 export function begin(): void {
   api.forbidWhile(() => (inPast.value ? t("past_no_commands") : ""));
+  effect(() => {
+    const at = moment.value;
+    const now = performance.now();
+    if (playing.value && now - toldAt < TOLD) return;
+    toldAt = now;
+    told.value = at;
+  });
   let inside = false;
   effect(() => {
     const now = room.value === "playback";

@@ -61,12 +61,15 @@ export class Reel {
   /** What comes next: the piece, and the change in it. */
   private index = 0;
   private within = 0;
+  /** What is shown; NaN: nothing yet. */
+  private now = Number.NaN;
   /** All that happened before this moment is here, s. */
   until = Number.NEGATIVE_INFINITY;
 
   clear(): void {
     this.pieces = [];
     this.count = this.index = this.within = 0;
+    this.now = Number.NaN;
     this.until = Number.NEGATIVE_INFINITY;
   }
 
@@ -90,19 +93,41 @@ export class Reel {
     return this.begin <= at && at <= this.until;
   }
 
-  /** Show a moment, from the whole state before it. */
+  /** Show a moment: go on to it if nothing whole lies between, else make it of the whole state before it. */
   seek(at: number, screen: Screen): void {
     let from = 0;
     this.pieces.forEach((piece, i) => {
       if (piece.state && piece.begin <= at) from = i;
     });
+    if (this.now <= at && from < this.index) this.forward(at, screen);
+    else this.make(from, at, screen);
+  }
+
+  /** All changes since a whole state brought into it, and shown at once: most objects change many times. */
+  private make(from: number, at: number, screen: Screen): void {
+    const state: State = {};
+    for (const [topic, objects] of Object.entries(this.pieces[from]?.state ?? {})) state[topic] = { ...objects };
+    const own = new Set<object>();
     this.index = from;
     this.within = 0;
-    this.forward(at, screen);
+    const into: Screen = {
+      whole: () => undefined,
+      change: ([, topic, key, value]) => {
+        const objects = (state[topic] ??= {});
+        const before = objects[key];
+        if (value === null) delete objects[key];
+        else if (topic !== "vehicles" || !before) objects[key] = value;
+        else if (own.has(before)) Object.assign(before, value);
+        else own.add((objects[key] = { ...before, ...value }));
+      },
+    };
+    this.forward(at, into);
+    screen.whole(state);
   }
 
   /** Go on to a moment that is not before the present one. */
   forward(at: number, screen: Screen): void {
+    this.now = at;
     for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
       if (piece.state) {
         if (piece.begin > at && this.index > 0) return;

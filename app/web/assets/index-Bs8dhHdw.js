@@ -815,6 +815,7 @@ function x(i, t) {
 }
 // node_modules/@preact/signals/dist/signals.module.js
 var h;
+var d;
 var p;
 var m = "undefined" != typeof window && !!window.__PREACT_SIGNALS_DEVTOOLS__;
 var g = [];
@@ -888,6 +889,7 @@ Object.defineProperties(l.prototype, {
 });
 b("__b", function(i, n) {
 	y();
+	d = void 0;
 	if ("string" == typeof n.type) {
 		var r, t = n.props;
 		for (var f in t) if ("children" !== f) {
@@ -924,15 +926,18 @@ b("__r", function(i, r) {
 				};
 			}(f), "function" == typeof r.type ? r.type.displayName || r.type.name : "");
 		}
+		d = f;
 		y(t);
 	}
 });
 b("__e", function(i, n, r, t) {
 	y();
+	d = void 0;
 	i(n, r, t);
 });
 b("diffed", function(i, n) {
 	y();
+	d = void 0;
 	var r;
 	if ("string" == typeof n.type && (r = n.__e)) {
 		var t = n.__np, f = n.props, o = r.U;
@@ -1035,6 +1040,16 @@ function useSignal(i, n) {
 		return y$1(i, n);
 	}, []);
 }
+function useComputed(i, n) {
+	var r = T(i);
+	r.current = i;
+	d.__$f |= 4;
+	return w$2(function() {
+		return O(function() {
+			return r.current();
+		}, n);
+	}, []);
+}
 var A = function(i) {
 	queueMicrotask(function() {
 		queueMicrotask(i);
@@ -1080,6 +1095,19 @@ function onKeyWanted(call) {
 function onForbidden(call) {
 	forbidden = call;
 }
+var may = Promise.resolve();
+var goOn = () => void 0;
+/** Nothing is asked for but who is there, until it is known that somebody may: `letGo`. */
+function holdBack() {
+	may = new Promise((done) => goOn = done);
+}
+function letGo() {
+	goOn();
+}
+/** Whether a key or token is kept. */
+function hasKey() {
+	return key$1 !== "";
+}
 function useKey$1(given) {
 	key$1 = given;
 	sessionStorage.setItem(KEY, given);
@@ -1105,9 +1133,11 @@ function forbidWhile(why) {
 }
 /** Who is there may be said at any time, and the stream goes on. */
 var ALWAYS = /^\/(session|live)(\/|$)/;
+var SESSION = /^\/session(\/|$)/;
 async function call(method, path, body, extra = {}) {
 	const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
 	if (why) throw new Refused(0, why);
+	if (!SESSION.test(path)) await may;
 	const headers = {
 		Accept: "application/json",
 		"Accept-Language": document.documentElement.lang || "en",
@@ -1143,6 +1173,7 @@ async function refusal$1(response) {
 var get = (path) => call("GET", path);
 var post = (path, body, extra) => call("POST", path, body, extra);
 async function fetched(path) {
+	await may;
 	const headers = key$1 ? { Authorization: `Bearer ${headerText(key$1)}` } : {};
 	const response = await fetch(`/api/v1${path}`, {
 		headers,
@@ -1165,6 +1196,7 @@ async function upload(path, text, kind) {
 	};
 	if (key$1) headers["Authorization"] = `Bearer ${headerText(key$1)}`;
 	if (actor()) headers["X-Actor"] = headerText(actor());
+	await may;
 	const response = await fetch(`/api/v1${path}`, {
 		method: "POST",
 		headers,
@@ -1199,8 +1231,8 @@ function freshKey() {
 	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
 }
 // ../app/texts/en.json
-var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"speed\":\"Speed\",\"speed_slow\":\"slow\",\"speed_normal\":\"normal\",\"speed_fast\":\"fast\",\"at_forks\":\"At forks\",\"by_hand\":\"By hand, until it is stopped\",\"hand_forward\":\"By hand: forward\",\"hand_backward\":\"By hand: backward\",\"hand_turn_left\":\"By hand: turn left\",\"hand_turn_right\":\"By hand: turn right\",\"tape_forward\":\"Along the tape\",\"tape_backward\":\"Back along the tape\",\"agv_alias\":\"To a destination by its name\",\"stands_at_tag\":\"It stands at tag\",\"tell_it\":\"Tell it so\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\",\"stage_file\":\"Stage a plant file\",\"what_differs\":\"What differs\",\"layouts\":\"Layout\",\"no_versions\":\"No versions are kept here.\",\"version\":\"Version\",\"version_staged\":\"staged\",\"version_awaited\":\"awaited\",\"version_active\":\"active\",\"version_former\":\"former\",\"version_rejected\":\"rejected\",\"plant_file\":\"Choose a plant file…\",\"version_taken\":\"It is kept; nothing has changed in the plant.\",\"activate\":\"Activate\",\"activate_later\":\"Activate once nothing is in the way\",\"roll_back_to\":\"Roll back to it\",\"take_back\":\"Do not activate it\",\"save_file\":\"Save the file\",\"in_the_way\":\"In the way now\",\"nothing_in_the_way\":\"Nothing is in the way.\",\"lost_with_it\":\"Serves nobody any more\",\"no_difference\":\"No difference to the version that runs.\",\"diff_added\":\"added\",\"diff_removed\":\"removed\",\"diff_changed\":\"changed\",\"diff_moved\":\"moved\",\"diff_renamed\":\"renamed\",\"how\":\"Change\",\"track\":\"Track\",\"at\":\"At\",\"actor\":\"Who\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\",\"legend_granted\":\"granted track\",\"legend_planned\":\"planned way\"}");
-var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"closed_by_for\":\"closed by {0}: {1} ({2})\",\"closed_for_work_by\":\"closed for people at work by {0}: {1} ({2})\",\"is_there_silent\":\"{0} is there, silent: {1}\",\"stands_before_an_obstacle\":\"{0} stands there before an obstacle\",\"stands_there_for\":\"{0} stands there, {1}\",\"nobody_of_that_name\":\"There is nobody of that name with that password.\",\"try_again\":\"Try again.\",\"no_key_or_session\":\"This is no key or session that is good now.\",\"log_in_or_send\":\"Log in (POST /api/v1/session), or send the header Authorization: Bearer KEY.\",\"wants_to_know\":\"This server wants to know who calls.\",\"too_many_attempts\":\"Too many attempts went wrong.\",\"try_again_in\":\"Try again in {0} s.\",\"not_the_old_password\":\"That is not the old password.\",\"administrator_can_give\":\"An administrator can give you a new one.\",\"logged_in_too_long_ago\":\"You logged in too long ago.\",\"session_has_ended\":\"The session has ended.\",\"log_in_again\":\"Log in again.\",\"looks_like_somebody\":\"{0} would look like somebody else in the audit.\",\"choose_another_name\":\"Choose another name.\",\"is_last_administrator\":\"{0} is the last administrator.\",\"password_must_not\":\"A password must not hold the name, and has at least five different characters.\",\"row_has_been_changed\":\"row {0} has been changed, or a row between {1} and {2} was taken out or put in\",\"needs_the_role\":\"{0} needs the role {1}; {2} has {3}.\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\"}");
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"no_jobs\":\"No jobs here. Post one above.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"places_closed\":\"{0} places closed\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"wait_for_it\":\"Waiting\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"speed\":\"Speed\",\"speed_slow\":\"slow\",\"speed_normal\":\"normal\",\"speed_fast\":\"fast\",\"at_forks\":\"At forks\",\"by_hand\":\"By hand, until it is stopped\",\"hand_forward\":\"By hand: forward\",\"hand_backward\":\"By hand: backward\",\"hand_turn_left\":\"By hand: turn left\",\"hand_turn_right\":\"By hand: turn right\",\"tape_forward\":\"Along the tape\",\"tape_backward\":\"Back along the tape\",\"agv_alias\":\"To a destination by its name\",\"stands_at_tag\":\"It stands at tag\",\"tell_it\":\"Tell it so\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"last_week\":\"last 7 days\",\"stage_file\":\"Stage a plant file\",\"what_differs\":\"What differs\",\"layouts\":\"Layout\",\"no_versions\":\"No versions are kept here.\",\"version\":\"Version\",\"version_staged\":\"staged\",\"version_awaited\":\"awaited\",\"version_active\":\"active\",\"version_former\":\"former\",\"version_rejected\":\"rejected\",\"plant_file\":\"Choose a plant file…\",\"version_taken\":\"It is kept; nothing has changed in the plant.\",\"activate\":\"Activate\",\"activate_later\":\"Activate once nothing is in the way\",\"roll_back_to\":\"Roll back to it\",\"take_back\":\"Do not activate it\",\"save_file\":\"Save the file\",\"in_the_way\":\"In the way now\",\"nothing_in_the_way\":\"Nothing is in the way.\",\"lost_with_it\":\"Serves nobody any more\",\"no_difference\":\"No difference to the version that runs.\",\"diff_added\":\"added\",\"diff_removed\":\"removed\",\"diff_changed\":\"changed\",\"diff_moved\":\"moved\",\"diff_renamed\":\"renamed\",\"how\":\"Change\",\"track\":\"Track\",\"at\":\"At\",\"actor\":\"Who\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\",\"legend_granted\":\"granted track\",\"legend_planned\":\"planned way\",\"newer_rows\":\"Newer\",\"older_rows\":\"Older\",\"jobs_ordered\":\"ordered\",\"vc_agv_stop\":\"Stop\",\"bit_foup\":\"carrier\",\"bit_trav\":\"drive\",\"bit_shft\":\"shifter\",\"bit_rota\":\"rotator\",\"bit_lift\":\"lifter\",\"bit_slid\":\"slider\",\"bit_grip\":\"gripper\",\"bit_sftb\":\"drop guard\",\"bit_mode\":\"mode\",\"bit_oper\":\"operation\",\"bit_at_barcode\":\"barcode recognised\",\"bit_all_home\":\"all devices at home\",\"bit_home_known\":\"home position known\",\"bit_servos_on\":\"all servos on\",\"bit_rsv1\":\"reserved\",\"bit_rsv2\":\"reserved\",\"bit_alarm_code\":\"alarm code\",\"bit_process_code\":\"process code\",\"servo_not_ready\":\"servo not ready\",\"servo_error\":\"servo error\",\"driver_error\":\"driver error\",\"driving\":\"driving\",\"front_bumper\":\"front bumper\",\"rear_bumper\":\"rear bumper\",\"at_stop_tag\":\"stopped at a port\",\"at_sbfl\":\"stopped at a left buffer\",\"at_sbfr\":\"stopped at a right buffer\",\"at_port_sbfl\":\"stopped at port and left buffer\",\"at_port_sbfr\":\"stopped at port and right buffer\",\"at_sbfl_sbfr\":\"stopped at both buffers\",\"at_port_sbfl_sbfr\":\"stopped at port and both buffers\",\"stop\":\"stopped\",\"home\":\"home\",\"left_limit\":\"left limit\",\"right_limit\":\"right limit\",\"cw_limit\":\"clockwise limit\",\"ccw_limit\":\"counter-clockwise limit\",\"left_side\":\"left side\",\"right_side\":\"right side\",\"left_destination\":\"left destination\",\"right_destination\":\"right destination\",\"wide\":\"wide open\",\"raised\":\"raised\",\"grip_open\":\"open\",\"grip_close\":\"closed\",\"mant\":\"MANT, maintenance\",\"semi\":\"SEMI\",\"run\":\"RUN\",\"pause_oper\":\"PAUSE, an obstacle\",\"cs_open\":\"under way\",\"cs_done\":\"done\",\"cs_failed\":\"failed\",\"cs_unknown\":\"not known\",\"cs_not_sent\":\"not sent\",\"cs_settled_done\":\"done, by its status\",\"cs_settled_not_done\":\"not done, by its status\",\"vc_move\":\"Move\",\"vc_xmove\":\"Move on\",\"vc_open\":\"Open\",\"vc_close\":\"Close\",\"vc_lock\":\"Lock\",\"vc_unlock\":\"Unlock\",\"vc_agv_charge\":\"Charging\",\"vc_agv_lift\":\"Lift\",\"reliability\":\"Reliability\",\"down_minutes\":\"Down (min)\",\"failures_of\":\"What failed\",\"catalogue\":\"Catalogue of the model\",\"default_value\":\"Default\",\"range\":\"Range\",\"read_only\":\"read only\",\"while_running\":\"while running too\",\"description\":\"Description\",\"no_catalogue\":\"Nothing is known of this model: parameters go by number.\",\"backup_contents\":\"Contents\",\"in_force\":\"Values in force\",\"period_other\":\"Other\",\"period_begin\":\"From\",\"period_end\":\"Until\",\"file_kind\":\"Files as\",\"print_report\":\"Open the report to print\",\"print\":\"Print\",\"count_connections\":\"connections\",\"count_frames_in\":\"frames in\",\"count_frames_out\":\"frames out\",\"count_garbled\":\"garbled\",\"count_resends\":\"resends\",\"count_sent\":\"sent\",\"count_answered\":\"answered\",\"count_timeouts\":\"timeouts\",\"count_naks\":\"NAKs\",\"count_busies\":\"busy\",\"count_strays\":\"strays\",\"normal\":\"normal\"}");
+var sayings$2 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{0} waits at {1} for {2} held by {3}\",\"waits_at_for_door\":\"{0} waits at {1} for door {2}\",\"waits_at_no_slot_is\":\"{0} waits at {1}: no slot is free in the queue from {2} on; first goes {3}\",\"waits_at_no_slot_is_free\":\"{0} waits at {1}: no slot is free in the queue from {2} on\",\"closed_by_for\":\"closed by {0}: {1} ({2})\",\"closed_for_work_by\":\"closed for people at work by {0}: {1} ({2})\",\"is_there_silent\":\"{0} is there, silent: {1}\",\"stands_before_an_obstacle\":\"{0} stands there before an obstacle\",\"stands_there_for\":\"{0} stands there, {1}\",\"nobody_of_that_name\":\"There is nobody of that name with that password.\",\"try_again\":\"Try again.\",\"no_key_or_session\":\"This is no key or session that is good now.\",\"log_in_or_send\":\"Log in (POST /api/v1/session), or send the header Authorization: Bearer KEY.\",\"wants_to_know\":\"This server wants to know who calls.\",\"too_many_attempts\":\"Too many attempts went wrong.\",\"try_again_in\":\"Try again in {0} s.\",\"not_the_old_password\":\"That is not the old password.\",\"administrator_can_give\":\"An administrator can give you a new one.\",\"logged_in_too_long_ago\":\"You logged in too long ago.\",\"session_has_ended\":\"The session has ended.\",\"log_in_again\":\"Log in again.\",\"looks_like_somebody\":\"{0} would look like somebody else in the audit.\",\"choose_another_name\":\"Choose another name.\",\"is_last_administrator\":\"{0} is the last administrator.\",\"password_must_not\":\"A password must not hold the name, and has at least five different characters.\",\"row_has_been_changed\":\"row {0} has been changed, or a row between {1} and {2} was taken out or put in\",\"needs_the_role\":\"{0} needs the role {1}; {2} has {3}.\",\"waits_at_zone_takes_in\":\"{0} waits at {1}: zone {2} takes in no more for now\",\"waits_at_others_have_waited\":\"{0} waits at {1}: others have waited longer for the queue from {2} on; first goes {3}\",\"waits_at_others_have_waited_longer\":\"{0} waits at {1}: others have waited longer for the queue from {2} on\",\"waits_at_the_last_slot\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues; first goes {3}\",\"waits_at_the_last_slot_in\":\"{0} waits at {1}: the last slot in the queue from {2} on could close a circle of full queues\",\"waits_at_is_closed\":\"{0} waits at {1}: {2} is closed ({3})\",\"waits_at_the_roll_call\":\"{0} waits at {1}: the roll-call still misses {2}\",\"waits_at\":\"{0} waits at {1}: {2}\",\"which_excludes_track\":\"{0}, which excludes track\",\"in_zone\":\"{0} in zone {1}\",\"which_is_picking_up_at\":\"{0}, which is picking up at {1} ({2} s)\",\"which_is_putting_down_at\":\"{0}, which is putting down at {1} ({2} s)\",\"which_is_used_for_teaching\":\"{0}, which is used for teaching (session {1})\",\"which_is_silent\":\"{0}, which is silent ({1})\",\"which_has_an_alarm\":\"{0}, which has an alarm\",\"which_is_being_asked_where\":\"{0}, which is being asked where it is\",\"which_is_moving\":\"{0}, which is moving\",\"which_waits_itself\":\"{0}, which waits itself\",\"which_is_idle_there\":\"{0}, which is idle there\",\"which_is\":\"{0}, which is {1}\",\"wait_for_each_other_in\":\"{0} wait for each other in a circle ({1}); if none finds another way, move {2} by hand, or take it off the rail\",\"fire_told_by\":\"fire, told by {0}\",\"earthquake_told_by\":\"earthquake, told by {0}\",\"the_controller_is\":\"the controller is {0}\",\"everything_is_stopped_by\":\"everything is stopped by {0}\",\"the_roll_call_still_misses\":\"the roll-call still misses {0}\",\"no_vehicle_is_free_is\":\"no vehicle is free: {0} is on job {1}, and {2}\",\"no_vehicle_is_free_and\":\"no vehicle is free: {0} {1}, and {2}\",\"no_vehicle_is_free\":\"no vehicle is free\",\"no_vehicle_can_serve_both\":\"no vehicle can serve both stations: see their DEST, OFFSET and limits\",\"cannot_serve_both_stations\":\"cannot serve both stations\",\"cannot_serve\":\"cannot serve {0}: {1}\",\"is_not_connected\":\"is not connected\",\"is_not_ready\":\"is not ready\",\"it_is_not_ready\":\"it is not ready\",\"is_not_free\":\"is not free\",\"is_on_job\":\"is on job {0}\",\"is_on_job_for_s\":\"is on job {0} for {1} s more\",\"would_have_had_to_be\":\"would have had to be switched for too little\",\"has_the_carrier_aboard\":\"has the carrier aboard\",\"is_asked_for\":\"is asked for\",\"is_used_for_teaching_session\":\"is used for teaching (session {0})\",\"it_waits_for_which_will\":\"it waits for {0}, which will soon be free nearby\",\"brings_a_carrier_to_first\":\"{0} brings a carrier to {1} first\",\"other_jobs_to_come_first\":\"other jobs to {0} come first\",\"another_job_is_being_fetched\":\"another job is being fetched from {0}\",\"is_the_destination_of_already\":\"{0} is the destination of {1} already\",\"the_track_carries_no_more\":\"the track carries no more just now: {0} vehicles may be on their way with jobs\",\"is_empty_its_buffer_reports\":\"{0} is empty: its buffer reports no cart\",\"is_empty\":\"{0} is empty\",\"holds_not\":\"{0} holds {1}, not {2}\",\"is_at_not_at\":\"{0} is at {1}, not at {2}\",\"is_out_of_service\":\"{0} is out of service: {1}\",\"goes_with_version\":\"{0} is not in version {1} of the plant, which is to become active\",\"cut_off_by_version\":\"{0} cannot be reached in version {1} of the plant, which is to become active\",\"is_reserved\":\"{0} is reserved: {1}\",\"is_occupied_its_buffer_reports\":\"{0} is occupied: its buffer reports a cart\",\"is_occupied_by\":\"{0} is occupied by {1}\",\"is_closed\":\"{0} is closed ({1})\",\"is_being_taught_by_with\":\"{0} is being taught by {1} with {2} (teaching session {3})\",\"nothing_is_aboard\":\"nothing is aboard {0}\",\"carries_not\":\"{0} carries {1}, not {2}\",\"its_destination_cannot_be_used\":\"its destination cannot be used\",\"finds_no_way\":\"{0} finds no way: {1}\",\"no_route_from_to_is\":\"no route from {0} to {1}: {2} is closed\",\"held_by\":\"held by {0}: {1}\",\"on_hold\":\"on hold: {0}\",\"off_the_rail\":\"off the rail: {0}\",\"out_of_service\":\"out of service: {0}\",\"locked_out_by\":\"locked out by {0}: {1}\",\"locked_out\":\"locked out: {0}\",\"stopped_by\":\"stopped by {0}\",\"release_it_when_it_may\":\"release it when it may go on\",\"it_is_not_connected\":\"it is not connected: {0}\",\"not_connected_yet\":\"not connected yet\",\"the_link_was_lost\":\"the link was lost\",\"it_drives_where_it_may\":\"it drives where it may not\",\"is_in_alarm\":\"is in ALARM {0}\",\"has_an_alarm\":\"{0} has an alarm\",\"has_its_servos_off_send\":\"has its servos off: send SERVO ON, SEARCH HOME, AUTO\",\"has_not_found_its_home\":\"has not found its home position: send SEARCH HOME\",\"has_an_axis_that_is\":\"has an axis that is not at home\",\"reads_no_barcode_bring_it\":\"reads no barcode: bring it to one by hand\",\"reports_barcode_which_is_not\":\"reports barcode {0}, which is not on the map (is its dialect right?)\",\"it_reports_barcode_at_seq\":\"it reports barcode {0} at SEQ {1}, where its path has {2}\",\"it_reports_barcode_which_cannot\":\"it reports barcode {0}, which cannot be reached from the track it held ({1})\",\"reports_barcode_which_is_not_on\":\"{0} reports barcode {1}, which is not on the track it holds\",\"reports_from_on_track_that\":\"{0} reports from {1}, on track that {2} has been granted ({3})\",\"it_carries_a_that_no\":\"it carries a {0} that no job or record accounts for\",\"it_should_carry_and_its\":\"it should carry {0}, and its {1} bit is 0\",\"its_place_ended_in_and\":\"its PLACE ended in {0}, and its {1} bit is 0\",\"clear_the_cause_then_post\":\"clear the cause, then POST /api/v1/vehicles/{0}/recover\",\"see_what_is_wrong_then\":\"see what is wrong, then POST /api/v1/vehicles/{0}/recover\",\"mend_the_cause_then_post\":\"mend the cause, then POST /api/v1/vehicles/{0}/recover again\",\"post_api_v_vehicles_recover\":\"POST /api/v1/vehicles/{0}/recover again once it is back\",\"not_homed_because_let_a\":\"not homed, because {0}; let a person look, and confirm\",\"nothing_came_of_it_for\":\"nothing came of it for {0} s\",\"look_where_it_stands_then\":\"look where it stands, then release it with verdict go_on\",\"look_where_it_stands_bring\":\"look where it stands, bring it to a barcode it reads, then release it with verdict go_on\",\"look_where_it_stands_release\":\"look where it stands; release it with verdict go_on if the barcode is right\",\"release_it_with_verdict_go\":\"release it with verdict go_on if it stands on the rail again\",\"look_at_the_vehicle_and\":\"look at the vehicle and its way, then release it\",\"see_that_its_way_is\":\"see that its way is free, then release it\",\"see_that_the_carrier_stands\":\"see that the carrier stands where it should, then release the vehicle with verdict go_on\",\"see_what_it_carries_put\":\"see what it carries, PUT /api/v1/carriers/ID for it, then release the vehicle with verdict go_on\",\"find_the_carrier_correct_its\":\"find the carrier, correct its place, then release the vehicle with verdict go_on (its job will fail)\",\"look_whether_the_carrier_is\":\"look whether the carrier is aboard or at the station, correct it, then release the vehicle\",\"look_at_the_vehicle_and_the\":\"look at the vehicle and the station, change the job's destination if need be, then release the vehicle\",\"ended_abnormally_times\":\"ended abnormally {0} times ({1})\",\"ended_abnormally\":\"{0} ended abnormally ({1})\",\"no_reason_given\":\"no reason given\",\"pickup_refused_by_the_vehicle\":\"PICKUP refused by the vehicle\",\"place_at_was_refused_times\":\"PLACE at {0} was refused {1} times\",\"the_carrier_is_aboard_order\":\"the carrier is aboard: order vehicle -> place for it\",\"aborted_the_carrier_is_aboard\":\"aborted; the carrier is aboard: order vehicle -> place for it\",\"aborted_nothing_is_aboard\":\"aborted; nothing is aboard\",\"the_carrier_is_no_longer\":\"the carrier is no longer aboard\",\"is_silent\":\"is silent: {0}\",\"is_silent_2\":\"{0} is silent: {1}\",\"see_its_line_and_its\":\"see its line and its power\",\"look_at_its_line_and\":\"look at its line and power\",\"reports_an_error\":\"reports an error (255)\",\"does_not_know_its_state\":\"does not know its state (3)\",\"look_at_the_device_then\":\"look at the device, then command it again\",\"is_not_open_and_cannot\":\"is not open, and {0} cannot be stopped before it any more\",\"look_at_and\":\"look at {0} and {1}\",\"reports_no_cart_but_is\":\"reports no cart, but {0} is believed at {1}\",\"look_there_then_put_api\":\"look there, then PUT /api/v1/stations/ID with what is there\",\"the_line_is_down\":\"the line is down: {0}\",\"is_locked_for\":\"{0} is locked for {1}\",\"is_locked_out_by\":\"{0} is locked out by {1}\",\"is_locked_out_by_already\":\"{0} is locked out by {1} already\",\"the_lockout_is_s_your\":\"the lockout is {0}'s; your wish to lift it is noted\",\"alone_can_lift_it_or\":\"{0} alone can lift it, or one more person with you\",\"lift_the_lockout_first\":\"lift the lockout first\",\"is_s_for_people_at\":\"{0} is {1}'s, for people at work; your wish to open it is noted\",\"alone_can_open_it_or\":\"{0} alone can open it, or one more person with you\",\"a_closure_for_people_s\":\"a closure for people's work never ends by itself\",\"there_is_no_station\":\"there is no station {0}\",\"there_is_no_vehicle\":\"there is no vehicle {0}\",\"there_is_no_barcode\":\"there is no barcode {0}\",\"there_is_no_station_or\":\"there is no station or vehicle {0}\",\"source_and_destination_are_the\":\"source and destination are the same station\",\"no_vehicle_serves_both_and\":\"no vehicle serves both {0} and {1}\",\"order_two_jobs_and_let\":\"order two jobs, and let the carrier change over between them\",\"the_carrier_is_aboard\":\"the carrier is aboard {0}\",\"the_carrier_is_aboard_or\":\"the carrier is aboard {0} or being picked up\",\"job_is_the_carrier_is\":\"job {0} is {1}: the carrier is aboard or being picked up\",\"job_is_nothing_was_picked\":\"job {0} is {1}: nothing was picked up\",\"job_has_ended\":\"job {0} has ended: {1}\",\"order_a_new_job\":\"order a new job\",\"is_not_connected_2\":\"{0} is not connected: {1}\",\"is_not_in_auto\":\"{0} is not in AUTO\",\"is_handling_a_carrier\":\"{0} is handling a carrier\",\"wait_for_its_end\":\"wait for its end\",\"is_on_job_2\":\"{0} is on job {1}\",\"cancel_the_job_or_let\":\"cancel the job, or let it end\",\"is_in_and_needs_mant\":\"{0} is in {1}, and {2} needs MANT\",\"send_stop_first_it_brings\":\"send stop first: it brings the vehicle to MANT\",\"nothing_needs_to_be_done\":\"nothing needs to be done\",\"is_in_auto_homed_and\":\"{0} is in AUTO, homed and without an alarm\",\"homing_now_could_drop_a\":\"homing {0} now could drop a carrier: {1}\",\"let_a_person_look_at\":\"let a person look at the vehicle, then send {\\\"confirmed\\\": true}\",\"still_has_an_alarm\":\"{0} still has an alarm\",\"nothing_moves\":\"nothing moves: {0}\",\"release_the_emergency_first\":\"release the emergency first\",\"resume_it_first\":\"resume it first\",\"has_no_dest\":\"{0} has no DEST ({1})\",\"has_no_offset\":\"{0} has no OFFSET ({1})\",\"teach_it_post_api_v\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/stations/{0}/dest\",\"teach_it_post_api_v_teaching\":\"teach it: POST /api/v1/teaching/sessions; or PUT /api/v1/vehicles/{0}/offset\",\"look_at_its_changes_then\":\"look at its changes, then approve or reject it\",\"teach_again_or_reject_it\":\"teach again, or reject it\",\"came_more_may_follow\":\"{0} came; more may follow\",\"wait_some_seconds\":\"wait some seconds\",\"far_from_version\":\"far from version {0}: {1}\",\"bring_to_barcode_send_it\":\"bring {0} to barcode {1}: send it the command move with action port\",\"send_the_command_stop_it\":\"send {0} the command stop: it brings it to MANT\",\"align_the_hoist_over_the\":\"align the hoist over the port, then POST start with dest or offset; or send single axes from the vehicle\",\"proposal_is\":\"proposal {0} is {1}: {2}\",\"nothing_the_session_is_over\":\"nothing: the session is over\",\"a_named_person_has_to\":\"A named person has to decide this.\",\"send_the_header_x_actor\":\"Send the header X-Actor: NAME.\",\"the_server_does_not_answer\":\"The server does not answer.\",\"there_is_no\":\"There is no {0} {1}.\",\"is_being_locked_for\":\"{0} is being locked for {1}\",\"to_the_source\":\"to the source: {0}\",\"is_farther\":\"is farther\",\"does_job\":\"does {0}\",\"keeps_job\":\"keeps {0}\",\"status_shows_it\":\"Status shows it\",\"by_the_place_where_the_vehicle\":\"by the place where the vehicle stands\",\"first_start_on_this_database\":\"the first start on this database\",\"accepted_by_it\":\"accepted\",\"and_f_agrees\":\"RESULT {0} and F agrees\",\"cannot_go_on\":\"{0} cannot go on: {1}\",\"it_is_due_to_charge\":\"it is due to charge\",\"plant_file_itself\":\"plant file\"}");
 var events$1 = {
 	"TransferInitiated": "Transfer initiated",
 	"VehicleAssigned": "Vehicle assigned",
@@ -1262,8 +1294,8 @@ var events$1 = {
 	"WalkEnded": "Walk ended"
 };
 // ../app/texts/ko.json
-var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"speed\":\"속도\",\"speed_slow\":\"느리게\",\"speed_normal\":\"보통\",\"speed_fast\":\"빠르게\",\"at_forks\":\"갈림길에서\",\"by_hand\":\"수동, 정지할 때까지\",\"hand_forward\":\"수동: 앞으로\",\"hand_backward\":\"수동: 뒤로\",\"hand_turn_left\":\"수동: 왼쪽 회전\",\"hand_turn_right\":\"수동: 오른쪽 회전\",\"tape_forward\":\"테이프 따라 앞으로\",\"tape_backward\":\"테이프 따라 뒤로\",\"agv_alias\":\"이름으로 목적지 이동\",\"stands_at_tag\":\"현재 태그\",\"tell_it\":\"알리기\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\",\"stage_file\":\"플랜트 파일 올리기\",\"what_differs\":\"달라지는 것\",\"layouts\":\"레이아웃\",\"no_versions\":\"보관된 버전이 없습니다.\",\"version\":\"버전\",\"version_staged\":\"준비됨\",\"version_awaited\":\"적용 대기\",\"version_active\":\"운영 중\",\"version_former\":\"이전 버전\",\"version_rejected\":\"거부됨\",\"plant_file\":\"플랜트 파일 선택…\",\"version_taken\":\"보관했습니다. 플랜트는 그대로입니다.\",\"activate\":\"적용\",\"activate_later\":\"막는 것이 없어지면 적용\",\"roll_back_to\":\"이 버전으로 되돌리기\",\"take_back\":\"적용 취소\",\"save_file\":\"파일 저장\",\"in_the_way\":\"지금 막고 있는 것\",\"nothing_in_the_way\":\"막고 있는 것이 없습니다.\",\"lost_with_it\":\"더 이상 쓰이지 않게 되는 것\",\"no_difference\":\"운영 중인 버전과 차이가 없습니다.\",\"diff_added\":\"추가\",\"diff_removed\":\"삭제\",\"diff_changed\":\"변경\",\"diff_moved\":\"이동\",\"diff_renamed\":\"이름 변경\",\"how\":\"변화\",\"track\":\"트랙\",\"at\":\"시각\",\"actor\":\"누가\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\",\"legend_granted\":\"허가 구간\",\"legend_planned\":\"계획 경로\"}");
-var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"closed_by_for\":\"{0} 님이 폐쇄: {1} ({2})\",\"closed_for_work_by\":\"{0} 님이 작업을 위해 폐쇄: {1} ({2})\",\"is_there_silent\":\"{0}이(가) 그곳에 있으나 응답 없음: {1}\",\"stands_before_an_obstacle\":\"{0}이(가) 장애물 앞에 서 있음\",\"stands_there_for\":\"{0}이(가) 서 있음, {1}\",\"nobody_of_that_name\":\"그 이름과 암호를 가진 사람이 없습니다.\",\"try_again\":\"다시 시도하십시오.\",\"no_key_or_session\":\"지금 유효한 키나 세션이 아닙니다.\",\"log_in_or_send\":\"로그인하거나 유효한 키를 사용하십시오.\",\"wants_to_know\":\"이 서버는 로그인이 필요합니다.\",\"too_many_attempts\":\"잘못된 시도가 너무 많습니다.\",\"try_again_in\":\"{0}초 후 다시 시도하십시오.\",\"not_the_old_password\":\"이전 암호가 아닙니다.\",\"administrator_can_give\":\"관리자가 새 암호를 줄 수 있습니다.\",\"logged_in_too_long_ago\":\"로그인한 지 너무 오래되었습니다.\",\"session_has_ended\":\"세션이 끝났습니다.\",\"log_in_again\":\"다시 로그인하십시오.\",\"looks_like_somebody\":\"{0}은(는) 감사 기록에서 다른 사람과 혼동됩니다.\",\"choose_another_name\":\"다른 이름을 고르십시오.\",\"is_last_administrator\":\"{0}은(는) 마지막 관리자입니다.\",\"password_must_not\":\"암호에 이름을 넣을 수 없고 서로 다른 문자가 다섯 개 이상이어야 합니다.\",\"row_has_been_changed\":\"{0}행이 변경되었거나 {1}행과 {2}행 사이에 행이 빠지거나 끼어들었습니다\",\"needs_the_role\":\"{0}에는 {1} 역할이 필요합니다. {2}의 역할: {3}.\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\"}");
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"no_jobs\":\"작업이 없습니다. 위에서 등록하세요.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"누구십니까?\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사람 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"체인 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"무엇을\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"실물 점검\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"places_closed\":\"폐쇄 {0}곳\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"이적재\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"이재 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"wait_for_it\":\"대기 차량\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"페이지를 연 이후 히트맵\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"인수 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"speed\":\"속도\",\"speed_slow\":\"느리게\",\"speed_normal\":\"보통\",\"speed_fast\":\"빠르게\",\"at_forks\":\"갈림길에서\",\"by_hand\":\"수동, 정지할 때까지\",\"hand_forward\":\"수동: 앞으로\",\"hand_backward\":\"수동: 뒤로\",\"hand_turn_left\":\"수동: 왼쪽 회전\",\"hand_turn_right\":\"수동: 오른쪽 회전\",\"tape_forward\":\"테이프 따라 앞으로\",\"tape_backward\":\"테이프 따라 뒤로\",\"agv_alias\":\"이름으로 목적지 이동\",\"stands_at_tag\":\"현재 태그\",\"tell_it\":\"알리기\",\"vc_pickup\":\"적재\",\"vc_place\":\"이재\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"이재\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"last_week\":\"최근 7일\",\"stage_file\":\"플랜트 파일 올리기\",\"what_differs\":\"달라지는 것\",\"layouts\":\"레이아웃\",\"no_versions\":\"보관된 버전이 없습니다.\",\"version\":\"버전\",\"version_staged\":\"준비됨\",\"version_awaited\":\"적용 대기\",\"version_active\":\"운영 중\",\"version_former\":\"이전 버전\",\"version_rejected\":\"거부됨\",\"plant_file\":\"플랜트 파일 선택…\",\"version_taken\":\"보관했습니다. 플랜트는 그대로입니다.\",\"activate\":\"적용\",\"activate_later\":\"막는 것이 없어지면 적용\",\"roll_back_to\":\"이 버전으로 되돌리기\",\"take_back\":\"적용 취소\",\"save_file\":\"파일 저장\",\"in_the_way\":\"지금 막고 있는 것\",\"nothing_in_the_way\":\"막고 있는 것이 없습니다.\",\"lost_with_it\":\"더 이상 쓰이지 않게 되는 것\",\"no_difference\":\"운영 중인 버전과 차이가 없습니다.\",\"diff_added\":\"추가\",\"diff_removed\":\"삭제\",\"diff_changed\":\"변경\",\"diff_moved\":\"이동\",\"diff_renamed\":\"이름 변경\",\"how\":\"변화\",\"track\":\"트랙\",\"at\":\"시각\",\"actor\":\"누가\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\",\"legend_granted\":\"허가 구간\",\"legend_planned\":\"계획 경로\",\"newer_rows\":\"다음\",\"older_rows\":\"이전\",\"jobs_ordered\":\"접수\",\"vc_agv_stop\":\"정지\",\"bit_foup\":\"캐리어\",\"bit_trav\":\"주행\",\"bit_shft\":\"시프터\",\"bit_rota\":\"로테이터\",\"bit_lift\":\"리프터\",\"bit_slid\":\"슬라이더\",\"bit_grip\":\"그리퍼\",\"bit_sftb\":\"낙하 방지\",\"bit_mode\":\"모드\",\"bit_oper\":\"운전\",\"bit_at_barcode\":\"바코드 인식\",\"bit_all_home\":\"전체 홈 위치\",\"bit_home_known\":\"홈 위치 인식\",\"bit_servos_on\":\"전체 서보 온\",\"bit_rsv1\":\"예약\",\"bit_rsv2\":\"예약\",\"bit_alarm_code\":\"알람 코드\",\"bit_process_code\":\"공정 코드\",\"servo_not_ready\":\"서보 준비 안 됨\",\"servo_error\":\"서보 에러\",\"driver_error\":\"드라이버 에러\",\"driving\":\"구동 중\",\"front_bumper\":\"전방 범퍼 감지\",\"rear_bumper\":\"후방 범퍼 감지\",\"at_stop_tag\":\"포트 위치 정지\",\"at_sbfl\":\"좌측 버퍼 위치 정지\",\"at_sbfr\":\"우측 버퍼 위치 정지\",\"at_port_sbfl\":\"포트·좌측 버퍼 위치 정지\",\"at_port_sbfr\":\"포트·우측 버퍼 위치 정지\",\"at_sbfl_sbfr\":\"양쪽 버퍼 위치 정지\",\"at_port_sbfl_sbfr\":\"포트·양쪽 버퍼 위치 정지\",\"stop\":\"정지\",\"home\":\"홈 위치\",\"left_limit\":\"좌측 리미트\",\"right_limit\":\"우측 리미트\",\"cw_limit\":\"시계 방향 리미트\",\"ccw_limit\":\"반시계 방향 리미트\",\"left_side\":\"좌측\",\"right_side\":\"우측\",\"left_destination\":\"좌측 목적 위치\",\"right_destination\":\"우측 목적 위치\",\"wide\":\"넓게 열림\",\"raised\":\"올림\",\"grip_open\":\"열림\",\"grip_close\":\"닫힘\",\"mant\":\"MANT, 정비\",\"semi\":\"SEMI, 반자동\",\"run\":\"동작 중\",\"pause_oper\":\"일시정지, 장애물\",\"cs_open\":\"진행 중\",\"cs_done\":\"완료\",\"cs_failed\":\"실패\",\"cs_unknown\":\"알 수 없음\",\"cs_not_sent\":\"전송 안 됨\",\"cs_settled_done\":\"완료, 상태로 확인\",\"cs_settled_not_done\":\"미완료, 상태로 확인\",\"vc_move\":\"이동\",\"vc_xmove\":\"이동 연장\",\"vc_open\":\"열기\",\"vc_close\":\"닫기\",\"vc_lock\":\"잠금\",\"vc_unlock\":\"잠금 해제\",\"vc_agv_charge\":\"충전\",\"vc_agv_lift\":\"리프트\",\"reliability\":\"신뢰성\",\"down_minutes\":\"정지 시간(분)\",\"failures_of\":\"고장 이력\",\"catalogue\":\"모델 카탈로그\",\"default_value\":\"기본값\",\"range\":\"범위\",\"read_only\":\"읽기 전용\",\"while_running\":\"운전 중 쓰기 가능\",\"description\":\"설명\",\"no_catalogue\":\"이 모델의 카탈로그가 없습니다. 파라미터는 번호로 다룹니다.\",\"backup_contents\":\"내용\",\"in_force\":\"현재 적용 값\",\"period_other\":\"직접 지정\",\"period_begin\":\"시작\",\"period_end\":\"끝\",\"file_kind\":\"파일 형식\",\"print_report\":\"보고서 열어 인쇄\",\"print\":\"인쇄\",\"count_connections\":\"연결\",\"count_frames_in\":\"수신 프레임\",\"count_frames_out\":\"송신 프레임\",\"count_garbled\":\"손상\",\"count_resends\":\"재전송\",\"count_sent\":\"전송\",\"count_answered\":\"응답\",\"count_timeouts\":\"시간 초과\",\"count_naks\":\"NAK\",\"count_busies\":\"사용 중\",\"count_strays\":\"엉뚱한 응답\",\"normal\":\"정상\"}");
+var sayings$1 = /*#__PURE__*/ JSON.parse("{\"waits_at_for_held_by\":\"{1}의 {0}: {3} 점유 {2} 대기\",\"waits_at_for_door\":\"{1}의 {0}: 도어 {2} 대기\",\"waits_at_no_slot_is\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음. 먼저 나갈 차량: {3}\",\"waits_at_no_slot_is_free\":\"{1}의 {0}: {2}부터의 대기열에 빈자리 없음\",\"closed_by_for\":\"{0} 님이 폐쇄: {1} ({2})\",\"closed_for_work_by\":\"{0} 님이 작업을 위해 폐쇄: {1} ({2})\",\"is_there_silent\":\"{0}이(가) 그곳에 있으나 응답 없음: {1}\",\"stands_before_an_obstacle\":\"{0}이(가) 장애물 앞에 서 있음\",\"stands_there_for\":\"{0}이(가) 서 있음, {1}\",\"nobody_of_that_name\":\"그 이름과 암호를 가진 사람이 없습니다.\",\"try_again\":\"다시 시도하십시오.\",\"no_key_or_session\":\"지금 유효한 키나 세션이 아닙니다.\",\"log_in_or_send\":\"로그인하거나 유효한 키를 사용하십시오.\",\"wants_to_know\":\"이 서버는 로그인이 필요합니다.\",\"too_many_attempts\":\"잘못된 시도가 너무 많습니다.\",\"try_again_in\":\"{0}초 후 다시 시도하십시오.\",\"not_the_old_password\":\"이전 암호가 아닙니다.\",\"administrator_can_give\":\"관리자가 새 암호를 줄 수 있습니다.\",\"logged_in_too_long_ago\":\"로그인한 지 너무 오래되었습니다.\",\"session_has_ended\":\"세션이 끝났습니다.\",\"log_in_again\":\"다시 로그인하십시오.\",\"looks_like_somebody\":\"{0}은(는) 감사 기록에서 다른 사람과 혼동됩니다.\",\"choose_another_name\":\"다른 이름을 고르십시오.\",\"is_last_administrator\":\"{0}은(는) 마지막 관리자입니다.\",\"password_must_not\":\"암호에 이름을 넣을 수 없고 서로 다른 문자가 다섯 개 이상이어야 합니다.\",\"row_has_been_changed\":\"{0}행이 변경되었거나 {1}행과 {2}행 사이에 행이 빠지거나 끼어들었습니다\",\"needs_the_role\":\"{0}에는 {1} 역할이 필요합니다. {2}의 역할: {3}.\",\"waits_at_zone_takes_in\":\"{1}의 {0}: 구역 {2} 지금은 추가 진입 불가\",\"waits_at_others_have_waited\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음. 먼저 나갈 차량: {3}\",\"waits_at_others_have_waited_longer\":\"{1}의 {0}: {2}부터의 대기열을 더 오래 기다린 차량이 있음\",\"waits_at_the_last_slot\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음. 먼저 나갈 차량: {3}\",\"waits_at_the_last_slot_in\":\"{1}의 {0}: {2}부터의 대기열 마지막 자리는 순환 교착이 될 수 있음\",\"waits_at_is_closed\":\"{1}의 {0}: {2} 폐쇄됨 ({3})\",\"waits_at_the_roll_call\":\"{1}의 {0}: 점호에서 {2} 응답 대기\",\"waits_at\":\"{1}의 {0}: {2}\",\"which_excludes_track\":\"{0}(교차 트랙)\",\"in_zone\":\"구역 {1}의 {0}\",\"which_is_picking_up_at\":\"{1}에서 적재 중인 {0}({2}초)\",\"which_is_putting_down_at\":\"{1}에 내려놓는 중인 {0}({2}초)\",\"which_is_used_for_teaching\":\"티칭 중인 {0}(세션 {1})\",\"which_is_silent\":\"응답 없는 {0}({1})\",\"which_has_an_alarm\":\"알람 중인 {0}\",\"which_is_being_asked_where\":\"위치 확인 중인 {0}\",\"which_is_moving\":\"이동 중인 {0}\",\"which_waits_itself\":\"자신도 대기 중인 {0}\",\"which_is_idle_there\":\"그곳에서 유휴 중인 {0}\",\"which_is\":\"{0}({1})\",\"wait_for_each_other_in\":\"{0} 순환 대기 ({1}). 다른 길을 찾지 못하면 {2}을(를) 수동으로 옮기거나 레일에서 내리세요\",\"fire_told_by\":\"화재, 통보자 {0}\",\"earthquake_told_by\":\"지진, 통보자 {0}\",\"the_controller_is\":\"제어기 상태: {0}\",\"everything_is_stopped_by\":\"{0} 님이 전체 정지\",\"the_roll_call_still_misses\":\"점호에서 {0} 응답 대기\",\"no_vehicle_is_free_is\":\"가용 차량 없음: {0} 작업 {1} 수행 중, {2}\",\"no_vehicle_is_free_and\":\"가용 차량 없음: {0} {1}, {2}\",\"no_vehicle_is_free\":\"가용 차량 없음\",\"no_vehicle_can_serve_both\":\"두 스테이션을 모두 처리할 차량이 없음. DEST, OFFSET, 한계를 확인하세요\",\"cannot_serve_both_stations\":\"두 스테이션을 모두 처리할 수 없음\",\"cannot_serve\":\"{0} 처리 불가: {1}\",\"is_not_connected\":\"연결되지 않음\",\"is_not_ready\":\"준비되지 않음\",\"it_is_not_ready\":\"준비되지 않음\",\"is_not_free\":\"가용 상태가 아님\",\"is_on_job\":\"작업 {0} 수행 중\",\"is_on_job_for_s\":\"작업 {0} 수행 중, {1}초 남음\",\"would_have_had_to_be\":\"변경 이득이 너무 적음\",\"has_the_carrier_aboard\":\"캐리어를 싣고 있음\",\"is_asked_for\":\"지정됨\",\"is_used_for_teaching_session\":\"티칭에 사용 중(세션 {0})\",\"it_waits_for_which_will\":\"가까운 곳에서 곧 비는 {0} 대기\",\"brings_a_carrier_to_first\":\"{0}이(가) 먼저 {1}에 캐리어를 가져옴\",\"other_jobs_to_come_first\":\"{0}행 다른 작업이 먼저임\",\"another_job_is_being_fetched\":\"{0}에서 다른 작업을 인수하는 중\",\"is_the_destination_of_already\":\"{0}은(는) 이미 {1}의 목적지임\",\"the_track_carries_no_more\":\"지금은 트랙 여유 없음: 작업 차량은 {0}대까지\",\"is_empty_its_buffer_reports\":\"{0} 비어 있음: 버퍼가 카트 없음으로 보고\",\"is_empty\":\"{0} 비어 있음\",\"holds_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 있음\",\"is_at_not_at\":\"{0}은(는) {2}이(가) 아니라 {1}에 있음\",\"is_out_of_service\":\"{0} 사용 중지: {1}\",\"goes_with_version\":\"{0}: 곧 적용될 플랜트 버전 {1}에 없습니다\",\"cut_off_by_version\":\"{0}: 곧 적용될 플랜트 버전 {1}에서는 갈 수 없습니다\",\"is_reserved\":\"{0} 예약됨: {1}\",\"is_occupied_its_buffer_reports\":\"{0} 점유됨: 버퍼가 카트 있음으로 보고\",\"is_occupied_by\":\"{0}에 {1}이(가) 있음\",\"is_closed\":\"{0} 폐쇄됨 ({1})\",\"is_being_taught_by_with\":\"{1} 님이 {2}(으)로 {0} 티칭 중 (세션 {3})\",\"nothing_is_aboard\":\"{0}에 캐리어 없음\",\"carries_not\":\"{0}에는 {2}이(가) 아니라 {1}이(가) 실려 있음\",\"its_destination_cannot_be_used\":\"목적지를 사용할 수 없음\",\"finds_no_way\":\"{0} 경로 없음: {1}\",\"no_route_from_to_is\":\"{0}에서 {1}(으)로 가는 경로 없음: {2} 폐쇄됨\",\"held_by\":\"{0} 님이 보류: {1}\",\"on_hold\":\"보류: {0}\",\"off_the_rail\":\"레일 밖: {0}\",\"out_of_service\":\"사용 중지: {0}\",\"locked_out_by\":\"{0} 님 정비 잠금: {1}\",\"locked_out\":\"정비 잠금: {0}\",\"stopped_by\":\"{0} 님이 정지\",\"release_it_when_it_may\":\"계속해도 되면 해제하세요\",\"it_is_not_connected\":\"연결되지 않음: {0}\",\"not_connected_yet\":\"아직 연결되지 않음\",\"the_link_was_lost\":\"링크가 끊어짐\",\"it_drives_where_it_may\":\"허가되지 않은 곳을 주행함\",\"is_in_alarm\":\"알람 {0}\",\"has_an_alarm\":\"{0} 알람 중\",\"has_its_servos_off_send\":\"서보 꺼짐: SERVO ON, SEARCH HOME, AUTO를 보내세요\",\"has_not_found_its_home\":\"원점을 찾지 못함: SEARCH HOME을 보내세요\",\"has_an_axis_that_is\":\"원점에 있지 않은 축이 있음\",\"reads_no_barcode_bring_it\":\"바코드를 읽지 못함: 수동으로 바코드 위치로 옮기세요\",\"reports_barcode_which_is_not\":\"지도에 없는 바코드 {0} 보고 (프로토콜 변형 확인)\",\"it_reports_barcode_at_seq\":\"SEQ {1}에서 바코드 {0} 보고, 경로에는 {2}\",\"it_reports_barcode_which_cannot\":\"점유 트랙({1})에서 갈 수 없는 바코드 {0} 보고\",\"reports_barcode_which_is_not_on\":\"{0}이(가) 점유하지 않은 트랙의 바코드 {1} 보고\",\"reports_from_on_track_that\":\"{0}이(가) {2}에 허가된 트랙({3})의 {1}에서 보고\",\"it_carries_a_that_no\":\"작업·기록에 없는 {0}을(를) 싣고 있음\",\"it_should_carry_and_its\":\"{0}을(를) 싣고 있어야 하나 {1} 비트가 0\",\"its_place_ended_in_and\":\"PLACE가 {0}(으)로 끝났고 {1} 비트가 0\",\"clear_the_cause_then_post\":\"원인을 없앤 뒤 알람 복구를 누르세요 ({0})\",\"see_what_is_wrong_then\":\"원인을 확인한 뒤 알람 복구를 누르세요 ({0})\",\"mend_the_cause_then_post\":\"원인을 고친 뒤 다시 알람 복구를 누르세요 ({0})\",\"post_api_v_vehicles_recover\":\"연결되면 다시 알람 복구를 누르세요 ({0})\",\"not_homed_because_let_a\":\"원점 복귀 안 함: {0}. 사람이 확인해야 합니다\",\"nothing_came_of_it_for\":\"{0}초 동안 반응 없음\",\"look_where_it_stands_then\":\"위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_bring\":\"위치를 확인하고 읽히는 바코드로 옮긴 뒤 '보고가 맞음'으로 해제하세요\",\"look_where_it_stands_release\":\"위치를 확인하고 바코드가 맞으면 '보고가 맞음'으로 해제하세요\",\"release_it_with_verdict_go\":\"다시 레일에 있으면 '보고가 맞음'으로 해제하세요\",\"look_at_the_vehicle_and\":\"차량과 진행 경로를 확인한 뒤 해제하세요\",\"see_that_its_way_is\":\"진행 경로가 비었는지 확인한 뒤 해제하세요\",\"see_that_the_carrier_stands\":\"캐리어 위치를 확인한 뒤 '보고가 맞음'으로 해제하세요\",\"see_what_it_carries_put\":\"실린 캐리어를 확인해 기록한 뒤 '보고가 맞음'으로 해제하세요\",\"find_the_carrier_correct_its\":\"캐리어를 찾아 위치를 고친 뒤 '보고가 맞음'으로 해제하세요 (작업은 실패 처리됨)\",\"look_whether_the_carrier_is\":\"캐리어가 차량에 있는지 스테이션에 있는지 확인해 고친 뒤 해제하세요\",\"look_at_the_vehicle_and_the\":\"차량과 스테이션을 확인하고 필요하면 목적지를 바꾼 뒤 해제하세요\",\"ended_abnormally_times\":\"{0}회 비정상 종료 ({1})\",\"ended_abnormally\":\"{0} 비정상 종료 ({1})\",\"no_reason_given\":\"사유 없음\",\"pickup_refused_by_the_vehicle\":\"차량이 PICKUP을 거부함\",\"place_at_was_refused_times\":\"{0}에서 PLACE가 {1}회 거부됨\",\"the_carrier_is_aboard_order\":\"캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_the_carrier_is_aboard\":\"중단됨. 캐리어가 차량에 있음: 차량에서 출발하는 작업을 등록하세요\",\"aborted_nothing_is_aboard\":\"중단됨. 실린 캐리어 없음\",\"the_carrier_is_no_longer\":\"캐리어가 더 이상 차량에 없음\",\"is_silent\":\"응답 없음: {0}\",\"is_silent_2\":\"{0} 응답 없음: {1}\",\"see_its_line_and_its\":\"회선과 전원을 확인하세요\",\"look_at_its_line_and\":\"회선과 전원을 확인하세요\",\"reports_an_error\":\"오류(255)를 보고함\",\"does_not_know_its_state\":\"자신의 상태를 모름(3)\",\"look_at_the_device_then\":\"장치를 확인한 뒤 다시 명령하세요\",\"is_not_open_and_cannot\":\"열려 있지 않고 {0}을(를) 그 앞에서 멈출 수 없음\",\"look_at_and\":\"{0}과(와) {1}을(를) 확인하세요\",\"reports_no_cart_but_is\":\"카트 없음 보고, 기록에는 {1}에 {0}이(가) 있음\",\"look_there_then_put_api\":\"현장을 확인해 스테이션 상태를 기록하세요\",\"the_line_is_down\":\"회선 끊김: {0}\",\"is_locked_for\":\"{0}: {1}용으로 잠김\",\"is_locked_out_by\":\"{0}: {1} 님 정비 잠금\",\"is_locked_out_by_already\":\"{0}: 이미 {1} 님이 정비 잠금\",\"the_lockout_is_s_your\":\"{0} 님의 정비 잠금입니다. 해제 요청을 기록했습니다\",\"alone_can_lift_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"lift_the_lockout_first\":\"먼저 정비 잠금을 해제하세요\",\"is_s_for_people_at\":\"{1} 님의 작업자 폐쇄({0})입니다. 해제 요청을 기록했습니다\",\"alone_can_open_it_or\":\"{0} 님만 해제할 수 있거나, 다른 한 사람이 더 요청해야 합니다\",\"a_closure_for_people_s\":\"작업자 폐쇄는 저절로 끝나지 않습니다\",\"there_is_no_station\":\"스테이션 {0} 없음\",\"there_is_no_vehicle\":\"차량 {0} 없음\",\"there_is_no_barcode\":\"바코드 {0} 없음\",\"there_is_no_station_or\":\"스테이션 또는 차량 {0} 없음\",\"source_and_destination_are_the\":\"출발지와 도착지가 같습니다\",\"no_vehicle_serves_both_and\":\"{0}과(와) {1}을(를) 모두 처리하는 차량이 없습니다\",\"order_two_jobs_and_let\":\"작업을 둘로 나누어 등록하세요\",\"the_carrier_is_aboard\":\"캐리어가 {0}에 실려 있음\",\"the_carrier_is_aboard_or\":\"캐리어가 {0}에 실려 있거나 적재 중\",\"job_is_the_carrier_is\":\"작업 {0}: {1}. 캐리어가 실려 있거나 적재 중\",\"job_is_nothing_was_picked\":\"작업 {0}: {1}. 아직 적재하지 않음\",\"job_has_ended\":\"작업 {0} 종료됨: {1}\",\"order_a_new_job\":\"새 작업을 등록하세요\",\"is_not_connected_2\":\"{0} 연결되지 않음: {1}\",\"is_not_in_auto\":\"{0} AUTO가 아님\",\"is_handling_a_carrier\":\"{0} 캐리어 이적재 중\",\"wait_for_its_end\":\"끝날 때까지 기다리세요\",\"is_on_job_2\":\"{0} 작업 {1} 수행 중\",\"cancel_the_job_or_let\":\"작업을 취소하거나 끝날 때까지 기다리세요\",\"is_in_and_needs_mant\":\"{0}이(가) {1} 상태이고 {2}에는 MANT가 필요함\",\"send_stop_first_it_brings\":\"먼저 정지를 보내세요. MANT로 바뀝니다\",\"nothing_needs_to_be_done\":\"할 일이 없습니다\",\"is_in_auto_homed_and\":\"{0}: AUTO, 원점 완료, 알람 없음\",\"homing_now_could_drop_a\":\"지금 {0} 원점 복귀는 캐리어를 떨어뜨릴 수 있음: {1}\",\"let_a_person_look_at\":\"사람이 차량을 확인한 뒤 확인란을 선택하세요\",\"still_has_an_alarm\":\"{0} 아직 알람 중\",\"nothing_moves\":\"아무것도 움직이지 않음: {0}\",\"release_the_emergency_first\":\"먼저 비상 상황을 해제하세요\",\"resume_it_first\":\"먼저 재개하세요\",\"has_no_dest\":\"{0}에 DEST 없음 ({1})\",\"has_no_offset\":\"{0}에 OFFSET 없음 ({1})\",\"teach_it_post_api_v\":\"티칭하거나 {0}의 DEST를 입력하세요\",\"teach_it_post_api_v_teaching\":\"티칭하거나 {0}의 OFFSET을 입력하세요\",\"look_at_its_changes_then\":\"변경 내용을 보고 승인하거나 반려하세요\",\"teach_again_or_reject_it\":\"다시 티칭하거나 반려하세요\",\"came_more_may_follow\":\"{0} 수신, 더 올 수 있음\",\"wait_some_seconds\":\"몇 초 기다리세요\",\"far_from_version\":\"버전 {0}과(와) 차이 큼: {1}\",\"bring_to_barcode_send_it\":\"{0}을(를) 바코드 {1}(으)로 이동시키세요 (정지 유형: 포트)\",\"send_the_command_stop_it\":\"{0}에 정지를 보내세요. MANT로 바뀝니다\",\"align_the_hoist_over_the\":\"호이스트를 포트 위에 맞춘 뒤 DEST 또는 OFFSET 티칭을 누르거나, 차량에서 축별로 보내세요\",\"proposal_is\":\"제안 {0}: {1}. {2}\",\"nothing_the_session_is_over\":\"할 일 없음: 세션이 끝났습니다\",\"a_named_person_has_to\":\"이름을 밝힌 사람이 결정해야 합니다.\",\"send_the_header_x_actor\":\"오른쪽 위에 이름을 적으세요.\",\"the_server_does_not_answer\":\"서버가 응답하지 않습니다.\",\"there_is_no\":\"{0} {1} 없음.\",\"is_being_locked_for\":\"{0}: {1}용으로 잠그는 중\",\"to_the_source\":\"출발지까지: {0}\",\"is_farther\":\"더 멂\",\"does_job\":\"{0} 수행 중\",\"keeps_job\":\"{0} 유지\",\"status_shows_it\":\"상태 보고로 확인\",\"by_the_place_where_the_vehicle\":\"차량이 선 위치로 판정\",\"first_start_on_this_database\":\"이 데이터베이스의 첫 시작\",\"accepted_by_it\":\"수락됨\",\"and_f_agrees\":\"RESULT {0}, FOUP 비트 일치\",\"cannot_go_on\":\"{0} 진행 불가: {1}\",\"it_is_due_to_charge\":\"충전할 때가 됨\",\"plant_file_itself\":\"플랜트 파일\"}");
 var events = {
 	"TransferInitiated": "반송 시작 등록",
 	"VehicleAssigned": "차량 배정",
@@ -1358,7 +1390,9 @@ var Sayings = class {
 				return depth > 0 && part.includes(" ") ? this.retold(part, depth - 1) : part;
 			});
 		}
-		return sentence;
+		const end = sentence.indexOf("; ");
+		if (end < 0 || depth === 0) return sentence;
+		return `${this.retold(sentence.slice(0, end), depth - 1)}; ${this.retold(sentence.slice(end + 2), depth - 1)}`;
 	}
 };
 /** What stands first is a name, or several: a clause within a sentence is none by itself. */
@@ -1404,6 +1438,8 @@ function happening(event) {
 // src/access.ts
 /** Who is at the page and which calls they may make: the server says both, and when they have to say so again. */
 var KEPT$2 = "hoistway.session";
+/** What a tab and those that were made of it have in common: a name for the log-in. */
+var FAMILY = "hoistway.family";
 /** Looked so often whether the token is to be renewed, ms. */
 var LOOK = 15e3;
 /** A server that does not answer is asked again after so long, ms. */
@@ -1428,6 +1464,16 @@ function keep(next) {
 	session.value = next;
 	if (next) sessionStorage.setItem(KEPT$2, JSON.stringify(next));
 	else sessionStorage.removeItem(KEPT$2);
+}
+var others = new BroadcastChannel(KEPT$2);
+var family = () => sessionStorage.getItem(FAMILY) ?? "";
+function hear({ data }) {
+	if (!family() || data.family !== family()) return;
+	if (data.token === null) leave$1();
+	else {
+		useKey$1(data.token);
+		keep(data.kept);
+	}
 }
 /** All roles there are: each may at least look. */
 var allRoles = O(() => {
@@ -1455,35 +1501,60 @@ async function learn(anew = false) {
 }
 function take({ token, expires, until }) {
 	const [now, end] = [serverNow(), Date.parse(expires)];
-	useKey$1(token);
-	keep({
+	const kept = {
 		renew: now + (end - now) / 2,
 		expires: end,
 		until: Date.parse(until)
+	};
+	useKey$1(token);
+	keep(kept);
+	if (family()) others.postMessage({
+		family: family(),
+		token,
+		kept
 	});
+}
+/** Somebody has said who they are: what waited for that goes on. */
+async function entered() {
+	await learn(true);
+	asked$2.value = false;
+	letGo();
 }
 /** Log in with a password. Raises Refused. */
 async function logIn(name, password) {
-	take(await post("/session", {
+	const given = await post("/session", {
 		name,
 		password
-	}));
-	await learn(true);
-	asked$2.value = false;
+	});
+	sessionStorage.setItem(FAMILY, freshKey());
+	take(given);
+	await entered();
 }
 /** Use a machine's key. Raises Refused. */
 async function useKey(key) {
 	keep(null);
+	sessionStorage.setItem(FAMILY, freshKey());
 	useKey$1(key);
-	await learn(true);
-	asked$2.value = false;
+	await entered();
 }
-/** Log out, and begin with an empty page: nothing of what was shown stays. */
+/** Log out, here and in the tabs that were duplicated. */
 async function logOut() {
+	if (family()) others.postMessage({
+		family: family(),
+		token: null
+	});
+	await leave$1();
+}
+/** End the session, and begin with an empty page: nothing of what was shown stays. */
+async function leave$1() {
 	if (me.value?.person) await call("DELETE", "/session").catch(() => void 0);
-	useKey$1("");
-	keep(null);
+	forget();
 	location.reload();
+}
+function forget() {
+	useKey$1("");
+	sessionStorage.removeItem(FAMILY);
+	keep(null);
 }
 async function renew() {
 	const now = session.value;
@@ -1500,11 +1571,21 @@ async function renew() {
 function begin$5(go) {
 	onKeyWanted(() => asked$2.value = true);
 	onForbidden(() => void learn().catch(() => void 0));
+	others.addEventListener("message", hear);
 	window.setInterval(() => void renew(), LOOK);
-	const first = () => {
-		learn().catch((error) => {
-			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(first, LATER);
-		});
+	if (session.value && session.value.expires < serverNow()) forget();
+	if (!hasKey()) holdBack();
+	const first = async () => {
+		try {
+			if (!hasKey() && (await get("/session/required")).required) {
+				asked$2.value = true;
+				return;
+			}
+			letGo();
+			await learn();
+		} catch (error) {
+			if (!(error instanceof Refused && error.status === 401)) window.setTimeout(() => void first(), LATER);
+		}
 	};
 	first();
 	renew();
@@ -2522,7 +2603,7 @@ var ROOMS = [
 	"audit",
 	"webhooks"
 ];
-var KINDS$1 = /* @__PURE__ */ new Set([
+var KINDS$3 = /* @__PURE__ */ new Set([
 	"vehicle",
 	"station",
 	"device",
@@ -2541,7 +2622,7 @@ function read() {
 	room$1.value = isRoom(path) ? path : "map";
 	const asked = new URLSearchParams(query);
 	momentAsked.value = room$1.value === "playback" ? asked.get("at") : null;
-	const [kind, id] = [...asked].find(([name]) => KINDS$1.has(name)) ?? [];
+	const [kind, id] = [...asked].find(([name]) => KINDS$3.has(name)) ?? [];
 	if (kind && id) selected.value = {
 		kind,
 		id
@@ -2700,6 +2781,212 @@ function Name({ id }) {
 		children: id
 	});
 }
+// src/parts/Table.tsx
+/** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
+var SHOWN$4 = 200;
+function compare(a, b) {
+	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
+	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
+}
+function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
+	const order = useSignal(null);
+	const shown = useSignal(SHOWN$4);
+	const by = order.value ? columns[order.value.column]?.by : void 0;
+	const sign = order.value?.down ? -1 : 1;
+	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
+	const sort = (column) => {
+		const now = order.value;
+		if (now?.column !== column) order.value = {
+			column,
+			down: false
+		};
+		else order.value = now.down ? null : {
+			column,
+			down: true
+		};
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "scroll",
+		tabIndex: 0,
+		role: "group",
+		"aria-label": label,
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: columns.some(({ wraps }) => wraps) ? "list tidy" : "list",
+				children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((column, i) => {
+					const sorts = order.value?.column === i ? order.value.down ? "descending" : "ascending" : "none";
+					return /* @__PURE__ */ a("th", {
+						class: column.number ? "number" : "",
+						"aria-sort": column.by ? sorts : void 0,
+						children: column.by ? /* @__PURE__ */ a("button", {
+							type: "button",
+							onClick: () => sort(i),
+							children: [
+								column.name,
+								" ",
+								sorts === "ascending" ? "▲" : sorts === "descending" ? "▼" : ""
+							]
+						}) : /* @__PURE__ */ a("span", { children: column.name })
+					}, column.name);
+				}) }) }), /* @__PURE__ */ a("tbody", { children: sorted.slice(0, shown.value).map((row) => {
+					const key = keyOf(row);
+					return /* @__PURE__ */ a("tr", {
+						"data-row": key,
+						class: pick ? "pick" : "",
+						"aria-selected": pick ? chosen === key : void 0,
+						onClick: (event) => {
+							if (!event.target.closest("button, input, select, a")) pick?.(row);
+						},
+						children: columns.map((column) => /* @__PURE__ */ a("td", {
+							class: column.number ? "number" : column.wraps ? "wraps" : "",
+							children: column.of(row)
+						}, column.name))
+					}, key);
+				}) })]
+			}),
+			rows.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: none
+			}),
+			rows.length > shown.value && /* @__PURE__ */ a("p", {
+				class: "more-rows",
+				children: [
+					t("more_rows", rows.length - shown.value),
+					" ",
+					/* @__PURE__ */ a("button", {
+						type: "button",
+						onClick: () => shown.value += SHOWN$4,
+						children: t("show_more")
+					})
+				]
+			})
+		]
+	});
+}
+// src/parts/AlarmHistory.tsx
+/** Alarms of the past, of one machine or of a kind, page after page. */
+var KINDS$2 = [
+	"vehicle",
+	"hold",
+	"link",
+	"device",
+	"drive",
+	"traffic",
+	"plant"
+];
+var PAGE$2 = 200;
+var lasted = (alarm) => alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY;
+function AlarmHistory({ source }) {
+	const kind = useSignal("");
+	const older = useSignal(null);
+	const error = useSignal(null);
+	const query = String(new URLSearchParams({
+		limit: String(PAGE$2),
+		...source.value.trim() ? { source: source.value.trim() } : {},
+		...kind.value ? { kind: kind.value } : {}
+	}));
+	const first = useRead(`/alarms?${query}`, changes.alarms.value);
+	const more = older.value?.query === query ? older.value : null;
+	const next = more ? more.next : first.value?.next ?? null;
+	const known = new Set(first.value?.items.map(({ id }) => id));
+	const rows = [...first.value?.items ?? [], ...(more?.items ?? []).filter(({ id }) => !known.has(id))];
+	const goOn = async () => {
+		try {
+			const page = await get(`/alarms?${query}&after=${next}`);
+			older.value = {
+				query,
+				items: [...more?.items ?? [], ...page.items],
+				next: page.next
+			};
+			error.value = null;
+		} catch (failure) {
+			error.value = failure;
+		}
+	};
+	return /* @__PURE__ */ a("div", {
+		class: "filtered",
+		children: [/* @__PURE__ */ a("div", {
+			class: "filters",
+			children: [
+				/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("name") }), /* @__PURE__ */ a("input", {
+					type: "search",
+					value: source.value,
+					onChange: (event) => source.value = event.currentTarget.value
+				})] }),
+				/* @__PURE__ */ a("label", { children: [/* @__PURE__ */ a("span", { children: t("kind") }), /* @__PURE__ */ a("select", {
+					value: kind.value,
+					onChange: (event) => kind.value = event.currentTarget.value,
+					children: [/* @__PURE__ */ a("option", {
+						value: "",
+						children: t("all")
+					}), KINDS$2.map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: said(name)
+					}, name))]
+				})] }),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: next === null,
+					onClick: () => void goOn(),
+					children: t("older_rows")
+				}),
+				/* @__PURE__ */ a(Problem, { error: error.value ?? first.error })
+			]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("alarms_history"),
+			rows,
+			keyOf: (row) => String(row.id),
+			none: t("no_alarms_yet"),
+			columns: [
+				{
+					name: "#",
+					by: (row) => row.id,
+					of: (row) => row.id,
+					number: true
+				},
+				{
+					name: t("when"),
+					by: (row) => row.begun,
+					of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}`
+				},
+				{
+					name: t("kind"),
+					by: (row) => row.kind,
+					of: (row) => said(row.kind)
+				},
+				{
+					name: t("name"),
+					by: (row) => row.source,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.source })
+				},
+				{
+					name: t("cause"),
+					wraps: true,
+					by: (row) => row.code,
+					of: (row) => tell(row.cause)
+				},
+				{
+					name: t("takes"),
+					by: lasted,
+					of: (row) => row.ended ? span(lasted(row)) : t("still"),
+					number: true
+				},
+				{
+					name: t("result"),
+					wraps: true,
+					by: (row) => row.outcome,
+					of: (row) => tell(row.outcome)
+				},
+				{
+					name: t("acknowledge"),
+					wraps: true,
+					by: (row) => row.acknowledged_by,
+					of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ")
+				}
+			]
+		})]
+	});
+}
 // src/parts/Button.tsx
 function Button({ needs, class: looks = "", onClick, title, type = "button", ...rest }) {
 	const why = refusal(needs);
@@ -2790,86 +3077,89 @@ function Reasoned({ decisions, title, asking, hint }) {
 		]
 	});
 }
-// src/parts/Table.tsx
-/** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
-var SHOWN$4 = 200;
-function compare(a, b) {
-	if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
-	return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
-}
-function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
-	const order = useSignal(null);
-	const shown = useSignal(SHOWN$4);
-	const by = order.value ? columns[order.value.column]?.by : void 0;
-	const sign = order.value?.down ? -1 : 1;
-	const sorted = by ? rows.toSorted((a, b) => sign * compare(by(a), by(b))) : rows;
-	const sort = (column) => {
-		const now = order.value;
-		if (now?.column !== column) order.value = {
-			column,
-			down: false
-		};
-		else order.value = now.down ? null : {
-			column,
-			down: true
-		};
-	};
+// src/parts/Reliability.tsx
+/** How vehicles held out: failures, mean time between them and to repair; each leads to what failed. */
+var PERIODS$1 = {
+	shift: 28800,
+	day: 86400,
+	week: 604800
+};
+function Reliability({ show }) {
+	const period = useSignal("week");
+	const round = changes.alarms.value;
+	const { value, error } = useRead(`/alarms/reliability?${w$2(() => {
+		const now = serverNow();
+		return new URLSearchParams({
+			from: (/* @__PURE__ */ new Date(now - PERIODS$1[period.value] * 1e3)).toISOString(),
+			to: new Date(now).toISOString()
+		});
+	}, [period.value, round])}`);
 	return /* @__PURE__ */ a("div", {
-		class: "scroll",
-		tabIndex: 0,
-		role: "group",
-		"aria-label": label,
-		children: [
-			/* @__PURE__ */ a("table", {
-				class: "list",
-				children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: columns.map((column, i) => {
-					const sorts = order.value?.column === i ? order.value.down ? "descending" : "ascending" : "none";
-					return /* @__PURE__ */ a("th", {
-						class: column.number ? "number" : "",
-						"aria-sort": column.by ? sorts : void 0,
-						children: column.by ? /* @__PURE__ */ a("button", {
-							type: "button",
-							onClick: () => sort(i),
-							children: [
-								column.name,
-								" ",
-								sorts === "ascending" ? "▲" : sorts === "descending" ? "▼" : ""
-							]
-						}) : /* @__PURE__ */ a("span", { children: column.name })
-					}, column.name);
-				}) }) }), /* @__PURE__ */ a("tbody", { children: sorted.slice(0, shown.value).map((row) => {
-					const key = keyOf(row);
-					return /* @__PURE__ */ a("tr", {
-						"data-row": key,
-						class: pick ? "pick" : "",
-						"aria-selected": pick ? chosen === key : void 0,
-						onClick: (event) => {
-							if (!event.target.closest("button, input, select, a")) pick?.(row);
-						},
-						children: columns.map((column) => /* @__PURE__ */ a("td", {
-							class: column.number ? "number" : "",
-							children: column.of(row)
-						}, column.name))
-					}, key);
-				}) })]
-			}),
-			rows.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: none
-			}),
-			rows.length > shown.value && /* @__PURE__ */ a("p", {
-				class: "more-rows",
-				children: [
-					t("more_rows", rows.length - shown.value),
-					" ",
-					/* @__PURE__ */ a("button", {
+		class: "filtered",
+		children: [/* @__PURE__ */ a("div", {
+			class: "filters",
+			children: [/* @__PURE__ */ a("span", {
+				class: "tabs",
+				children: Object.keys(PERIODS$1).map((name) => /* @__PURE__ */ a("button", {
+					type: "button",
+					"aria-pressed": period.value === name,
+					onClick: () => period.value = name,
+					children: t(`period_${name}`)
+				}, name))
+			}), /* @__PURE__ */ a(Problem, { error })]
+		}), /* @__PURE__ */ a(Table, {
+			label: t("reliability"),
+			rows: value?.items ?? [],
+			keyOf: (row) => row.vehicle,
+			none: t("nothing_found"),
+			columns: [
+				{
+					name: t("vehicle"),
+					by: (row) => row.vehicle,
+					of: (row) => /* @__PURE__ */ a(Name, { id: row.vehicle })
+				},
+				{
+					name: t("failures"),
+					by: (row) => row.failures,
+					of: (row) => row.failures,
+					number: true
+				},
+				{
+					name: t("down_minutes"),
+					by: (row) => row.down_minutes,
+					of: (row) => row.down_minutes.toFixed(1),
+					number: true
+				},
+				{
+					name: "MTBF (h)",
+					by: (row) => row.mtbf_hours,
+					of: (row) => row.mtbf_hours?.toFixed(2) ?? "–",
+					number: true
+				},
+				{
+					name: "MTTR (min)",
+					by: (row) => row.mttr_minutes,
+					of: (row) => row.mttr_minutes?.toFixed(1) ?? "–",
+					number: true
+				},
+				{
+					name: t("availability"),
+					by: (row) => row.availability,
+					of: (row) => `${(row.availability * 100).toFixed(2)} %`,
+					number: true
+				},
+				{
+					name: t("failures_of"),
+					of: (row) => /* @__PURE__ */ a("button", {
 						type: "button",
-						onClick: () => shown.value += SHOWN$4,
-						children: t("show_more")
+						class: "text",
+						disabled: row.failures === 0,
+						onClick: () => show(row.vehicle),
+						children: t("alarms_history")
 					})
-				]
-			})
-		]
+				}
+			]
+		})]
 	});
 }
 // src/parts/Alarms.tsx
@@ -2877,10 +3167,13 @@ function Table({ label, rows, columns, keyOf, pick, chosen, none }) {
 var TABS$1 = [
 	"now",
 	"history",
-	"pareto"
+	"pareto",
+	"reliability"
 ];
 function Alarms() {
 	const tab = useSignal("now");
+	/** Whose alarms the history is to show; "": everybody's. */
+	const source = useSignal("");
 	return /* @__PURE__ */ a("section", {
 		class: "room",
 		"aria-label": t("alarms"),
@@ -2897,13 +3190,17 @@ function Alarms() {
 						type: "button",
 						"aria-pressed": tab.value === name,
 						onClick: () => tab.value = name,
-						children: t(`alarms_${name}`)
+						children: name === "reliability" ? t(name) : t(`alarms_${name}`)
 					}, name))
 				})]
 			}),
 			tab.value === "now" && /* @__PURE__ */ a(Present, {}),
-			tab.value === "history" && /* @__PURE__ */ a(History$1, {}),
-			tab.value === "pareto" && /* @__PURE__ */ a(Pareto, {})
+			tab.value === "history" && /* @__PURE__ */ a(AlarmHistory, { source }),
+			tab.value === "pareto" && /* @__PURE__ */ a(Pareto, {}),
+			tab.value === "reliability" && /* @__PURE__ */ a(Reliability, { show: (id) => {
+				source.value = id;
+				tab.value = "history";
+			} })
 		]
 	});
 }
@@ -3017,60 +3314,6 @@ function Other({ wrong }) {
 				class: "remedy",
 				children: tell(wrong.remedy)
 			})
-		]
-	});
-}
-var lasted = (alarm) => alarm.ended ? Date.parse(alarm.ended) - Date.parse(alarm.begun) : Number.POSITIVE_INFINITY;
-function History$1() {
-	const { value } = useRead("/alarms?limit=500", changes.alarms.value);
-	return /* @__PURE__ */ a(Table, {
-		label: t("alarms_history"),
-		rows: value?.items ?? [],
-		keyOf: (row) => String(row.id),
-		none: t("no_alarms_yet"),
-		columns: [
-			{
-				name: "#",
-				by: (row) => row.id,
-				of: (row) => row.id,
-				number: true
-			},
-			{
-				name: t("when"),
-				by: (row) => row.begun,
-				of: (row) => `${row.begun.slice(5, 10)} ${clock(row.begun)}`
-			},
-			{
-				name: t("kind"),
-				by: (row) => row.kind,
-				of: (row) => said(row.kind)
-			},
-			{
-				name: t("name"),
-				by: (row) => row.source,
-				of: (row) => /* @__PURE__ */ a(Name, { id: row.source })
-			},
-			{
-				name: t("cause"),
-				by: (row) => row.code,
-				of: (row) => tell(row.cause)
-			},
-			{
-				name: t("takes"),
-				by: lasted,
-				of: (row) => row.ended ? span(lasted(row)) : t("still"),
-				number: true
-			},
-			{
-				name: t("result"),
-				by: (row) => row.outcome,
-				of: (row) => tell(row.outcome)
-			},
-			{
-				name: t("acknowledge"),
-				by: (row) => row.acknowledged_by,
-				of: (row) => [row.acknowledged_by, row.note].filter(Boolean).join(": ")
-			}
 		]
 	});
 }
@@ -3197,7 +3440,7 @@ var COLUMNS = [
 	"detail",
 	"accepted"
 ];
-function queryOf(given) {
+function queryOf$1(given) {
 	const query = new URLSearchParams({ order: "newest" });
 	for (const [name, value] of Object.entries(given)) if (value.trim()) query.set(name, value.trim());
 	return query.toString();
@@ -3268,7 +3511,7 @@ function Rows() {
 		useSignal("")
 	];
 	const accepted = useSignal("");
-	const query = useSignal(queryOf({}));
+	const query = useSignal(queryOf$1({}));
 	/** Where each page begins; the last is the one that is shown. */
 	const pages = useSignal([0]);
 	const asking = useAsking();
@@ -3277,7 +3520,7 @@ function Rows() {
 	const { value } = useRead(`/audit?${query.value}&limit=${PAGE$1}${after ? `&after=${after}` : ""}`, again.value, round$2.value);
 	const look = (event) => {
 		event.preventDefault();
-		query.value = queryOf({
+		query.value = queryOf$1({
 			actor: actor.value,
 			action: action.value,
 			target: target.value,
@@ -3379,7 +3622,7 @@ function Rows() {
 					},
 					{
 						name: t("who"),
-						of: (row) => row.actor
+						of: (row) => tell(row.actor)
 					},
 					{
 						name: t("what"),
@@ -3398,7 +3641,8 @@ function Rows() {
 					},
 					{
 						name: t("in_words"),
-						of: (row) => row.detail
+						wraps: true,
+						of: (row) => tell(row.detail)
 					}
 				]
 			}),
@@ -3409,7 +3653,7 @@ function Rows() {
 						type: "button",
 						disabled: pages.value.length < 2,
 						onClick: () => pages.value = pages.value.slice(0, -1),
-						children: ["◀ ", t("newer")]
+						children: ["◀ ", t("newer_rows")]
 					}),
 					/* @__PURE__ */ a("span", {
 						class: "calm",
@@ -3419,7 +3663,7 @@ function Rows() {
 						type: "button",
 						disabled: !value?.next,
 						onClick: () => value?.next && (pages.value = [...pages.value, value.next]),
-						children: [t("older"), " ▶"]
+						children: [t("older_rows"), " ▶"]
 					})
 				]
 			})
@@ -3519,7 +3763,7 @@ function Row$2({ drive }) {
 	const { word, tone } = lookOfDrive(drive);
 	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
 	const heard = drive.online === true;
-	const why = drive.online ? drive.meaning : drive.reason;
+	const why = drive.online ? said(drive.meaning) : tell(drive.reason);
 	const choose = () => {
 		selected.value = chosen ? null : {
 			kind: "drive",
@@ -3601,7 +3845,7 @@ function Line$3({ event }) {
 					event.job,
 					event.carrier,
 					where,
-					event.result,
+					event.result && said(event.result),
 					tell(event.detail)
 				])].filter(Boolean).join(" · ")
 			})
@@ -3708,11 +3952,16 @@ function LineList() {
 		}), value?.items.map((line) => /* @__PURE__ */ a(Row$1, { line }, line.id))]
 	});
 }
+/** A count by its word, if it has one. */
+function countName(name) {
+	const word = said(`count_${name}`);
+	return word === `count ${name.replaceAll("_", " ")}` ? name.replaceAll("_", " ") : word;
+}
 function Row$1({ line }) {
 	const open = useSignal(false);
 	const asking = useAsking();
 	const path = `/links/${encodeURIComponent(line.id)}`;
-	const figures = Object.entries(line.figures).map(([name, count]) => `${name.replaceAll("_", " ")} ${count}`);
+	const figures = Object.entries(line.figures).map(([name, count]) => `${countName(name)} ${count}`);
 	return /* @__PURE__ */ a("li", {
 		"data-line": line.id,
 		children: [
@@ -4348,13 +4597,390 @@ function DeviceDecisions({ device }) {
 		children: [/* @__PURE__ */ a("summary", { children: t("decide") }), /* @__PURE__ */ a(Reasoned, { decisions })]
 	});
 }
+// src/parts/AgvCommands.tsx
+/** What only AGVs are asked for: driven by hand, along their tape, to a destination by its name, or told at which tag they stand. */
+var NEEDS = "POST /vehicles/{vehicle}/commands";
+var BY_HAND = [
+	"forward",
+	"backward",
+	"turn_left",
+	"turn_right"
+];
+var ALONG = ["forward", "backward"];
+var SPEEDS = [
+	"slow",
+	"normal",
+	"fast"
+];
+var STEERING = [
+	"straight",
+	"left",
+	"right"
+];
+function AgvCommands({ send }) {
+	const speed = useSignal("slow");
+	const steering = useSignal("straight");
+	const [tag, alias] = [useSignal(""), useSignal("")];
+	return /* @__PURE__ */ a($, { children: [
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [/* @__PURE__ */ a(Choice$1, {
+				label: t("speed"),
+				value: speed,
+				of: SPEEDS.map((name) => [name, t(`speed_${name}`)])
+			}), /* @__PURE__ */ a(Choice$1, {
+				label: t("at_forks"),
+				value: steering,
+				of: STEERING.map((name) => [name, t(`agv_${name}`)])
+			})]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "acts-row",
+			role: "group",
+			"aria-label": t("by_hand"),
+			children: [BY_HAND.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`hand_${direction}`),
+				does: () => send({
+					command: "agv_move_manual",
+					direction,
+					speed: speed.value
+				})
+			}, direction)), ALONG.map((direction) => /* @__PURE__ */ a(Sure, {
+				needs: NEEDS,
+				label: t(`tape_${direction}`),
+				does: () => send({
+					command: "agv_move_auto",
+					direction,
+					steering: steering.value,
+					speed: speed.value
+				})
+			}, direction))]
+		}),
+		/* @__PURE__ */ a("div", {
+			class: "fields",
+			children: [
+				/* @__PURE__ */ a(Field, {
+					label: t("agv_alias"),
+					name: "alias",
+					value: alias,
+					list: "agv-aliases"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("move"),
+						disabled: !alias.value.trim(),
+						does: () => send({
+							command: "agv_move_alias",
+							alias: alias.value.trim()
+						})
+					})
+				}),
+				/* @__PURE__ */ a(Field, {
+					label: t("stands_at_tag"),
+					name: "tag",
+					value: tag,
+					list: "barcode-names"
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: NEEDS,
+						label: t("tell_it"),
+						disabled: !tag.value.trim(),
+						does: () => send({
+							command: "agv_set_current",
+							tag: tag.value.trim()
+						})
+					})
+				})
+			]
+		}),
+		/* @__PURE__ */ a("datalist", {
+			id: "agv-aliases",
+			children: layout.value?.chargers.flatMap((one) => one.alias ? [/* @__PURE__ */ a("option", { value: one.alias }, one.id)] : [])
+		})
+	] });
+}
+// src/parts/VehicleCommands.tsx
+/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
+var PLAIN = [
+	"status",
+	"stop_by_host",
+	"stop",
+	"auto",
+	"alarm_clear",
+	"servo_on",
+	"servo_off",
+	"search_home",
+	"go_home",
+	"system_reset"
+];
+var AGV_PLAIN = [
+	"stop",
+	"alarm_clear",
+	"agv_mark_stop"
+];
+/** An AGV has no MANT that a stop would lead to. */
+var AGV_WORDS = { stop: "vc_agv_stop" };
+var LIFTS = [
+	"up",
+	"down",
+	"stop"
+];
+function VehicleCommands({ vehicle }) {
+	const asking = useAsking();
+	const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
+	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
+	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
+	const plain = agv ? AGV_PLAIN : PLAIN;
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
+			class: "stack",
+			children: [
+				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					"data-commands": vehicle.id,
+					children: [
+						plain.map((command) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(agv && AGV_WORDS[command] || `vc_${command}`),
+							does: () => send({ command })
+						}, command)),
+						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(`vc_lift_${action}`),
+							does: () => send({
+								command: "agv_lift",
+								action
+							})
+						}, action)),
+						agv && /* @__PURE__ */ a(Sure, {
+							needs: "POST /vehicles/{vehicle}/commands",
+							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
+							does: () => send({
+								command: "agv_charge",
+								on: !vehicle.agv?.charging
+							})
+						})
+					]
+				}),
+				/* @__PURE__ */ a("div", {
+					class: "acts-row",
+					children: /* @__PURE__ */ a(Sure, {
+						needs: "POST /vehicles/{vehicle}/park",
+						label: t("park"),
+						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
+					})
+				}),
+				/* @__PURE__ */ a(Move, { send }),
+				agv && /* @__PURE__ */ a(AgvCommands, { send }),
+				!agv && /* @__PURE__ */ a(Handle, { send }),
+				!agv && /* @__PURE__ */ a(Display, { send }),
+				/* @__PURE__ */ a(Told, { asking }),
+				/* @__PURE__ */ a(Service, {
+					vehicle,
+					path
+				}),
+				/* @__PURE__ */ a(Past$2, { path })
+			]
+		})]
+	});
+}
+/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
+function Recover({ path }) {
+	const asking = useAsking();
+	const looked = useSignal(false);
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("label", { children: [
+				/* @__PURE__ */ a("input", {
+					type: "checkbox",
+					checked: looked.value,
+					onChange: (event) => looked.value = event.currentTarget.checked
+				}),
+				" ",
+				t("homing_safe")
+			] }),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/recover",
+					label: t("recover"),
+					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	});
+}
+function Move({ send }) {
+	const barcode = useSignal("");
+	const action = useSignal("stop");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("move_to"),
+				value: barcode,
+				list: "barcode-names"
+			}),
+			/* @__PURE__ */ a(Choice$1, {
+				label: t("stop_action"),
+				value: action,
+				of: [
+					["stop", t("act_stop")],
+					["port", t("port")],
+					["sbfl", t("sbfl")],
+					["sbfr", t("sbfr")]
+				]
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "wide acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("move"),
+					disabled: !barcode.value.trim(),
+					does: () => send({
+						command: "move",
+						barcode: barcode.value.trim(),
+						action: action.value
+					})
+				})
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "barcode-names",
+				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
+			})
+		]
+	});
+}
+function Handle({ send }) {
+	const station = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [
+			/* @__PURE__ */ a(Field, {
+				label: t("at_station"),
+				value: station,
+				list: "station-names"
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: [/* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_pickup"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "pickup",
+						station: station.value.trim()
+					})
+				}), /* @__PURE__ */ a(Sure, {
+					needs: "POST /vehicles/{vehicle}/commands",
+					label: t("vc_place"),
+					disabled: !station.value.trim(),
+					does: () => send({
+						command: "place",
+						station: station.value.trim()
+					})
+				})]
+			}),
+			/* @__PURE__ */ a("datalist", {
+				id: "station-names",
+				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
+			})
+		]
+	});
+}
+function Display({ send }) {
+	const words = useSignal("");
+	return /* @__PURE__ */ a("div", {
+		class: "fields",
+		children: [/* @__PURE__ */ a(Field, {
+			label: t("display_text"),
+			value: words
+		}), /* @__PURE__ */ a("div", {
+			class: "acts-row",
+			children: /* @__PURE__ */ a(Sure, {
+				needs: "POST /vehicles/{vehicle}/commands",
+				label: t("vc_display"),
+				disabled: !words.value,
+				does: () => send({
+					command: "display",
+					text: words.value
+				})
+			})
+		})]
+	});
+}
+/** Lockout while people are at it, and whether it is used at all. */
+function Service({ vehicle, path }) {
+	const used = vehicle.service === "in_service";
+	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
+		label: t("lift_lockout"),
+		needs: "DELETE /vehicles/{vehicle}/lockout",
+		bare: true,
+		grave: true,
+		does: () => call("DELETE", `${path}/lockout`)
+	} : {
+		label: t("lock_out"),
+		needs: "POST /vehicles/{vehicle}/lockout",
+		grave: true,
+		does: (reason) => post(`${path}/lockout`, { reason })
+	}, used ? {
+		label: t("take_out"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		grave: true,
+		does: (reason) => call("PUT", `${path}/service`, {
+			in_service: false,
+			reason
+		})
+	} : {
+		label: t("put_back"),
+		needs: "PUT /vehicles/{vehicle}/service",
+		bare: true,
+		does: () => call("PUT", `${path}/service`, { in_service: true })
+	}] });
+}
+/** A command by its button's word, if it has one. */
+function commandName(kind) {
+	const word = `vc_${kind}`;
+	return said(word) === word.replaceAll("_", " ") ? kind.replaceAll("_", " ") : said(word);
+}
+function Past$2({ path }) {
+	const round = Math.floor(changes.vehicles.value / 30);
+	const { value } = useRead(`${path}/commands?limit=12`, round);
+	return /* @__PURE__ */ a("table", {
+		class: "bits",
+		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
+			title: command.actor,
+			children: [
+				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
+				/* @__PURE__ */ a("td", { children: commandName(command.kind) }),
+				/* @__PURE__ */ a("td", { children: [
+					said(`cs_${command.state}`),
+					" ",
+					/* @__PURE__ */ a("small", {
+						class: "calm",
+						children: tell(command.outcome)
+					})
+				] })
+			]
+		}, command.cmd_id)) })
+	});
+}
 // src/parts/DeviceMore.tsx
 /** What was asked of a door or buffer lately and what became of it, and the packets on its line. */
 function DeviceMore({ device }) {
 	const path = `/devices/${encodeURIComponent(device.id)}`;
-	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$2, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
+	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a(Past$1, { path }), device.link && /* @__PURE__ */ a(LineFrames, { path: `${path}/frames` })] });
 }
-function Past$2({ path }) {
+function Past$1({ path }) {
 	const open = useSignal(false);
 	const { value } = useRead(open.value ? `${path}/commands?limit=12` : null, changes.devices.value);
 	return /* @__PURE__ */ a("details", {
@@ -4371,9 +4997,9 @@ function Past$2({ path }) {
 				class: "bits",
 				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", { children: [
 					/* @__PURE__ */ a("th", { children: clock(command.opened) }),
-					/* @__PURE__ */ a("td", { children: said(command.state) }),
+					/* @__PURE__ */ a("td", { children: said(`cs_${command.state}`) }),
 					/* @__PURE__ */ a("td", { children: [
-						command.kind,
+						commandName(command.kind),
 						" · ",
 						command.actor,
 						" ",
@@ -4612,6 +5238,101 @@ function Commands({ id, commands }) {
 			children: done.value
 		})
 	] });
+}
+// src/parts/BackupContents.tsx
+/** What a backup of a drive has: each parameter raw, and in its unit where the model's catalogue names it. */
+function BackupContents({ path }) {
+	const open = useSignal(false);
+	const { value, error } = useRead(open.value ? path : null);
+	return /* @__PURE__ */ a("details", {
+		class: "contents",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: t("backup_contents") }),
+			/* @__PURE__ */ a(Problem, { error }),
+			value && /* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: value.values.map((row) => /* @__PURE__ */ a("tr", { children: [
+					/* @__PURE__ */ a("th", { children: row.parameter }),
+					/* @__PURE__ */ a("td", { children: row.raw }),
+					/* @__PURE__ */ a("td", { children: [
+						row.name,
+						" ",
+						row.value !== null && `${row.value} ${row.unit}`
+					] })
+				] }, row.parameter)) })
+			})
+		]
+	});
+}
+// src/parts/DriveCatalogue.tsx
+/** What is known of a drive's model, parameter by parameter; read once somebody opens it. */
+function DriveCatalogue({ path }) {
+	const open = useSignal(false);
+	const { value, error } = useRead(open.value ? `${path}/catalogue` : null);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [
+			/* @__PURE__ */ a("summary", { children: [
+				t("catalogue"),
+				" ",
+				value?.model
+			] }),
+			/* @__PURE__ */ a(Problem, { error }),
+			value?.description && /* @__PURE__ */ a("p", {
+				class: "calm",
+				children: value.description
+			}),
+			value?.parameters.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_catalogue")
+			}),
+			value && value.parameters.length > 0 && /* @__PURE__ */ a("div", {
+				class: "scroll wide-table",
+				tabIndex: 0,
+				role: "group",
+				"aria-label": t("catalogue"),
+				children: /* @__PURE__ */ a("table", {
+					class: "list",
+					children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+						"#",
+						t("name"),
+						t("range"),
+						t("default_value")
+					].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: value.parameters.map((spec) => /* @__PURE__ */ a("tr", {
+						"data-spec": spec.number,
+						children: [
+							/* @__PURE__ */ a("td", { children: spec.number }),
+							/* @__PURE__ */ a("td", { children: [
+								spec.name,
+								" ",
+								/* @__PURE__ */ a("small", {
+									class: "calm basis",
+									children: wordsOf(spec)
+								})
+							] }),
+							/* @__PURE__ */ a("td", { children: rangeOf(spec) }),
+							/* @__PURE__ */ a("td", { children: spec.default ?? "–" })
+						]
+					}, spec.number)) })]
+				})
+			})
+		]
+	});
+}
+function rangeOf({ lowest, highest, unit }) {
+	return `${lowest ?? ""} … ${highest ?? ""} ${unit}`.trim();
+}
+function wordsOf(spec) {
+	const choices = Object.entries(spec.choices).map(([raw, word]) => `${raw}: ${word}`);
+	return [
+		spec.description,
+		choices.join(", "),
+		spec.read_only ? t("read_only") : spec.while_running ? t("while_running") : ""
+	].filter(Boolean).join(" · ");
 }
 // src/parts/Parameters.tsx
 /** A drive's parameters as last known, and how they are read from it. */
@@ -8688,7 +9409,7 @@ function begin$2() {
 // src/parts/LiveChart.tsx
 /** A chart that grows at its right end: each unit has a scale of its own, the first two an axis. */
 var HEIGHT$1 = 200;
-var COLOURS$3 = [
+var COLOURS$2 = [
 	"--look-moving",
 	"--look-held",
 	"--look-charging",
@@ -8728,7 +9449,7 @@ function LiveChart({ label, times, lines }) {
 			}, ...lines.map(({ label: name, unit }, i) => ({
 				label: unit ? `${name} (${unit})` : name,
 				scale: `of ${unit}`,
-				stroke: of(COLOURS$3[i % COLOURS$3.length]),
+				stroke: of(COLOURS$2[i % COLOURS$2.length]),
 				width: 2,
 				spanGaps: true
 			}))],
@@ -8924,6 +9645,7 @@ function DriveTools({ drive }) {
 			drive,
 			path
 		}),
+		/* @__PURE__ */ a(DriveCatalogue, { path }),
 		/* @__PURE__ */ a(DriveMore, {
 			drive,
 			path
@@ -9113,7 +9835,8 @@ function Backups({ drive, path }) {
 							needs: "POST /drives/{drive}/restore",
 							label: t("restore"),
 							does: () => begin("restore", { backup: backup.id }, t("restore"))
-						})
+						}),
+						/* @__PURE__ */ a(BackupContents, { path: `${path}/backups/${backup.id}` })
 					]
 				}, backup.id)),
 				/* @__PURE__ */ a(Told, { asking }),
@@ -9140,7 +9863,7 @@ function Differences({ rows }) {
 }
 // src/parts/DrivePanel.tsx
 /** One axis drive: what it says of itself, and what is wrong. */
-var COLOURS$2 = {
+var COLOURS$1 = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -9155,7 +9878,7 @@ function DrivePanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: now.id,
 		tag: now.name,
-		colour: COLOURS$2[tone],
+		colour: COLOURS$1[tone],
 		children: [
 			/* @__PURE__ */ a(Notes$1, { drive: now }),
 			/* @__PURE__ */ a("dl", { children: [
@@ -9169,7 +9892,7 @@ function DrivePanel({ id }) {
 				now.mode !== null && /* @__PURE__ */ a(Fact, {
 					name: t(now.mode === "error" ? "error_fact" : "operation_fact"),
 					children: [
-						now.meaning || "–",
+						said(now.meaning) || "–",
 						" ",
 						/* @__PURE__ */ a("small", { children: now.code })
 					]
@@ -9234,6 +9957,7 @@ function StopKey({ id }) {
 		})
 	] });
 }
+/** What is wrong with it, why it is not heard, who has locked it out. */
 function Notes$1({ drive }) {
 	return /* @__PURE__ */ a($, { children: [
 		drive.mode === "error" && drive.online && /* @__PURE__ */ a("p", {
@@ -9590,9 +10314,35 @@ function LinkState() {
 		children: [/* @__PURE__ */ a("i", { class: "dot" }), text]
 	});
 }
+// src/phases.ts
+/** What ends a phase; the last of them counts, since an assignment may have been another's before. */
+var ENDS = [
+	["queued", "VehicleAssigned"],
+	["fetching", "VehicleAcquireStarted"],
+	["acquiring", "VehicleAcquireCompleted"],
+	["carrying", "VehicleDepositStarted"],
+	["depositing", "VehicleDepositCompleted"]
+];
+/** Phases with their seconds, in order; the one under way lasts until `now` (ms), null: the job is over. */
+function phasesOf(created, now, events) {
+	const found = [];
+	let from = Date.parse(created);
+	for (const [name, end] of ENDS) {
+		const ended = events.findLast(({ event }) => event === end);
+		const to = ended ? Date.parse(ended.ts) : now;
+		if (to === null || to < from) break;
+		found.push({
+			name,
+			took: (to - from) / 1e3
+		});
+		if (!ended) break;
+		from = to;
+	}
+	return found;
+}
 // src/parts/JobPanel.tsx
 /** One job: its phases, why this vehicle, what it waited for, its events, and all that can be done about it. */
-var COLOURS$1 = {
+var COLOURS = {
 	calm: "var(--dim)",
 	go: "var(--accent)",
 	wait: "var(--wait)",
@@ -9627,7 +10377,7 @@ function JobPanel({ id }) {
 	return /* @__PURE__ */ a(Panel, {
 		title: job.id,
 		tag: said(job.state),
-		colour: COLOURS$1[tone],
+		colour: COLOURS[tone],
 		children: [
 			job.reason && !over && /* @__PURE__ */ a("p", {
 				class: "note waits",
@@ -9673,7 +10423,10 @@ function JobPanel({ id }) {
 					children: tell(job.result || job.reason) || said(job.state)
 				})
 			] }),
-			why.value && /* @__PURE__ */ a(Phases$1, { why: why.value }),
+			whole.value && /* @__PURE__ */ a(Phases$1, {
+				job,
+				events: whole.value.history
+			}),
 			!over && /* @__PURE__ */ a(Change$1, { job }),
 			why.value && /* @__PURE__ */ a(Why, { why: why.value }),
 			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
@@ -9682,19 +10435,9 @@ function JobPanel({ id }) {
 	});
 }
 var seconds$1 = (value) => value >= 100 ? `${Math.round(value)} s` : `${value.toFixed(1)} s`;
-/** How long it lay, was fetched, was carried: drawn to scale. */
-function Phases$1({ why }) {
-	const phases = [
-		"queued",
-		"fetching",
-		"carrying"
-	].flatMap((name) => {
-		const took = why[name];
-		return took === null ? [] : [{
-			name,
-			took
-		}];
-	});
+/** How long it lay, was fetched, picked up, carried and put down: drawn to scale. */
+function Phases$1({ job, events }) {
+	const phases = phasesOf(job.created, ENDED.has(job.state) ? null : serverNow(), events);
 	if (phases.length === 0) return null;
 	return /* @__PURE__ */ a("section", {
 		class: "part",
@@ -9791,8 +10534,8 @@ function History({ events }) {
 					" ",
 					[
 						event.vehicle,
-						event.result,
-						tell(event.detail)
+						event.result && said(event.result),
+						event.detail !== event.result && tell(event.detail)
 					].filter(Boolean).join(" · ")
 				] })
 			] }, event.seq)) })
@@ -10058,6 +10801,7 @@ function JobRoom() {
 				},
 				{
 					name: t("why"),
+					wraps: true,
 					of: (job) => tell(ENDED.has(job.state) ? job.result || job.reason : job.reason)
 				}
 			]
@@ -10108,11 +10852,14 @@ var Reel = class {
 	/** What comes next: the piece, and the change in it. */
 	index = 0;
 	within = 0;
+	/** What is shown; NaN: nothing yet. */
+	now = NaN;
 	/** All that happened before this moment is here, s. */
 	until = Number.NEGATIVE_INFINITY;
 	clear() {
 		this.pieces = [];
 		this.count = this.index = this.within = 0;
+		this.now = NaN;
 		this.until = Number.NEGATIVE_INFINITY;
 	}
 	/** Put a piece behind the others. */
@@ -10131,18 +10878,41 @@ var Reel = class {
 	holds(at) {
 		return this.begin <= at && at <= this.until;
 	}
-	/** Show a moment, from the whole state before it. */
+	/** Show a moment: go on to it if nothing whole lies between, else make it of the whole state before it. */
 	seek(at, screen) {
 		let from = 0;
 		this.pieces.forEach((piece, i) => {
 			if (piece.state && piece.begin <= at) from = i;
 		});
+		if (this.now <= at && from < this.index) this.forward(at, screen);
+		else this.make(from, at, screen);
+	}
+	/** All changes since a whole state brought into it, and shown at once: most objects change many times. */
+	make(from, at, screen) {
+		const state = {};
+		for (const [topic, objects] of Object.entries(this.pieces[from]?.state ?? {})) state[topic] = { ...objects };
+		const own = /* @__PURE__ */ new Set();
 		this.index = from;
 		this.within = 0;
-		this.forward(at, screen);
+		this.forward(at, {
+			whole: () => void 0,
+			change: ([, topic, key, value]) => {
+				const objects = state[topic] ??= {};
+				const before = objects[key];
+				if (value === null) delete objects[key];
+				else if (topic !== "vehicles" || !before) objects[key] = value;
+				else if (own.has(before)) Object.assign(before, value);
+				else own.add(objects[key] = {
+					...before,
+					...value
+				});
+			}
+		});
+		screen.whole(state);
 	}
 	/** Go on to a moment that is not before the present one. */
 	forward(at, screen) {
+		this.now = at;
 		for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
 			if (piece.state) {
 				if (piece.begin > at && this.index > 0) return;
@@ -10520,6 +11290,8 @@ var PACES = [
 ];
 /** The moment that is shown, UTC seconds; 0: none yet. */
 var moment = y$1(0);
+/** The same as lists and fields tell it: they follow only some times a second, since the map wants the time. */
+var told = y$1(0);
 var playing = y$1(false);
 var pace = y$1(1);
 /** From when to when something was recorded; null: that is not known yet, or nothing was. */
@@ -10532,8 +11304,14 @@ var trails = new Trails();
 var AHEAD = 12;
 /** So much is fetched at once, seconds of the viewer's time. */
 var PORTION = 10;
+/** A moment that was asked for is fetched with so many seconds after it: the rest follows once it is shown. */
+var FIRST = 2;
+/** What was fetched is gone on with rather than begun anew for so many seconds beyond it. */
+var BEYOND = 30;
 /** What the lists and panels show follows so often, ms. */
 var SHOWN$2 = 100;
+/** How often lists and fields follow while it plays, ms. */
+var TOLD = 250;
 /** Nobody looks at a page that was not painted for longer, ms. */
 var LONGEST = 250;
 /** Whether more was recorded is asked so often, ms. */
@@ -10551,6 +11329,7 @@ var wanted = null;
 var frame = 0;
 var last = 0;
 var flushed = 0;
+var toldAt = 0;
 var timer = 0;
 var iso$1 = (seconds) => (/* @__PURE__ */ new Date(seconds * 1e3)).toISOString();
 /** Ask from when to when there is something. */
@@ -10625,9 +11404,11 @@ async function load$1() {
 	try {
 		for (let at = wanted; at !== null; at = wanted === at ? null : wanted) {
 			const mine = ++round;
-			reel.clear();
-			trails.clear();
-			const end = Math.min(at + PORTION * pace.value, kept$1.value?.to ?? at);
+			if (at < reel.begin || at > reel.until + BEYOND) {
+				reel.clear();
+				trails.clear();
+			}
+			const end = Math.min(at + FIRST, kept$1.value?.to ?? at);
 			for (let first = true; first || reel.last !== null && reel.until < at; first = false) await fetchOn(at, end, mine);
 			if (mine !== round) return;
 			if (reel.begin > at) moment.value = Math.min(reel.begin, kept$1.value?.to ?? reel.begin);
@@ -10643,6 +11424,7 @@ async function load$1() {
 		loading.value = false;
 		settle();
 	}
+	feed();
 }
 /** Where it stands still, the address names the moment. */
 function settle() {
@@ -10709,6 +11491,13 @@ function leave() {
 /** Follow the room: whoever opens playback sees the past, whoever leaves it the present. A recorded incident has nothing else. */
 function begin$1() {
 	forbidWhile(() => inPast.value ? t("past_no_commands") : "");
+	x(() => {
+		const at = moment.value;
+		const now = performance.now();
+		if (playing.value && now - toldAt < TOLD) return;
+		toldAt = now;
+		told.value = at;
+	});
 	let inside = false;
 	x(() => {
 		const now = room$1.value === "playback";
@@ -10811,7 +11600,7 @@ function Row({ job, ask }) {
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "age",
-				children: elapsed(job, inPast.value ? moment.value * 1e3 : serverNow())
+				children: elapsed(job, inPast.value ? told.value * 1e3 : serverNow())
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "route",
@@ -11087,11 +11876,12 @@ function Layouts() {
 						{
 							name: t("actor"),
 							by: (row) => row.activated_by ?? row.actor,
-							of: (row) => row.activated_by ?? row.actor
+							of: (row) => tell(row.activated_by ?? row.actor)
 						},
 						{
 							name: t("reason"),
-							of: (row) => row.why || row.reason
+							wraps: true,
+							of: (row) => tell(row.why || row.reason)
 						}
 					]
 				}),
@@ -11356,6 +12146,7 @@ function Changes$1({ difference, error }) {
 				},
 				{
 					name: t("in_words"),
+					wraps: true,
 					of: (row) => row.text
 				}
 			]
@@ -11429,6 +12220,221 @@ function LogIn() {
 				})
 			]
 		})
+	});
+}
+// src/parts/ByHand.tsx
+/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
+var AXES$1 = [
+	"shft",
+	"rota",
+	"lift"
+];
+function ByHand({ kind, path, newest, after }) {
+	const values = {
+		shft: useSignal(String(newest?.shft ?? "")),
+		rota: useSignal(String(newest?.rota ?? "")),
+		lift: useSignal(String(newest?.lift ?? ""))
+	};
+	const asking = useAsking();
+	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
+	const write = async () => {
+		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
+		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
+		if (await asking.ask(() => call("PUT", path, body, match))) after();
+	};
+	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "fields three",
+				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
+					label: axis.toUpperCase(),
+					name: axis,
+					type: "number",
+					value: values[axis]
+				}, axis))
+			}),
+			/* @__PURE__ */ a("div", {
+				class: "acts-row",
+				children: /* @__PURE__ */ a(Sure, {
+					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
+					label: t("write"),
+					disabled: !whole,
+					does: () => void write()
+				})
+			}),
+			/* @__PURE__ */ a(Told, { asking })
+		]
+	})] });
+}
+// src/parts/Pulses.tsx
+/** Positions of the three taught axes, and what changes for whom. */
+var AXES = [
+	"shft",
+	"rota",
+	"lift"
+];
+function Pulses({ axes, signed, before }) {
+	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
+	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
+	return /* @__PURE__ */ a("span", {
+		class: "pulses",
+		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
+			class: before && before[axis] !== axes[axis] ? "changed" : "",
+			title: axis.toUpperCase(),
+			children: text(axes[axis])
+		}, axis))
+	});
+}
+function Changes({ changes }) {
+	if (changes.length === 0) return /* @__PURE__ */ a("p", {
+		class: "calm",
+		children: t("changes_nothing")
+	});
+	return /* @__PURE__ */ a("table", {
+		class: "list changes",
+		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
+			t("at_station"),
+			t("vehicle"),
+			t("old"),
+			t("new"),
+			""
+		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
+			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
+				axes: change.new,
+				before: change.old
+			}) }),
+			/* @__PURE__ */ a("td", {
+				class: "bad",
+				children: change.beyond
+			})
+		] }, change.station + change.vehicle)) })]
+	});
+}
+// src/parts/Taught.tsx
+/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
+function Taught({ kind, id }) {
+	const open = useSignal(false);
+	return /* @__PURE__ */ a("details", {
+		class: "part acts",
+		open: open.value,
+		onToggle: (event) => open.value = event.currentTarget.open,
+		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
+			kind,
+			id
+		})]
+	});
+}
+function Versions({ kind, id }) {
+	const name = encodeURIComponent(id);
+	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
+	const again = useSignal(0);
+	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
+	const old = useSignal(null);
+	const asking = useAsking();
+	const list = [...value?.items ?? []].reverse();
+	const newest = list[0];
+	if (!value) return null;
+	const byHand = /* @__PURE__ */ a(ByHand, {
+		kind,
+		path,
+		newest,
+		after: () => again.value++
+	}, newest?.version);
+	if (!newest) return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", {
+			class: "nothing",
+			children: t("never_taught")
+		}), byHand]
+	});
+	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [
+			/* @__PURE__ */ a("table", {
+				class: "bits versions",
+				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
+					"data-version": version.version,
+					children: [
+						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
+						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
+						/* @__PURE__ */ a("td", { children: [
+							tell(said(version.source)),
+							" · ",
+							version.actor,
+							" · ",
+							clock(version.at),
+							version.restores !== null && ` · = v${version.restores}`,
+							version.reason && ` · ${version.reason}`,
+							version.basis.map((basis) => /* @__PURE__ */ a("small", {
+								class: "basis",
+								children: [
+									basis.axis.toUpperCase(),
+									" ",
+									basis.raw,
+									" − ",
+									basis.less ?? 0,
+									" (",
+									basis.vehicle,
+									" @ ",
+									basis.barcode,
+									")"
+								]
+							}, basis.axis)),
+							version !== newest && /* @__PURE__ */ a("button", {
+								type: "button",
+								class: "text",
+								onClick: () => old.value = version.version,
+								children: t("compare")
+							})
+						] })
+					]
+				}, version.version)) })
+			}),
+			compare && /* @__PURE__ */ a(Compared, { path: compare }),
+			compare && /* @__PURE__ */ a(Reasoned, {
+				asking,
+				decisions: [{
+					label: t("roll_back", old.value ?? 0),
+					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
+					grave: true,
+					does: async (reason) => {
+						await post(`${path}/rollback`, {
+							version: old.value,
+							reason
+						}, { "If-Match": `"${newest.version}"` });
+						old.value = null;
+						again.value++;
+					}
+				}]
+			}),
+			!compare && /* @__PURE__ */ a(Told, { asking }),
+			byHand
+		]
+	});
+}
+function Compared({ path }) {
+	const { value } = useRead(path);
+	if (!value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "stack",
+		children: [/* @__PURE__ */ a("p", { children: [
+			/* @__PURE__ */ a("b", { children: [
+				"v",
+				value.old.version,
+				" → v",
+				value.new.version
+			] }),
+			" ",
+			/* @__PURE__ */ a(Pulses, {
+				axes: value.differences,
+				signed: true
+			})
+		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
 	});
 }
 // src/parts/Vehicles.tsx
@@ -11548,10 +12554,310 @@ function Vehicles() {
 				},
 				{
 					name: t("why"),
+					wraps: true,
 					of: (vehicle) => tell(vehicle.hold?.reason ?? vehicle.waiting)
 				}
 			]
 		})]
+	});
+}
+// src/parts/VehiclePanel.tsx
+/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
+function VehiclePanel({ id }) {
+	const now = vehicleNow(id);
+	tick.value;
+	if (!now) return null;
+	const load = now.loaded === null ? t("unknown") : now.loaded ? now.carrier ?? t("loaded") : t("empty");
+	return /* @__PURE__ */ a(Panel, {
+		title: now.id,
+		tag: doing(now),
+		colour: LOOKS[lookOf(now)],
+		children: [
+			/* @__PURE__ */ a(Notes, { vehicle: now }),
+			/* @__PURE__ */ a("dl", { children: [
+				/* @__PURE__ */ a(Fact, {
+					name: t("state"),
+					children: [
+						said(now.state),
+						" · ",
+						said(now.service)
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("mode"),
+					children: [
+						upper$1(now.mode),
+						" · ",
+						upper$1(now.oper),
+						now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""
+					]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("carrier"),
+					children: load
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t(lineOf(id) ? "tag" : "place"),
+					children: [now.barcode ?? t("unknown"), now.dist ? ` + ${now.dist} mm` : ""]
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("job"),
+					children: now.job ? /* @__PURE__ */ a(Name, { id: now.job }) : t("none")
+				}),
+				/* @__PURE__ */ a(Fact, {
+					name: t("goal"),
+					children: now.goal ? /* @__PURE__ */ a("button", {
+						type: "button",
+						class: "text",
+						onClick: () => selected.value = {
+							kind: "station",
+							id: now.goal
+						},
+						children: now.goal
+					}) : t("none")
+				})
+			] }),
+			/* @__PURE__ */ a(Decide, { vehicle: now }),
+			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
+			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
+			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
+			!now.agv && /* @__PURE__ */ a(Taught, {
+				kind: "vehicle",
+				id
+			}),
+			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
+		]
+	});
+}
+/** The line that an AGV shares with others; null for a hoist. */
+var lineOf = (id) => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
+var upper$1 = (word) => word === null ? "–" : word.toUpperCase();
+var hex = (code) => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
+/** Why it is locked out, held, or waits. */
+function Notes({ vehicle }) {
+	return /* @__PURE__ */ a($, { children: [
+		vehicle.lockout && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("locked", vehicle.lockout.owner) }),
+				" ",
+				vehicle.lockout.reason
+			]
+		}),
+		vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note held",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("held_note") }),
+				" ",
+				tell(vehicle.hold.reason),
+				" ",
+				/* @__PURE__ */ a("em", { children: tell(vehicle.hold.remedy) })
+			]
+		}),
+		vehicle.waiting && !vehicle.hold && /* @__PURE__ */ a("p", {
+			class: "note waits",
+			children: [
+				/* @__PURE__ */ a("b", { children: t("waits") }),
+				" ",
+				tell(vehicle.waiting)
+			]
+		})
+	] });
+}
+function Bits({ vehicle }) {
+	return /* @__PURE__ */ a("details", {
+		open: true,
+		children: [
+			/* @__PURE__ */ a("summary", { children: [t(lineOf(vehicle.id) ? "status" : "status_bits"), !lineOf(vehicle.id) && /* @__PURE__ */ a("code", { children: [
+				vehicle.status1 ?? "–",
+				" ",
+				vehicle.status2 ?? ""
+			] })] }),
+			vehicle.bits.length === 0 && /* @__PURE__ */ a("p", {
+				class: "nothing",
+				children: t("no_status")
+			}),
+			/* @__PURE__ */ a("table", {
+				class: "bits",
+				children: /* @__PURE__ */ a("tbody", { children: vehicle.bits.map((bit) => /* @__PURE__ */ a("tr", {
+					"data-bit": bit.name,
+					children: [
+						/* @__PURE__ */ a("th", {
+							title: said(`bit_${bit.name}`),
+							children: bit.name.toUpperCase()
+						}),
+						/* @__PURE__ */ a("td", { children: bit.value }),
+						/* @__PURE__ */ a("td", { children: [
+							meaningOf(bit),
+							" ",
+							/* @__PURE__ */ a("small", {
+								class: "calm",
+								children: said(`bit_${bit.name}`)
+							})
+						] })
+					]
+				}, bit.name)) })
+			})
+		]
+	});
+}
+/** A gripper's open and close are other words than a door's; what has no word is a number. */
+function meaningOf({ name, meaning }) {
+	if (name === "grip" && (meaning === "open" || meaning === "close")) return said(`grip_${meaning}`);
+	if (name === "oper" && meaning === "pause") return said("pause_oper");
+	return said(meaning);
+}
+function AgvFacts({ agv }) {
+	const word = (name) => said(`agv_${name}`);
+	const flag = (on) => t(on ? "yes" : "no");
+	return /* @__PURE__ */ a("section", {
+		class: "part",
+		children: [/* @__PURE__ */ a("h3", { children: t("status") }), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("cart"),
+				children: word(agv.cart)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("lift"),
+				children: word(agv.lift)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("steering"),
+				children: word(agv.steering)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("in_position"),
+				children: flag(agv.in_position)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("charges_now"),
+				children: flag(agv.charging)
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("last_tag"),
+				children: agv.tag
+			}),
+			agv.toward && /* @__PURE__ */ a(Fact, {
+				name: t("beyond"),
+				children: agv.toward
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("path"),
+				children: agv.path
+			})
+		] })]
+	});
+}
+function LinkFacts({ vehicle }) {
+	const { link } = vehicle;
+	const line = lineOf(vehicle.id);
+	return /* @__PURE__ */ a("dl", { children: [
+		/* @__PURE__ */ a(Fact, {
+			name: t("link"),
+			children: [/* @__PURE__ */ a("span", {
+				class: link.up ? "good" : "bad",
+				children: t(link.up ? "link_up" : "link_down", clock(link.since))
+			}), !link.up && link.reason && /* @__PURE__ */ a("small", { children: [" · ", tell(link.reason)] })]
+		}),
+		!line && /* @__PURE__ */ a(Fact, {
+			name: t("round_trip"),
+			children: link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("frames_io"),
+			children: [
+				link.frames_in,
+				" / ",
+				link.frames_out
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("trouble_counts"),
+			children: [
+				link.garbled,
+				" / ",
+				link.resends,
+				" / ",
+				link.duplicates
+			]
+		}),
+		/* @__PURE__ */ a(Fact, {
+			name: t("seen"),
+			children: vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"
+		}),
+		line ? /* @__PURE__ */ a(Fact, {
+			name: t("on_line"),
+			children: t("line_number", line, vehicle.dev_id)
+		}) : /* @__PURE__ */ a(Fact, {
+			name: t("address"),
+			children: [
+				vehicle.address,
+				" · DEV_ID ",
+				vehicle.dev_id,
+				" · ",
+				vehicle.dialect
+			]
+		})
+	] });
+}
+var VERDICTS = [
+	"go_on",
+	"off_rail",
+	"stands_at"
+];
+/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
+function Decide({ vehicle }) {
+	const reason = useSignal("");
+	const verdict = useSignal("go_on");
+	const barcode = useSignal(vehicle.barcode ?? "");
+	const error = useSignal(null);
+	const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
+	const send = (event) => {
+		event.preventDefault();
+		error.value = null;
+		const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
+		const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
+		post(path, releasing ? {
+			verdict: verdict.value,
+			reason: reason.value,
+			...stands
+		} : { reason: reason.value }).then(() => reason.value = "", (failure) => error.value = failure);
+	};
+	return /* @__PURE__ */ a("form", {
+		class: "decide",
+		onSubmit: send,
+		children: [
+			releasing && /* @__PURE__ */ a("select", {
+				"aria-label": t("verdict"),
+				value: verdict.value,
+				onChange: (event) => verdict.value = event.currentTarget.value,
+				children: VERDICTS.map((word) => /* @__PURE__ */ a("option", {
+					value: word,
+					children: t(`verdict_${word}`)
+				}, word))
+			}),
+			releasing && verdict.value === "stands_at" && /* @__PURE__ */ a("input", {
+				"aria-label": t("barcode"),
+				required: true,
+				value: barcode.value,
+				onInput: (event) => barcode.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a("input", {
+				"aria-label": t("reason"),
+				placeholder: t("reason"),
+				required: true,
+				maxLength: 200,
+				value: reason.value,
+				onInput: (event) => reason.value = event.currentTarget.value
+			}),
+			/* @__PURE__ */ a(Button, {
+				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
+				type: "submit",
+				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
+				children: t(releasing ? "release" : "hold")
+			}),
+			/* @__PURE__ */ a(Problem, { error: error.value })
+		]
 	});
 }
 // src/parts/PastPanels.tsx
@@ -11562,7 +12868,7 @@ function PastPanel({ pick }) {
 		case "station": return /* @__PURE__ */ a(PastStation, { id: pick.id });
 		case "job": return /* @__PURE__ */ a(PastJob, { id: pick.id });
 		case "device": return /* @__PURE__ */ a(PastDevice, { id: pick.id });
-		default: return driveNow(pick.id) ? null : /* @__PURE__ */ a(Unknown, { id: pick.id });
+		case "drive": return /* @__PURE__ */ a(PastDrive, { id: pick.id });
 	}
 }
 function Unknown({ id }) {
@@ -11576,7 +12882,7 @@ function Unknown({ id }) {
 		})
 	});
 }
-var upper$1 = (word) => word?.toUpperCase() ?? "–";
+var upper = (word) => word?.toUpperCase() ?? "–";
 function PastVehicle({ id }) {
 	const then = vehicleNow(id);
 	if (!then) return /* @__PURE__ */ a(Unknown, { id });
@@ -11585,14 +12891,7 @@ function PastVehicle({ id }) {
 		title: id,
 		tag: doing(then),
 		colour: LOOKS[lookOf(then)],
-		children: [then.waiting && /* @__PURE__ */ a("p", {
-			class: "note waits",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("waits") }),
-				" ",
-				tell(then.waiting)
-			]
-		}), /* @__PURE__ */ a("dl", { children: [
+		children: [/* @__PURE__ */ a(Notes, { vehicle: then }), /* @__PURE__ */ a("dl", { children: [
 			/* @__PURE__ */ a(Fact, {
 				name: t("state"),
 				children: [
@@ -11604,9 +12903,9 @@ function PastVehicle({ id }) {
 			/* @__PURE__ */ a(Fact, {
 				name: t("mode"),
 				children: [
-					upper$1(then.mode),
+					upper(then.mode),
 					" · ",
-					upper$1(then.oper),
+					upper(then.oper),
 					then.code ? ` · 0x${then.code.toString(16).toUpperCase().padStart(4, "0")}` : ""
 				]
 			}),
@@ -11678,20 +12977,13 @@ function PastStation({ id }) {
 		] })
 	});
 }
-var COLOURS = {
-	calm: "var(--dim)",
-	go: "var(--accent)",
-	wait: "var(--wait)",
-	good: "var(--good)",
-	bad: "var(--bad)"
-};
 function PastJob({ id }) {
 	const then = jobList.value.find((job) => job.id === id);
 	if (!then) return /* @__PURE__ */ a(Unknown, { id });
 	return /* @__PURE__ */ a(Panel, {
 		title: id,
 		tag: said(then.state),
-		colour: COLOURS[TONES$2[then.state] ?? "calm"],
+		colour: COLOURS$1[TONES$2[then.state] ?? "calm"],
 		children: [then.reason && !ENDED.has(then.state) && /* @__PURE__ */ a("p", {
 			class: "note waits",
 			children: [
@@ -11754,6 +13046,42 @@ function PastDevice({ id }) {
 			then?.out_of_service && /* @__PURE__ */ a(Fact, {
 				name: t("out_of_service"),
 				children: then.out_of_service
+			})
+		] })]
+	});
+}
+/** Where it was is not recorded: only what it did, and what was wrong with it. */
+function PastDrive({ id }) {
+	const then = driveNow(id);
+	if (!then) return /* @__PURE__ */ a(Unknown, { id });
+	const { word, tone } = lookOfDrive(then);
+	return /* @__PURE__ */ a(Panel, {
+		title: id,
+		tag: then.name,
+		colour: COLOURS$1[tone],
+		children: [/* @__PURE__ */ a(Notes$1, { drive: then }), /* @__PURE__ */ a("dl", { children: [
+			/* @__PURE__ */ a(Fact, {
+				name: t("state"),
+				children: /* @__PURE__ */ a("b", {
+					class: tone,
+					children: t(`drive_${word}`)
+				})
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t(then.mode === "error" ? "error_fact" : "operation_fact"),
+				children: [
+					then.meaning || "–",
+					" ",
+					/* @__PURE__ */ a("small", { children: then.code })
+				]
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("moves"),
+				children: then.moving === null ? t("unknown") : t(then.moving ? "yes" : "no")
+			}),
+			/* @__PURE__ */ a(Fact, {
+				name: t("on_line"),
+				children: t("line_number", then.line, then.address)
 			})
 		] })]
 	});
@@ -11836,14 +13164,14 @@ async function goTo(event) {
 	await seek(Date.parse(event.ts) / 1e3 + AFTER);
 }
 // src/past/reach.ts
-var KINDS = [
+var KINDS$1 = [
 	[/^(AlarmSet|VehicleBrokenDown|DriveErrorSet|DriveOffline|.*Abort.*|.*Failed)$/, "alarm"],
 	[/^(AlarmCleared|VehicleMended|DriveErrorCleared|VehicleReleased|EmergencyReleased|ControllerAuto|ZoneResumed|VehicleInstalled)$/, "over"],
 	[/^Place/, "closure"],
 	[/^(Emergency|Controller|Zone|VehicleHeld|VehicleRemoved)/, "halt"]
 ];
 function kindOf(event) {
-	return KINDS.find(([pattern]) => pattern.test(event))?.[1] ?? "other";
+	return KINDS$1.find(([pattern]) => pattern.test(event))?.[1] ?? "other";
 }
 /** What the scrubber should reach over to show a moment: what it does now, if that is in it. Pure. */
 function reachOf(at, span, length, now) {
@@ -11881,8 +13209,8 @@ function Scrubber() {
 function follow() {
 	const stops = [x(() => {
 		const span = kept$1.value;
-		if (!span || moment.value === 0) return;
-		const next = reachOf(moment.value, span, STRETCHES[stretch.value], reach.peek());
+		if (!span || told.value === 0) return;
+		const next = reachOf(told.value, span, STRETCHES[stretch.value], reach.peek());
 		const { from, to } = reach.peek();
 		if (next.from !== from || next.to !== to) reach.value = next;
 	}), x(() => {
@@ -11967,7 +13295,7 @@ function Jump() {
 			step: "1",
 			min: span ? local(span.from) : void 0,
 			max: span ? local(span.to) : void 0,
-			value: moment.value ? local(Math.floor(moment.value)) : "",
+			value: told.value ? local(Math.floor(told.value)) : "",
 			onChange: (event) => {
 				const at = Date.parse(event.currentTarget.value) / 1e3;
 				if (!Number.isNaN(at)) seek(at);
@@ -12006,9 +13334,9 @@ function Line$1() {
 				min: Math.floor(from),
 				max: Math.ceil(to),
 				step: "1",
-				value: moment.value,
+				value: told.value,
 				"aria-label": t("moment"),
-				"aria-valuetext": dated(moment.value),
+				"aria-valuetext": dated(told.value),
 				onInput: (event) => void seek(Number(event.currentTarget.value))
 			}),
 			/* @__PURE__ */ a("div", {
@@ -12018,8 +13346,8 @@ function Line$1() {
 					/* @__PURE__ */ a("span", { children: dated(from) }),
 					/* @__PURE__ */ a("span", {
 						class: "here",
-						style: { left: share(moment.value) },
-						children: clock(iso(moment.value))
+						style: { left: share(told.value) },
+						children: clock(iso(told.value))
 					}),
 					/* @__PURE__ */ a("span", { children: dated(to) })
 				]
@@ -12052,8 +13380,8 @@ function Export() {
 	const asking = useAsking();
 	const span = kept$1.value;
 	if (recording.value || !span) return null;
-	const begin = from.value || Math.max(span.from, moment.value - 300);
-	const end = to.value || Math.min(span.to, moment.value + 300);
+	const begin = from.value || Math.max(span.from, told.value - 300);
+	const end = to.value || Math.min(span.to, told.value + 300);
 	const field = (label, value, set) => /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("label", {
 		class: "jump",
 		children: [/* @__PURE__ */ a("span", { children: t(label) }), /* @__PURE__ */ a("input", {
@@ -13746,6 +15074,7 @@ var Painter = class {
 		if (!this.over.follow(view, ms) || due && ms - this.overAt > OVER) this.paintOver(scene, ms);
 		if (!this.front.follow(view, ms) || due) this.paintFront(ms);
 		this.front.canvas.dataset["pictures"] = String(++this.count);
+		if (inPast.value && !loading.value) this.front.canvas.dataset["moment"] = String(moment.value);
 		const alarm = this.bodies.some((body) => body.look === "alarm");
 		const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
 		if (!STILL.matches && (alarm || drives) || moving || [
@@ -14382,7 +15711,8 @@ function dated(seconds) {
 function PastBanner() {
 	tick.value;
 	const incident = kept$1.value?.incident;
-	const ago = Math.max(0, serverNow() / 1e3 - moment.value);
+	const at = told.value;
+	const ago = Math.max(0, serverNow() / 1e3 - at);
 	const grave = troubles.value.filter((wrong) => wrong.grave).length;
 	return /* @__PURE__ */ a("div", {
 		class: "past-banner",
@@ -14390,11 +15720,11 @@ function PastBanner() {
 		"aria-live": "off",
 		children: [
 			/* @__PURE__ */ a("b", { children: t(recording.value ? "past_recording" : "past_here") }),
-			moment.value > 0 && /* @__PURE__ */ a("time", {
+			at > 0 && /* @__PURE__ */ a("time", {
 				class: "then-at",
-				children: dated(moment.value)
+				children: dated(at)
 			}),
-			moment.value > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
+			at > 0 && !recording.value && /* @__PURE__ */ a("span", { children: t("past_ago", span(ago * 1e3)) }),
 			incident && /* @__PURE__ */ a("span", { children: t("past_by", incident.by, `${incident.made.slice(0, 10)} ${clock(incident.made)}`) }),
 			/* @__PURE__ */ a("span", { children: t("past_no_commands") }),
 			loading.value && /* @__PURE__ */ a("span", { children: t("loading") }),
@@ -14415,7 +15745,7 @@ function PastBanner() {
 /** What to look for in the stretch of time that is drawn; each leads to its moment. */
 function PastEvents() {
 	const list = marks.value.toReversed();
-	const at = moment.value;
+	const ahead = useComputed(() => marks.value.filter((event) => Date.parse(event.ts) / 1e3 > told.value).length).value;
 	A$1(() => {
 		document.querySelector(`[data-mark="${stepped.value?.seq}"]`)?.scrollIntoView({ block: "nearest" });
 	}, [stepped.value]);
@@ -14437,20 +15767,34 @@ function PastEvents() {
 			children: [list.length === 0 && /* @__PURE__ */ a("li", {
 				class: "nothing",
 				children: t("no_events")
-			}), list.map((event) => /* @__PURE__ */ a(Line, {
+			}), list.map((event, i) => /* @__PURE__ */ a(Line, {
 				event,
-				past: Date.parse(event.ts) / 1e3 <= at
+				past: i >= ahead
 			}, event.seq))]
 		})]
 	});
 }
+/** The drive or device that an event without a vehicle is about, if it is about one. */
+function machineOf(id) {
+	const plant = layout.value;
+	if (plant?.drives?.some((drive) => drive.id === id)) return {
+		kind: "drive",
+		id
+	};
+	return [...plant?.doors ?? [], ...plant?.chargers ?? []].some((one) => one.id === id) ? {
+		kind: "device",
+		id
+	} : null;
+}
 function Line({ event, past }) {
 	const kind = kindOf(event.event);
 	const go = () => {
+		const machine = machineOf(event.source);
 		if (event.vehicle) selected.value = {
 			kind: "vehicle",
 			id: event.vehicle
 		};
+		else if (machine) selected.value = machine;
 		goTo(event);
 	};
 	return /* @__PURE__ */ a("li", {
@@ -14584,221 +15928,6 @@ function StationWrite({ station }) {
 				/* @__PURE__ */ a(Told, { asking })
 			]
 		})]
-	});
-}
-// src/parts/ByHand.tsx
-/** A new version of a port's DEST or a vehicle's OFFSET, written by hand: only if nobody else wrote one meanwhile. */
-var AXES$1 = [
-	"shft",
-	"rota",
-	"lift"
-];
-function ByHand({ kind, path, newest, after }) {
-	const values = {
-		shft: useSignal(String(newest?.shft ?? "")),
-		rota: useSignal(String(newest?.rota ?? "")),
-		lift: useSignal(String(newest?.lift ?? ""))
-	};
-	const asking = useAsking();
-	const whole = AXES$1.every((axis) => /^-?\d+$/.test(values[axis].value.trim()));
-	const write = async () => {
-		const body = Object.fromEntries(AXES$1.map((axis) => [axis, Number(values[axis].value)]));
-		const match = newest ? { "If-Match": `"${newest.version}"` } : {};
-		if (await asking.ask(() => call("PUT", path, body, match))) after();
-	};
-	return /* @__PURE__ */ a("details", { children: [/* @__PURE__ */ a("summary", { children: t("write_by_hand") }), /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("div", {
-				class: "fields three",
-				children: AXES$1.map((axis) => /* @__PURE__ */ a(Field, {
-					label: axis.toUpperCase(),
-					name: axis,
-					type: "number",
-					value: values[axis]
-				}, axis))
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: kind === "station" ? "PUT /stations/{station}/dest" : "PUT /vehicles/{vehicle}/offset",
-					label: t("write"),
-					disabled: !whole,
-					does: () => void write()
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	})] });
-}
-// src/parts/Pulses.tsx
-/** Positions of the three taught axes, and what changes for whom. */
-var AXES = [
-	"shft",
-	"rota",
-	"lift"
-];
-function Pulses({ axes, signed, before }) {
-	if (!axes) return /* @__PURE__ */ a($, { children: "–" });
-	const text = (value) => value === null ? "–" : signed && value > 0 ? `+${value}` : String(value);
-	return /* @__PURE__ */ a("span", {
-		class: "pulses",
-		children: AXES.map((axis) => /* @__PURE__ */ a("span", {
-			class: before && before[axis] !== axes[axis] ? "changed" : "",
-			title: axis.toUpperCase(),
-			children: text(axes[axis])
-		}, axis))
-	});
-}
-function Changes({ changes }) {
-	if (changes.length === 0) return /* @__PURE__ */ a("p", {
-		class: "calm",
-		children: t("changes_nothing")
-	});
-	return /* @__PURE__ */ a("table", {
-		class: "list changes",
-		children: [/* @__PURE__ */ a("thead", { children: /* @__PURE__ */ a("tr", { children: [
-			t("at_station"),
-			t("vehicle"),
-			t("old"),
-			t("new"),
-			""
-		].map((name) => /* @__PURE__ */ a("th", { children: /* @__PURE__ */ a("span", { children: name }) }, name)) }) }), /* @__PURE__ */ a("tbody", { children: changes.slice(0, 60).map((change) => /* @__PURE__ */ a("tr", { children: [
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.station }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Name, { id: change.vehicle }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: change.old }) }),
-			/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, {
-				axes: change.new,
-				before: change.old
-			}) }),
-			/* @__PURE__ */ a("td", {
-				class: "bad",
-				children: change.beyond
-			})
-		] }, change.station + change.vehicle)) })]
-	});
-}
-// src/parts/Taught.tsx
-/** What a port or a vehicle was taught: versions with their origin, compared with each other, and rolled back. */
-function Taught({ kind, id }) {
-	const open = useSignal(false);
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		open: open.value,
-		onToggle: (event) => open.value = event.currentTarget.open,
-		children: [/* @__PURE__ */ a("summary", { children: t(kind === "station" ? "dest" : "offset") }), open.value && /* @__PURE__ */ a(Versions, {
-			kind,
-			id
-		})]
-	});
-}
-function Versions({ kind, id }) {
-	const name = encodeURIComponent(id);
-	const path = kind === "station" ? `/stations/${name}/dest` : `/vehicles/${name}/offset`;
-	const again = useSignal(0);
-	const { value } = useRead(path, changes.teaching.value, changes.stations.value === 0, again.value);
-	const old = useSignal(null);
-	const asking = useAsking();
-	const list = [...value?.items ?? []].reverse();
-	const newest = list[0];
-	if (!value) return null;
-	const byHand = /* @__PURE__ */ a(ByHand, {
-		kind,
-		path,
-		newest,
-		after: () => again.value++
-	}, newest?.version);
-	if (!newest) return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", {
-			class: "nothing",
-			children: t("never_taught")
-		}), byHand]
-	});
-	const compare = old.value !== null && old.value !== newest.version ? `/teaching/compare/${kind}s/${name}/${old.value}/${newest.version}` : null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("table", {
-				class: "bits versions",
-				children: /* @__PURE__ */ a("tbody", { children: list.map((version) => /* @__PURE__ */ a("tr", {
-					"data-version": version.version,
-					children: [
-						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
-						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
-						/* @__PURE__ */ a("td", { children: [
-							said(version.source),
-							" · ",
-							version.actor,
-							" · ",
-							clock(version.at),
-							version.restores !== null && ` · = v${version.restores}`,
-							version.reason && ` · ${version.reason}`,
-							version.basis.map((basis) => /* @__PURE__ */ a("small", {
-								class: "basis",
-								children: [
-									basis.axis.toUpperCase(),
-									" ",
-									basis.raw,
-									" − ",
-									basis.less ?? 0,
-									" (",
-									basis.vehicle,
-									" @ ",
-									basis.barcode,
-									")"
-								]
-							}, basis.axis)),
-							version !== newest && /* @__PURE__ */ a("button", {
-								type: "button",
-								class: "text",
-								onClick: () => old.value = version.version,
-								children: t("compare")
-							})
-						] })
-					]
-				}, version.version)) })
-			}),
-			compare && /* @__PURE__ */ a(Compared, { path: compare }),
-			compare && /* @__PURE__ */ a(Reasoned, {
-				asking,
-				decisions: [{
-					label: t("roll_back", old.value ?? 0),
-					needs: kind === "station" ? "POST /stations/{station}/dest/rollback" : "POST /vehicles/{vehicle}/offset/rollback",
-					grave: true,
-					does: async (reason) => {
-						await post(`${path}/rollback`, {
-							version: old.value,
-							reason
-						}, { "If-Match": `"${newest.version}"` });
-						old.value = null;
-						again.value++;
-					}
-				}]
-			}),
-			!compare && /* @__PURE__ */ a(Told, { asking }),
-			byHand
-		]
-	});
-}
-function Compared({ path }) {
-	const { value } = useRead(path);
-	if (!value) return null;
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [/* @__PURE__ */ a("p", { children: [
-			/* @__PURE__ */ a("b", { children: [
-				"v",
-				value.old.version,
-				" → v",
-				value.new.version
-			] }),
-			" ",
-			/* @__PURE__ */ a(Pulses, {
-				axes: value.differences,
-				signed: true
-			})
-		] }), /* @__PURE__ */ a(Changes, { changes: value.changes })]
 	});
 }
 // src/parts/StationPanel.tsx
@@ -15490,6 +16619,64 @@ function Install() {
 // src/parts/Chart.tsx
 /** A chart over time. */
 var HEIGHT = 190;
+/** How moments stand under a chart, from years down to seconds: the form, and what is added where the day changes. */
+var MOMENTS = [
+	[
+		31536e3,
+		"{YYYY}",
+		null,
+		null,
+		null,
+		null,
+		null,
+		null,
+		1
+	],
+	[
+		2419200,
+		"{YYYY}-{MM}",
+		null,
+		null,
+		null,
+		null,
+		null,
+		null,
+		1
+	],
+	[
+		86400,
+		"{MM}-{DD}",
+		"\n{YYYY}",
+		null,
+		null,
+		null,
+		null,
+		null,
+		1
+	],
+	[
+		60,
+		"{HH}:{mm}",
+		"\n{MM}-{DD}",
+		null,
+		"\n{MM}-{DD}",
+		null,
+		null,
+		null,
+		1
+	],
+	[
+		1,
+		"{HH}:{mm}:{ss}",
+		"\n{MM}-{DD}",
+		null,
+		"\n{MM}-{DD}",
+		null,
+		null,
+		null,
+		1
+	]
+];
 /** `times` in seconds since 1970, one for each value. */
 function Chart({ label, times, lines, unit }) {
 	const box = T(null);
@@ -15512,7 +16699,10 @@ function Chart({ label, times, lines, unit }) {
 		const chart = new uPlot({
 			width: parent.clientWidth,
 			height: HEIGHT,
-			series: [{}, ...lines.map((line) => ({
+			series: [{
+				label: t("when"),
+				value: "{YYYY}-{MM}-{DD} {HH}:{mm}"
+			}, ...lines.map((line) => ({
 				label: line.label,
 				stroke: of(line.colour),
 				width: 2,
@@ -15521,7 +16711,10 @@ function Chart({ label, times, lines, unit }) {
 					paths: uPlot.paths.bars?.({ size: [.8, 40] })
 				} : {}
 			}))],
-			axes: [axis, {
+			axes: [{
+				...axis,
+				values: MOMENTS
+			}, {
 				...axis,
 				label: unit,
 				labelSize: 16,
@@ -15543,6 +16736,7 @@ function Chart({ label, times, lines, unit }) {
 		};
 	}, [
 		wears,
+		language.value,
 		times,
 		lines
 	]);
@@ -15563,6 +16757,9 @@ var PERIODS = {
 	day: [86400, 3600],
 	week: [604800, 21600]
 };
+/** A period of one's own has so many intervals, none shorter than a minute. */
+var INTERVALS = 60;
+var KINDS = ["csv", "parquet"];
 var PHASES = [
 	"queued",
 	"fetching",
@@ -15583,16 +16780,14 @@ var EVERY$1 = 60;
 function Statistics() {
 	const period = useSignal("hour");
 	const round = Math.floor(tick.value / EVERY$1);
-	const query = w$2(() => {
-		const [length, interval] = PERIODS[period.value];
-		const end = Date.now();
-		return new URLSearchParams({
-			from: (/* @__PURE__ */ new Date(end - length * 1e3)).toISOString(),
-			to: new Date(end).toISOString(),
-			interval: String(interval)
-		});
-	}, [period.value, round]);
-	const { value, error } = useRead(`/statistics?${query}`);
+	const kind = useSignal("csv");
+	const own = {
+		begin: useSignal(""),
+		end: useSignal("")
+	};
+	const asked = period.value === "other" ? [own.begin.value, own.end.value] : [round];
+	const query = w$2(() => queryOf(period.value, own.begin.value, own.end.value), [period.value, ...asked]);
+	const { value, error } = useRead(query && `/statistics?${query}`);
 	const asking = useAsking();
 	const save = (path, name) => void asking.ask(() => download(path, name), "");
 	return /* @__PURE__ */ a("section", {
@@ -15604,23 +16799,54 @@ function Statistics() {
 				/* @__PURE__ */ a("h2", { children: t("statistics") }),
 				/* @__PURE__ */ a("span", {
 					class: "tabs",
-					children: Object.keys(PERIODS).map((name) => /* @__PURE__ */ a("button", {
+					children: [...Object.keys(PERIODS), "other"].map((name) => /* @__PURE__ */ a("button", {
 						type: "button",
 						"aria-pressed": period.value === name,
 						onClick: () => period.value = name,
 						children: t(`period_${name}`)
 					}, name))
 				}),
+				period.value === "other" && /* @__PURE__ */ a("span", {
+					class: "own",
+					children: [/* @__PURE__ */ a(Field, {
+						label: t("period_begin"),
+						name: "begin",
+						type: "datetime-local",
+						value: own.begin
+					}), /* @__PURE__ */ a(Field, {
+						label: t("period_end"),
+						name: "end",
+						type: "datetime-local",
+						value: own.end
+					})]
+				}),
+				/* @__PURE__ */ a("select", {
+					"aria-label": t("file_kind"),
+					value: kind.value,
+					onChange: (event) => kind.value = event.currentTarget.value,
+					children: KINDS.map((name) => /* @__PURE__ */ a("option", {
+						value: name,
+						children: name === "csv" ? "CSV" : "Parquet"
+					}, name))
+				}),
 				TABLES.map((table) => /* @__PURE__ */ a("button", {
 					type: "button",
-					title: t("save_csv"),
-					onClick: () => save(`/statistics/${table}.csv?${query}`, `${table}.csv`),
+					disabled: query === null,
+					onClick: () => save(`/statistics/${table}.${kind.value}?${query}`, `${table}.${kind.value}`),
 					children: [t(`table_${table}`), " ⤓"]
 				}, table)),
 				/* @__PURE__ */ a("button", {
 					type: "button",
+					disabled: query === null,
 					onClick: () => save(`/statistics/report?${query}&lang=${language.value}`, "report.html"),
 					children: [t("report"), " ⤓"]
+				}),
+				/* @__PURE__ */ a("button", {
+					type: "button",
+					disabled: query === null,
+					title: t("print_report"),
+					onClick: () => void asking.ask(() => print(`/statistics/report?${query}&lang=${language.value}`), ""),
+					children: t("print")
 				}),
 				/* @__PURE__ */ a(Told, { asking }),
 				/* @__PURE__ */ a(Problem, { error })
@@ -15634,6 +16860,28 @@ function Statistics() {
 		})]
 	});
 }
+/** What is asked for; null: a period of one's own that is not whole yet. */
+function queryOf(period, begin, end) {
+	const of = (from, to, interval) => new URLSearchParams({
+		from: new Date(from).toISOString(),
+		to: new Date(to).toISOString(),
+		interval: String(interval)
+	});
+	if (period !== "other") {
+		const [length, interval] = PERIODS[period];
+		const now = serverNow();
+		return of(now - length * 1e3, now, interval);
+	}
+	const [from, to] = [Date.parse(begin), Date.parse(end)];
+	if (!(from < to)) return null;
+	return of(from, to, Math.max(60, Math.ceil((to - from) / 1e3 / INTERVALS)));
+}
+/** Open a page of the server by itself, and its print dialog. A link could not carry the access key. */
+async function print(path) {
+	const page = URL.createObjectURL(new Blob([await bytes(path)], { type: "text/html" }));
+	const opened = window.open(page);
+	opened?.addEventListener("load", () => opened.print());
+}
 var seconds = (value) => value === null ? "–" : value < 100 ? `${value.toFixed(1)} s` : span(value * 1e3);
 function Shown({ found }) {
 	const times = w$2(() => found.intervals.map((one) => Date.parse(one.begin) / 1e3), [found]);
@@ -15645,7 +16893,7 @@ function Shown({ found }) {
 			bars: true
 		},
 		{
-			label: t("ordered_at"),
+			label: t("jobs_ordered"),
 			colour: "--look-moving",
 			values: found.intervals.map((one) => one.ordered)
 		},
@@ -15822,108 +17070,157 @@ function TeachingFiles() {
 	const wrong = found?.counts["error"] ?? 0;
 	return /* @__PURE__ */ a("div", {
 		class: "filtered",
-		children: [/* @__PURE__ */ a("div", {
-			class: "stack padded",
-			children: [
-				/* @__PURE__ */ a("div", {
-					class: "fields",
-					children: [/* @__PURE__ */ a(Choice$1, {
-						label: t("kind"),
-						value: side,
-						of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
-					}), /* @__PURE__ */ a("div", {
+		children: [
+			/* @__PURE__ */ a("div", {
+				class: "stack padded",
+				children: [
+					/* @__PURE__ */ a("div", {
+						class: "fields",
+						children: [/* @__PURE__ */ a(Choice$1, {
+							label: t("kind"),
+							value: side,
+							of: [["dests", t("dests_of_ports")], ["offsets", t("offsets_of_vehicles")]]
+						}), /* @__PURE__ */ a("div", {
+							class: "acts-row",
+							children: [
+								/* @__PURE__ */ a("button", {
+									type: "button",
+									onClick: () => save("csv", false),
+									children: t("save_csv")
+								}),
+								/* @__PURE__ */ a("button", {
+									type: "button",
+									onClick: () => save("json", false),
+									children: t("save_json")
+								}),
+								/* @__PURE__ */ a("button", {
+									type: "button",
+									onClick: () => save("csv", true),
+									children: t("save_history")
+								}),
+								/* @__PURE__ */ a("label", {
+									class: "file",
+									children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
+										type: "file",
+										accept: ".csv,.json,text/csv,application/json",
+										"aria-label": t("read_file"),
+										onChange: (event) => {
+											choose(event.currentTarget.files?.[0]);
+											event.currentTarget.value = "";
+										}
+									})]
+								})
+							]
+						})]
+					}),
+					found && /* @__PURE__ */ a("p", {
+						role: "status",
+						"data-import": found.dry_run ? "tried" : "done",
+						children: [
+							"new",
+							"changed",
+							"same",
+							"error"
+						].map((fate) => /* @__PURE__ */ a("span", {
+							class: TONES$1[fate] ?? "",
+							children: [
+								/* @__PURE__ */ a("b", { children: found.counts[fate] }),
+								" ",
+								t(`fate_${fate}`),
+								" "
+							]
+						}, fate))
+					}),
+					found?.dry_run && file.value && /* @__PURE__ */ a("div", {
 						class: "acts-row",
-						children: [
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("csv", false),
-								children: t("save_csv")
-							}),
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("json", false),
-								children: t("save_json")
-							}),
-							/* @__PURE__ */ a("button", {
-								type: "button",
-								onClick: () => save("csv", true),
-								children: t("save_history")
-							}),
-							/* @__PURE__ */ a("label", {
-								class: "file",
-								children: [/* @__PURE__ */ a("span", { children: t("read_file") }), /* @__PURE__ */ a("input", {
-									type: "file",
-									accept: ".csv,.json,text/csv,application/json",
-									"aria-label": t("read_file"),
-									onChange: (event) => {
-										choose(event.currentTarget.files?.[0]);
-										event.currentTarget.value = "";
-									}
-								})]
-							})
-						]
-					})]
-				}),
-				found && /* @__PURE__ */ a("p", {
-					role: "status",
-					"data-import": found.dry_run ? "tried" : "done",
-					children: [
-						"new",
-						"changed",
-						"same",
-						"error"
-					].map((fate) => /* @__PURE__ */ a("span", {
-						class: TONES$1[fate] ?? "",
-						children: [
-							/* @__PURE__ */ a("b", { children: found.counts[fate] }),
-							" ",
-							t(`fate_${fate}`),
-							" "
-						]
-					}, fate))
-				}),
-				found?.dry_run && file.value && /* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
-						needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
-						label: t("import"),
-						disabled: wrong > 0,
-						does: () => ask(false)
-					})]
-				}),
-				/* @__PURE__ */ a(Told, { asking })
-			]
-		}), /* @__PURE__ */ a(Table, {
-			label: t("import"),
-			rows: found?.items ?? [],
-			keyOf: (row) => String(row.line),
-			none: t("import_none"),
-			columns: [
-				{
-					name: t("line_of_file"),
-					by: (row) => row.line,
-					of: (row) => row.line,
-					number: true
-				},
-				{
-					name: t("name"),
-					by: (row) => row.name,
-					of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
-				},
-				{
-					name: t("result"),
-					by: (row) => row.fate,
-					of: (row) => /* @__PURE__ */ a("b", {
-						class: TONES$1[row.fate] ?? "",
-						children: t(`fate_${row.fate}`)
-					})
-				},
-				{
-					name: t("in_words"),
-					of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
-				}
-			]
-		})]
+						children: [/* @__PURE__ */ a("span", { children: wrong ? t("import_wrong") : t("import_ready", file.value.name) }), /* @__PURE__ */ a(Sure, {
+							needs: side.value === "dests" ? "POST /teaching/dests/import" : "POST /teaching/offsets/import",
+							label: t("import"),
+							disabled: wrong > 0,
+							does: () => ask(false)
+						})]
+					}),
+					/* @__PURE__ */ a(Told, { asking })
+				]
+			}),
+			!found && /* @__PURE__ */ a(InForce, { side: side.value }),
+			found && /* @__PURE__ */ a(Table, {
+				label: t("import"),
+				rows: found.items,
+				keyOf: (row) => String(row.line),
+				none: t("import_none"),
+				columns: [
+					{
+						name: t("line_of_file"),
+						by: (row) => row.line,
+						of: (row) => row.line,
+						number: true
+					},
+					{
+						name: t("name"),
+						by: (row) => row.name,
+						of: (row) => /* @__PURE__ */ a(Name, { id: row.name })
+					},
+					{
+						name: t("result"),
+						by: (row) => row.fate,
+						of: (row) => /* @__PURE__ */ a("b", {
+							class: TONES$1[row.fate] ?? "",
+							children: t(`fate_${row.fate}`)
+						})
+					},
+					{
+						name: t("in_words"),
+						wraps: true,
+						of: (row) => [tell(row.detail), tell(row.remedy)].filter(Boolean).join("; ")
+					}
+				]
+			})
+		]
+	});
+}
+/** What the file would have: the values that pick-ups and put-downs are reckoned from now. */
+function InForce({ side }) {
+	const { value } = useRead(`/teaching/${side}`, changes.teaching.value);
+	const nameOf = (row) => row.station ?? row.vehicle ?? "";
+	return /* @__PURE__ */ a(Table, {
+		label: t("in_force"),
+		rows: value?.items ?? [],
+		keyOf: nameOf,
+		none: t("never_taught"),
+		columns: [
+			{
+				name: t("name"),
+				by: nameOf,
+				of: (row) => /* @__PURE__ */ a(Name, { id: nameOf(row) })
+			},
+			...[
+				"shft",
+				"rota",
+				"lift"
+			].map((axis) => ({
+				name: axis.toUpperCase(),
+				by: (row) => row[axis],
+				of: (row) => row[axis] ?? "–",
+				number: true
+			})),
+			{
+				name: t("version"),
+				by: (row) => row.version,
+				of: (row) => `v${row.version}`,
+				number: true
+			},
+			{
+				name: t("when"),
+				by: (row) => row.at,
+				of: (row) => moment$1(row.at)
+			},
+			{
+				name: t("who"),
+				by: (row) => row.actor,
+				of: (row) => `${row.actor} · ${tell(row.source)}`
+			}
+		]
 	});
 }
 // src/parts/TeachingRaw.tsx
@@ -15991,7 +17288,7 @@ function TeachingRaw() {
 					type: "button",
 					disabled: !value?.next,
 					onClick: () => after.value = value?.next ?? 0,
-					children: [t("newer"), " ▶"]
+					children: [t("newer_rows"), " ▶"]
 				})]
 			})
 		]
@@ -16744,652 +18041,6 @@ function Place(props) {
 			})
 		]
 	})] });
-}
-// src/parts/AgvCommands.tsx
-/** What only AGVs are asked for: driven by hand, along their tape, to a destination by its name, or told at which tag they stand. */
-var NEEDS = "POST /vehicles/{vehicle}/commands";
-var BY_HAND = [
-	"forward",
-	"backward",
-	"turn_left",
-	"turn_right"
-];
-var ALONG = ["forward", "backward"];
-var SPEEDS = [
-	"slow",
-	"normal",
-	"fast"
-];
-var STEERING = [
-	"straight",
-	"left",
-	"right"
-];
-function AgvCommands({ send }) {
-	const speed = useSignal("slow");
-	const steering = useSignal("straight");
-	const [tag, alias] = [useSignal(""), useSignal("")];
-	return /* @__PURE__ */ a($, { children: [
-		/* @__PURE__ */ a("div", {
-			class: "fields",
-			children: [/* @__PURE__ */ a(Choice$1, {
-				label: t("speed"),
-				value: speed,
-				of: SPEEDS.map((name) => [name, t(`speed_${name}`)])
-			}), /* @__PURE__ */ a(Choice$1, {
-				label: t("at_forks"),
-				value: steering,
-				of: STEERING.map((name) => [name, t(`agv_${name}`)])
-			})]
-		}),
-		/* @__PURE__ */ a("div", {
-			class: "acts-row",
-			role: "group",
-			"aria-label": t("by_hand"),
-			children: [BY_HAND.map((direction) => /* @__PURE__ */ a(Sure, {
-				needs: NEEDS,
-				label: t(`hand_${direction}`),
-				does: () => send({
-					command: "agv_move_manual",
-					direction,
-					speed: speed.value
-				})
-			}, direction)), ALONG.map((direction) => /* @__PURE__ */ a(Sure, {
-				needs: NEEDS,
-				label: t(`tape_${direction}`),
-				does: () => send({
-					command: "agv_move_auto",
-					direction,
-					steering: steering.value,
-					speed: speed.value
-				})
-			}, direction))]
-		}),
-		/* @__PURE__ */ a("div", {
-			class: "fields",
-			children: [
-				/* @__PURE__ */ a(Field, {
-					label: t("agv_alias"),
-					name: "alias",
-					value: alias,
-					list: "agv-aliases"
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: NEEDS,
-						label: t("move"),
-						disabled: !alias.value.trim(),
-						does: () => send({
-							command: "agv_move_alias",
-							alias: alias.value.trim()
-						})
-					})
-				}),
-				/* @__PURE__ */ a(Field, {
-					label: t("stands_at_tag"),
-					name: "tag",
-					value: tag,
-					list: "barcode-names"
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: NEEDS,
-						label: t("tell_it"),
-						disabled: !tag.value.trim(),
-						does: () => send({
-							command: "agv_set_current",
-							tag: tag.value.trim()
-						})
-					})
-				})
-			]
-		}),
-		/* @__PURE__ */ a("datalist", {
-			id: "agv-aliases",
-			children: layout.value?.chargers.flatMap((one) => one.alias ? [/* @__PURE__ */ a("option", { value: one.alias }, one.id)] : [])
-		})
-	] });
-}
-// src/parts/VehicleCommands.tsx
-/** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
-var PLAIN = [
-	"status",
-	"stop_by_host",
-	"stop",
-	"auto",
-	"alarm_clear",
-	"servo_on",
-	"servo_off",
-	"search_home",
-	"go_home",
-	"system_reset"
-];
-var AGV_PLAIN = [
-	"stop",
-	"alarm_clear",
-	"agv_mark_stop"
-];
-var LIFTS = [
-	"up",
-	"down",
-	"stop"
-];
-function VehicleCommands({ vehicle }) {
-	const asking = useAsking();
-	const agv = layout.value?.vehicles.find(({ id }) => id === vehicle.id)?.kind === "agv";
-	const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
-	const send = (body) => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
-	const plain = agv ? AGV_PLAIN : PLAIN;
-	return /* @__PURE__ */ a("details", {
-		class: "part acts",
-		children: [/* @__PURE__ */ a("summary", { children: t("commands") }), /* @__PURE__ */ a("div", {
-			class: "stack",
-			children: [
-				vehicle.oper === "alarm" && /* @__PURE__ */ a(Recover, { path }),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					"data-commands": vehicle.id,
-					children: [
-						plain.map((command) => /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(`vc_${command}`),
-							does: () => send({ command })
-						}, command)),
-						agv && LIFTS.map((action) => /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(`vc_lift_${action}`),
-							does: () => send({
-								command: "agv_lift",
-								action
-							})
-						}, action)),
-						agv && /* @__PURE__ */ a(Sure, {
-							needs: "POST /vehicles/{vehicle}/commands",
-							label: t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on"),
-							does: () => send({
-								command: "agv_charge",
-								on: !vehicle.agv?.charging
-							})
-						})
-					]
-				}),
-				/* @__PURE__ */ a("div", {
-					class: "acts-row",
-					children: /* @__PURE__ */ a(Sure, {
-						needs: "POST /vehicles/{vehicle}/park",
-						label: t("park"),
-						does: () => void asking.ask(() => post(`${path}/park`), t("sent"))
-					})
-				}),
-				/* @__PURE__ */ a(Move, { send }),
-				agv && /* @__PURE__ */ a(AgvCommands, { send }),
-				!agv && /* @__PURE__ */ a(Handle, { send }),
-				!agv && /* @__PURE__ */ a(Display, { send }),
-				/* @__PURE__ */ a(Told, { asking }),
-				/* @__PURE__ */ a(Service, {
-					vehicle,
-					path
-				}),
-				/* @__PURE__ */ a(Past$1, { path })
-			]
-		})]
-	});
-}
-/** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
-function Recover({ path }) {
-	const asking = useAsking();
-	const looked = useSignal(false);
-	return /* @__PURE__ */ a("div", {
-		class: "stack",
-		children: [
-			/* @__PURE__ */ a("label", { children: [
-				/* @__PURE__ */ a("input", {
-					type: "checkbox",
-					checked: looked.value,
-					onChange: (event) => looked.value = event.currentTarget.checked
-				}),
-				" ",
-				t("homing_safe")
-			] }),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/recover",
-					label: t("recover"),
-					does: () => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))
-				})
-			}),
-			/* @__PURE__ */ a(Told, { asking })
-		]
-	});
-}
-function Move({ send }) {
-	const barcode = useSignal("");
-	const action = useSignal("stop");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [
-			/* @__PURE__ */ a(Field, {
-				label: t("move_to"),
-				value: barcode,
-				list: "barcode-names"
-			}),
-			/* @__PURE__ */ a(Choice$1, {
-				label: t("stop_action"),
-				value: action,
-				of: [
-					["stop", t("act_stop")],
-					["port", t("port")],
-					["sbfl", t("sbfl")],
-					["sbfr", t("sbfr")]
-				]
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "wide acts-row",
-				children: /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("move"),
-					disabled: !barcode.value.trim(),
-					does: () => send({
-						command: "move",
-						barcode: barcode.value.trim(),
-						action: action.value
-					})
-				})
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "barcode-names",
-				children: (layout.value?.points ?? []).slice(0, 2e3).map(({ barcode: name }) => /* @__PURE__ */ a("option", { value: name }, name))
-			})
-		]
-	});
-}
-function Handle({ send }) {
-	const station = useSignal("");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [
-			/* @__PURE__ */ a(Field, {
-				label: t("at_station"),
-				value: station,
-				list: "station-names"
-			}),
-			/* @__PURE__ */ a("div", {
-				class: "acts-row",
-				children: [/* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("vc_pickup"),
-					disabled: !station.value.trim(),
-					does: () => send({
-						command: "pickup",
-						station: station.value.trim()
-					})
-				}), /* @__PURE__ */ a(Sure, {
-					needs: "POST /vehicles/{vehicle}/commands",
-					label: t("vc_place"),
-					disabled: !station.value.trim(),
-					does: () => send({
-						command: "place",
-						station: station.value.trim()
-					})
-				})]
-			}),
-			/* @__PURE__ */ a("datalist", {
-				id: "station-names",
-				children: layout.value?.stations.map(({ id }) => /* @__PURE__ */ a("option", { value: id }, id))
-			})
-		]
-	});
-}
-function Display({ send }) {
-	const words = useSignal("");
-	return /* @__PURE__ */ a("div", {
-		class: "fields",
-		children: [/* @__PURE__ */ a(Field, {
-			label: t("display_text"),
-			value: words
-		}), /* @__PURE__ */ a("div", {
-			class: "acts-row",
-			children: /* @__PURE__ */ a(Sure, {
-				needs: "POST /vehicles/{vehicle}/commands",
-				label: t("vc_display"),
-				disabled: !words.value,
-				does: () => send({
-					command: "display",
-					text: words.value
-				})
-			})
-		})]
-	});
-}
-/** Lockout while people are at it, and whether it is used at all. */
-function Service({ vehicle, path }) {
-	const used = vehicle.service === "in_service";
-	return /* @__PURE__ */ a(Reasoned, { decisions: [vehicle.lockout ? {
-		label: t("lift_lockout"),
-		needs: "DELETE /vehicles/{vehicle}/lockout",
-		bare: true,
-		grave: true,
-		does: () => call("DELETE", `${path}/lockout`)
-	} : {
-		label: t("lock_out"),
-		needs: "POST /vehicles/{vehicle}/lockout",
-		grave: true,
-		does: (reason) => post(`${path}/lockout`, { reason })
-	}, used ? {
-		label: t("take_out"),
-		needs: "PUT /vehicles/{vehicle}/service",
-		grave: true,
-		does: (reason) => call("PUT", `${path}/service`, {
-			in_service: false,
-			reason
-		})
-	} : {
-		label: t("put_back"),
-		needs: "PUT /vehicles/{vehicle}/service",
-		bare: true,
-		does: () => call("PUT", `${path}/service`, { in_service: true })
-	}] });
-}
-function Past$1({ path }) {
-	const round = Math.floor(changes.vehicles.value / 30);
-	const { value } = useRead(`${path}/commands?limit=12`, round);
-	return /* @__PURE__ */ a("table", {
-		class: "bits",
-		children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", {
-			title: command.actor,
-			children: [
-				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
-				/* @__PURE__ */ a("td", { children: command.kind }),
-				/* @__PURE__ */ a("td", { children: [
-					command.state,
-					" ",
-					tell(command.outcome)
-				] })
-			]
-		}, command.cmd_id)) })
-	});
-}
-// src/parts/VehiclePanel.tsx
-/** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
-function VehiclePanel({ id }) {
-	const now = vehicleNow(id);
-	tick.value;
-	if (!now) return null;
-	const load = now.loaded === null ? t("unknown") : now.loaded ? now.carrier ?? t("loaded") : t("empty");
-	return /* @__PURE__ */ a(Panel, {
-		title: now.id,
-		tag: doing(now),
-		colour: LOOKS[lookOf(now)],
-		children: [
-			/* @__PURE__ */ a(Notes, { vehicle: now }),
-			/* @__PURE__ */ a("dl", { children: [
-				/* @__PURE__ */ a(Fact, {
-					name: t("state"),
-					children: [
-						said(now.state),
-						" · ",
-						said(now.service)
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("mode"),
-					children: [
-						upper(now.mode),
-						" · ",
-						upper(now.oper),
-						now.code ? ` · ${hex(now.code)} ${now.code_name}` : ""
-					]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("carrier"),
-					children: load
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t(lineOf(id) ? "tag" : "place"),
-					children: [now.barcode ?? t("unknown"), now.dist ? ` + ${now.dist} mm` : ""]
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("job"),
-					children: now.job ? /* @__PURE__ */ a(Name, { id: now.job }) : t("none")
-				}),
-				/* @__PURE__ */ a(Fact, {
-					name: t("goal"),
-					children: now.goal ? /* @__PURE__ */ a("button", {
-						type: "button",
-						class: "text",
-						onClick: () => selected.value = {
-							kind: "station",
-							id: now.goal
-						},
-						children: now.goal
-					}) : t("none")
-				})
-			] }),
-			/* @__PURE__ */ a(Decide, { vehicle: now }),
-			/* @__PURE__ */ a(VehicleCommands, { vehicle: now }),
-			now.agv ? /* @__PURE__ */ a(AgvFacts, { agv: now.agv }) : /* @__PURE__ */ a(Bits, { vehicle: now }),
-			/* @__PURE__ */ a(LinkFacts, { vehicle: now }),
-			!now.agv && /* @__PURE__ */ a(Taught, {
-				kind: "vehicle",
-				id
-			}),
-			/* @__PURE__ */ a(Frames, { path: `/vehicles/${encodeURIComponent(id)}/frames` })
-		]
-	});
-}
-/** The line that an AGV shares with others; null for a hoist. */
-var lineOf = (id) => layout.value?.vehicles.find((one) => one.id === id)?.link ?? null;
-var upper = (word) => word === null ? "–" : word.toUpperCase();
-var hex = (code) => `0x${code.toString(16).toUpperCase().padStart(4, "0")}`;
-function Notes({ vehicle }) {
-	return /* @__PURE__ */ a($, { children: [
-		vehicle.lockout && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("locked", vehicle.lockout.owner) }),
-				" ",
-				vehicle.lockout.reason
-			]
-		}),
-		vehicle.hold && /* @__PURE__ */ a("p", {
-			class: "note held",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("held_note") }),
-				" ",
-				tell(vehicle.hold.reason),
-				" ",
-				/* @__PURE__ */ a("em", { children: tell(vehicle.hold.remedy) })
-			]
-		}),
-		vehicle.waiting && !vehicle.hold && /* @__PURE__ */ a("p", {
-			class: "note waits",
-			children: [
-				/* @__PURE__ */ a("b", { children: t("waits") }),
-				" ",
-				tell(vehicle.waiting)
-			]
-		})
-	] });
-}
-function Bits({ vehicle }) {
-	return /* @__PURE__ */ a("details", {
-		open: true,
-		children: [
-			/* @__PURE__ */ a("summary", { children: [t(lineOf(vehicle.id) ? "status" : "status_bits"), !lineOf(vehicle.id) && /* @__PURE__ */ a("code", { children: [
-				vehicle.status1 ?? "–",
-				" ",
-				vehicle.status2 ?? ""
-			] })] }),
-			vehicle.bits.length === 0 && /* @__PURE__ */ a("p", {
-				class: "nothing",
-				children: t("no_status")
-			}),
-			/* @__PURE__ */ a("table", {
-				class: "bits",
-				children: /* @__PURE__ */ a("tbody", { children: vehicle.bits.map((bit) => /* @__PURE__ */ a("tr", { children: [
-					/* @__PURE__ */ a("th", { children: bit.name }),
-					/* @__PURE__ */ a("td", { children: bit.value }),
-					/* @__PURE__ */ a("td", { children: bit.meaning })
-				] }, bit.name)) })
-			})
-		]
-	});
-}
-function AgvFacts({ agv }) {
-	const word = (name) => said(`agv_${name}`);
-	const flag = (on) => t(on ? "yes" : "no");
-	return /* @__PURE__ */ a("section", {
-		class: "part",
-		children: [/* @__PURE__ */ a("h3", { children: t("status") }), /* @__PURE__ */ a("dl", { children: [
-			/* @__PURE__ */ a(Fact, {
-				name: t("cart"),
-				children: word(agv.cart)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("lift"),
-				children: word(agv.lift)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("steering"),
-				children: word(agv.steering)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("in_position"),
-				children: flag(agv.in_position)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("charges_now"),
-				children: flag(agv.charging)
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("last_tag"),
-				children: agv.tag
-			}),
-			agv.toward && /* @__PURE__ */ a(Fact, {
-				name: t("beyond"),
-				children: agv.toward
-			}),
-			/* @__PURE__ */ a(Fact, {
-				name: t("path"),
-				children: agv.path
-			})
-		] })]
-	});
-}
-function LinkFacts({ vehicle }) {
-	const { link } = vehicle;
-	const line = lineOf(vehicle.id);
-	return /* @__PURE__ */ a("dl", { children: [
-		/* @__PURE__ */ a(Fact, {
-			name: t("link"),
-			children: [/* @__PURE__ */ a("span", {
-				class: link.up ? "good" : "bad",
-				children: t(link.up ? "link_up" : "link_down", clock(link.since))
-			}), !link.up && link.reason && /* @__PURE__ */ a("small", { children: [" · ", tell(link.reason)] })]
-		}),
-		!line && /* @__PURE__ */ a(Fact, {
-			name: t("round_trip"),
-			children: link.round_trip_ms === null ? "–" : `${link.round_trip_ms.toFixed(1)} ms`
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("frames_io"),
-			children: [
-				link.frames_in,
-				" / ",
-				link.frames_out
-			]
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("trouble_counts"),
-			children: [
-				link.garbled,
-				" / ",
-				link.resends,
-				" / ",
-				link.duplicates
-			]
-		}),
-		/* @__PURE__ */ a(Fact, {
-			name: t("seen"),
-			children: vehicle.seen ? t("ago", span(serverNow() - Date.parse(vehicle.seen))) : "–"
-		}),
-		line ? /* @__PURE__ */ a(Fact, {
-			name: t("on_line"),
-			children: t("line_number", line, vehicle.dev_id)
-		}) : /* @__PURE__ */ a(Fact, {
-			name: t("address"),
-			children: [
-				vehicle.address,
-				" · DEV_ID ",
-				vehicle.dev_id,
-				" · ",
-				vehicle.dialect
-			]
-		})
-	] });
-}
-var VERDICTS = [
-	"go_on",
-	"off_rail",
-	"stands_at"
-];
-/** Hold a vehicle; release one that is held or absent. Both want a reason, a release a name as well. */
-function Decide({ vehicle }) {
-	const reason = useSignal("");
-	const verdict = useSignal("go_on");
-	const barcode = useSignal(vehicle.barcode ?? "");
-	const error = useSignal(null);
-	const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
-	const send = (event) => {
-		event.preventDefault();
-		error.value = null;
-		const path = `/vehicles/${encodeURIComponent(vehicle.id)}/${releasing ? "release" : "hold"}`;
-		const stands = verdict.value === "stands_at" ? { barcode: barcode.value.trim() } : {};
-		post(path, releasing ? {
-			verdict: verdict.value,
-			reason: reason.value,
-			...stands
-		} : { reason: reason.value }).then(() => reason.value = "", (failure) => error.value = failure);
-	};
-	return /* @__PURE__ */ a("form", {
-		class: "decide",
-		onSubmit: send,
-		children: [
-			releasing && /* @__PURE__ */ a("select", {
-				"aria-label": t("verdict"),
-				value: verdict.value,
-				onChange: (event) => verdict.value = event.currentTarget.value,
-				children: VERDICTS.map((word) => /* @__PURE__ */ a("option", {
-					value: word,
-					children: t(`verdict_${word}`)
-				}, word))
-			}),
-			releasing && verdict.value === "stands_at" && /* @__PURE__ */ a("input", {
-				"aria-label": t("barcode"),
-				required: true,
-				value: barcode.value,
-				onInput: (event) => barcode.value = event.currentTarget.value
-			}),
-			/* @__PURE__ */ a("input", {
-				"aria-label": t("reason"),
-				placeholder: t("reason"),
-				required: true,
-				maxLength: 200,
-				value: reason.value,
-				onInput: (event) => reason.value = event.currentTarget.value
-			}),
-			/* @__PURE__ */ a(Button, {
-				needs: releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold",
-				type: "submit",
-				title: releasing && namesItself.value && !actor() ? t("your_name") : "",
-				children: t(releasing ? "release" : "hold")
-			}),
-			/* @__PURE__ */ a(Problem, { error: error.value })
-		]
-	});
 }
 // src/parts/WalkDetail.tsx
 /** One audit walk: what was expected at each place, what was seen, what that comes to; and its end. */

@@ -1,0 +1,33 @@
+import { describe, expect, test } from "vitest";
+import { phasesOf } from "../src/phases";
+import type { Happening } from "../src/types";
+
+const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 8, 0, second)).toISOString();
+const event = (name: string, second: number) => ({ event: name, ts: at(second) }) as Happening;
+const ALL = [
+  event("VehicleAssigned", 2),
+  event("VehicleAssigned", 5),
+  event("VehicleAcquireStarted", 20),
+  event("VehicleAcquireCompleted", 25),
+  event("VehicleDepositStarted", 50),
+  event("VehicleDepositCompleted", 56),
+];
+
+describe("the phases of a job", () => {
+  test("lie between its events; the last assignment ends the queue", () => {
+    expect(phasesOf(at(0), null, ALL)).toEqual([
+      { name: "queued", took: 5 },
+      { name: "fetching", took: 15 },
+      { name: "acquiring", took: 5 },
+      { name: "carrying", took: 25 },
+      { name: "depositing", took: 6 },
+    ]);
+  });
+
+  test("last until now where one is under way, and end with the job", () => {
+    expect(phasesOf(at(0), Date.parse(at(12)), [])).toEqual([{ name: "queued", took: 12 }]);
+    expect(phasesOf(at(0), Date.parse(at(30)), ALL.slice(0, 4)).at(-1)).toEqual({ name: "carrying", took: 5 });
+    expect(phasesOf(at(0), null, ALL.slice(0, 2))).toEqual([{ name: "queued", took: 5 }]);
+    expect(phasesOf(at(0), null, [])).toEqual([]);
+  });
+});
