@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from app.cli.catalogues import DIRECTORY
 from app.cli.plainly import CannotStart, plainly, refuse, text_of
+from app.cli.tongue import say
 from app.domain.errors import HoistwayError
 
 if TYPE_CHECKING:
@@ -128,15 +130,31 @@ def versions(url: Url = HERE, *, json: Json = False) -> None:
 
 
 def get(
-    number: Number, output: Annotated[Path, typer.Option("--output", "-o", help="where to")], url: Url = HERE
+    number: Number,
+    output: Annotated[Path, typer.Option("--output", "-o", help="where to")],
+    url: Url = HERE,
+    *,
+    catalogues: Annotated[
+        bool, typer.Option("--catalogues", help="also the catalogues of its drives, into the directory beside it")
+    ] = False,
 ) -> None:
     """Write the plant file of a version, to the letter."""
     with _server(url) as server:
-        text = server.ask("GET", f"{VERSIONS}/{number}/file").content
-        try:
-            output.write_bytes(text)
-        except OSError as wrong:
-            refuse(f"{output} cannot be written: {wrong.strerror}")
+        _write(output, server.ask("GET", f"{VERSIONS}/{number}/file").content)
+        models = server.version(number)["models"]
+        for model in models if catalogues else ():
+            text = server.ask("GET", f"{VERSIONS}/{number}/catalogues/{model}").content
+            _write(output.parent / DIRECTORY / f"{model}.yaml", text)
+        if models and not catalogues:
+            say(f"the version has catalogues of its own ({', '.join(models)}): --catalogues writes them too")
+
+
+def _write(file: Path, text: bytes) -> None:
+    try:
+        file.parent.mkdir(exist_ok=True)
+        file.write_bytes(text)
+    except OSError as wrong:
+        refuse(f"{file} cannot be written: {wrong.strerror}")
 
 
 def activate(

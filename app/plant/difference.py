@@ -70,6 +70,7 @@ def difference(old: Plant, new: Plant) -> Difference:
     for section in SECTIONS:
         changes += _section(section.removesuffix("s"), _by_id(getattr(old, section)), _by_id(getattr(new, section)))
     changes += _rules(old, new)
+    changes += _catalogues(old, new)
     return Difference(changes, list(_broken(old, new, renamed)))
 
 
@@ -191,6 +192,24 @@ def _rules(old: Plant, new: Plant) -> Iterator[Change]:
         a, b = getattr(old, name), getattr(new, name)
         if a != b:
             yield Change("plant", "changed", name, f"{_short(a)} → {_short(b)}", shown(a), shown(b))
+
+
+def _catalogues(old: Plant, new: Plant) -> Iterator[Change]:
+    before, after = ({catalogue.model: catalogue for catalogue in plant.catalogues} for plant in (old, new))
+    for model in sorted({*before, *after}):
+        was, now = before.get(model), after.get(model)
+        if was is None or now is None:
+            yield Change("catalogue", "added" if now else "removed", model, "", shown(was), shown(now))
+        elif was != now:
+            numbers = sorted({*was.parameters, *now.parameters})
+            told = [f"{n:02X}" for n in numbers if was.parameters.get(n) != now.parameters.get(n)]
+            text = f"describes {_listed(told)} in another way" if told else "has another description"
+            yield Change("catalogue", "changed", model, text, shown(was), shown(now))
+
+
+def _listed(names: Sequence[str]) -> str:
+    more = f" and {len(names) - 6} more" if len(names) > 6 else ""
+    return f"parameter{'s' * (len(names) > 1)} {', '.join(names[:6])}{more}"
 
 
 # -- what breaks --------------------------------------------------------------------------------------------------------

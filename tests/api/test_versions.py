@@ -12,7 +12,7 @@ from app.domain.job import Job
 from app.domain.layout import PulseSet
 from app.domain.records import StationDest
 from app.domain.units import Pulses
-from app.domain.versions import Leaving, Origin
+from app.domain.versions import Leaving, Origin, Source
 from app.store.versions import KEPT_REJECTED
 from tests.api.kept_versions import TEXT, KeptVersions, kept_versions
 from tests.api.scripted import NOW, Scripted
@@ -218,7 +218,7 @@ async def test_a_version_whose_text_is_not_kept_any_more_says_so(
 ) -> None:
     store = plant.versions.store
     for number in range(2, KEPT_REJECTED + 3):
-        store.stage(f"a text {number}", Origin.UPLOAD, Actor("lee"), "a try", NOW)
+        store.stage(Source(f"a text {number}"), Origin.UPLOAD, Actor("lee"), "a try", NOW)
         store.reject(number, Actor("lee"), "a typing error", NOW)
     answer = await client.get(f"/layout/versions/{path}")
     assert answer.status_code == 404
@@ -226,6 +226,15 @@ async def test_a_version_whose_text_is_not_kept_any_more_says_so(
     assert answer.json()["detail"] == said
     assert (await client.get("/layout/versions/2/findings")).json()["items"] == []
     assert (await client.get("/layout/versions/2")).json()["pruned"] is not None
+
+
+async def test_a_catalogue_is_given_as_the_version_has_it(client: httpx.AsyncClient, plant: KeptVersions) -> None:
+    plant.versions.store.stage(Source("text", {"sv2": "parameters: {}"}), Origin.UPLOAD, Actor("lee"), "a try", NOW)
+    assert list((await client.get("/layout/versions/2")).json()["models"]) == ["sv2"]
+    assert (await client.get("/layout/versions/2/catalogues/sv2")).text == "parameters: {}"
+    answer = await client.get("/layout/versions/2/catalogues/sv3")
+    assert (answer.status_code, answer.json()["detail"]) == (404, "Version 2 has no catalogue sv3.")
+    assert (await client.get("/layout/versions/9/catalogues/sv2")).status_code == 404
 
 
 async def test_a_person_has_to_decide(client: httpx.AsyncClient) -> None:
