@@ -10870,6 +10870,8 @@ async function* piecesOf(body) {
 		};
 	}
 }
+/** A whole state is shown on the way at most so often, s. */
+var ANEW = 55;
 /** So many changes are kept before those that are furthest back go. */
 var MOST$2 = 25e4;
 var Reel = class {
@@ -10880,12 +10882,15 @@ var Reel = class {
 	within = 0;
 	/** What is shown; NaN: nothing yet. */
 	now = NaN;
+	/** Of when the last whole state that was shown is. */
+	wholeAt = Number.NEGATIVE_INFINITY;
 	/** All that happened before this moment is here, s. */
 	until = Number.NEGATIVE_INFINITY;
 	clear() {
 		this.pieces = [];
 		this.count = this.index = this.within = 0;
 		this.now = NaN;
+		this.wholeAt = Number.NEGATIVE_INFINITY;
 		this.until = Number.NEGATIVE_INFINITY;
 	}
 	/** Put a piece behind the others. */
@@ -10920,6 +10925,7 @@ var Reel = class {
 		const own = /* @__PURE__ */ new Set();
 		this.index = from;
 		this.within = 0;
+		this.wholeAt = Number.NEGATIVE_INFINITY;
 		this.forward(at, {
 			whole: () => void 0,
 			change: ([, topic, key, value]) => {
@@ -10942,7 +10948,10 @@ var Reel = class {
 		for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
 			if (piece.state) {
 				if (piece.begin > at && this.index > 0) return;
-				screen.whole(piece.state);
+				if (this.index === 0 || piece.begin - this.wholeAt >= ANEW) {
+					this.wholeAt = piece.begin;
+					screen.whole(piece.state);
+				}
 			} else {
 				const changes = piece.changes ?? [];
 				for (; this.within < changes.length; this.within++) {
