@@ -8,13 +8,14 @@ from playwright.sync_api import Browser, expect
 from app.domain.alarms import Alarm, AlarmKind
 from app.domain.units import Timestamp
 from tests.api.scripted import NOW
+from tests.e2e.processes import wait_until
+from tests.web.hands import press_twice
 from tests.web.staffed import Staffed, staffed
 from tests.web.test_panels import opened
 from tools.chromium import installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("staffed-looking-up"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
 
@@ -51,8 +52,8 @@ def test_how_vehicles_held_out_leads_to_what_failed(plant: Staffed) -> None:
         row.get_by_role("button", name="History").click()
         expect(page.get_by_label("Name", exact=True)).to_have_value("V001")
         expect(page.locator("[data-row='1']")).to_contain_text("bumper")
-        page.wait_for_load_state("networkidle")
-    assert plant.server.controller.reader.asked_for["source"] == "V001"
+        reader = plant.server.controller.reader
+        wait_until(lambda: reader.asked_for.get("source") == "V001", "the request")
 
 
 def test_a_period_of_ones_own_is_reckoned_saved_in_the_form_wanted_and_printed(plant: Staffed) -> None:
@@ -82,8 +83,7 @@ def test_values_in_force_stand_where_they_are_saved_to_files(plant: Staffed) -> 
         opened(taught, "Write by hand")
         for axis, value in (("SHFT", "11"), ("ROTA", "-21"), ("LIFT", "31")):
             taught.get_by_label(axis, exact=True).fill(value)
-        taught.get_by_role("button", name="Write", exact=True).click()
-        taught.get_by_role("button", name="Sure?", exact=True).click()
+        press_twice(taught, "Write")
         expect(taught.locator("[data-version='1']")).to_contain_text("-21")
         page.goto(f"{plant.server.url}#/teaching")
         page.get_by_role("button", name="Files", exact=True).click()
