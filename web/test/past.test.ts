@@ -60,6 +60,15 @@ describe("the reel", () => {
     expect(seen).toEqual(["3", "all 9", "4", "no V1"]);
   });
 
+  test("passes by a whole state that comes soon after another: it says nothing else", () => {
+    const made = new Reel();
+    for (const piece of [...pieces.slice(0, 2), { id: 5, begin: 110, end: 110, state: state("3") }, ...pieces.slice(2)]) made.add(piece);
+    const seen: string[] = [];
+    const screen = { whole: () => void seen.push("all"), change: ([, , , value]: Change) => void seen.push(`${value?.["barcode"]}`) };
+    for (const moment of [100, 102, 120, 161]) made.forward(moment, screen);
+    expect(seen).toEqual(["all", "2", "3", "all", "4"]);
+  });
+
   test("unpacks an answer of the server: a line that lists the pieces, then the pieces", async () => {
     const bodies = [pieces[0]?.state, pieces[1]?.changes].map((one) => deflateSync(JSON.stringify(one)));
     const items = [
