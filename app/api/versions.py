@@ -225,9 +225,11 @@ def _none(number: int) -> NoReturn:
 def _unusable(unusable: UnusablePlant) -> NoReturn:
     errors = [finding for finding in unusable.findings if finding.is_error]
     first = errors[0]
-    detail = f"The plant file has {len(errors)} errors; line {first.line}, column {first.column}: {first.message}."
+    many = f"{len(errors)} error{'s' * (len(errors) > 1)}"
+    detail = f"The plant file has {many}; line {first.line}, column {first.column}: {first.message}."
     shown = [{"field": one.pop("path"), **one} for one in _findings(unusable.findings)]
-    raise Problem("invalid", detail, first.remedy, first.path, shown) from None
+    remedy = first.remedy or "Correct the plant file, and look at it with hoistway check."
+    raise Problem("invalid", detail, remedy, first.path, shown) from None
 
 
 def _findings(found: Sequence[Finding]) -> list[dict[str, object]]:

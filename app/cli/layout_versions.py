@@ -226,8 +226,11 @@ def _refused(answer: httpx.Response) -> Refused:
     except ValueError:
         problem = {}
     said = problem.get("detail") or f"{answer.status_code} {answer.reason_phrase}"
-    lines = [said, *(_line(error) for error in problem.get("errors", ()))]
-    return Refused("\n  ".join(lines), remedy=problem.get("remedy", ""))
+    errors = problem.get("errors", ())
+    told = {error.get("remedy") for error in errors}
+    remedy = problem.get("remedy", "")
+    lines = [said, *(_line(error) for error in errors)]
+    return Refused("\n  ".join(lines), remedy="" if remedy in told else remedy)
 
 
 def _line(error: Mapping[str, Any]) -> str:

@@ -40,7 +40,7 @@ def plant_and_text_of(file: Path) -> tuple[Plant, str]:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
-        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"See: hoistway check {file}") from None
+        raise CannotStart(f"the plant file {file} has errors: {errors}", remedy=f"See: hoistway check {file}") from None
     return equipped(plant, file), text
 
 

@@ -1,7 +1,7 @@
 """What differs between two plants, in words, and what that breaks in a plant that has run."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import Enum
 from math import hypot
 from typing import Any
@@ -11,6 +11,7 @@ from app.plant.connections import graph_of, reachable
 
 NEAR = 1.0
 """A mark that disappears where another appears, within so many mm, has got another name."""
+FIRST_ONLY = "its dest counts only where a database is made: teach it, or PUT /api/v1/stations/ID/dest"
 SECTIONS = ("zones", "vehicles", "links", "doors", "buffers", "chargers", "drives")
 RULES = (
     "name",
@@ -151,7 +152,10 @@ def _edges(old: Plant, new: Plant) -> Iterator[Change]:
 
 
 def _stations(old: Plant, new: Plant) -> Iterator[Change]:
-    yield from _section("station", _by_id(old.stations), _by_id(new.stations))
+    for change in _section("station", _by_id(old.stations), _by_id(new.stations)):
+        before, after = ((shape or {}).get("dest") for shape in (change.before, change.after))
+        text = f"{change.text}; {FIRST_ONLY}" if change.text else FIRST_ONLY
+        yield replace(change, text=text) if after is not None and after != before else change
 
 
 def _section(what: str, before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[Change]:

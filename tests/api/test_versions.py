@@ -100,7 +100,7 @@ async def test_warnings_do_not_keep_a_file_from_being_staged(client: httpx.Async
     [
         (b"\xff\xfe1", YAML, {"reason": "x"}, 400, "The plant file is not UTF-8: invalid start byte at byte 0."),
         (b"{}", {"Content-Type": "application/json"}, {"reason": "x"}, 415, "The body came as 'application/json'."),
-        (b"", YAML, {"reason": "x"}, 422, "has 1 errors"),
+        (b"", YAML, {"reason": "x"}, 422, "has 1 error;"),
         (TEXT.encode(), YAML, {}, 422, "reason: is required"),
         (TEXT.encode(), YAML, {"reason": "a\nb"}, 422, "reason: holds a character"),
         (
@@ -112,7 +112,7 @@ async def test_warnings_do_not_keep_a_file_from_being_staged(client: httpx.Async
         ),
         (TEXT.encode(), YAML, {"reason": "x"}, 409, "That is the active version 1, to the letter."),
         (b"a: &a [1]\nb: *a\n", YAML, {"reason": "x"}, 422, "an alias (*a) cannot be used here"),
-        (b"[" * 100_000, YAML, {"reason": "x"}, 422, "errors"),
+        (b"[" * 100_000, YAML, {"reason": "x"}, 422, "has 1 error;"),
         (b"x" * (17 << 20), YAML, {"reason": "x"}, 413, "larger than 16777216 bytes"),
     ],
 )
