@@ -228,7 +228,8 @@ def _unusable(unusable: UnusablePlant) -> NoReturn:
     many = f"{len(errors)} error{'s' * (len(errors) > 1)}"
     detail = f"The plant file has {many}; line {first.line}, column {first.column}: {first.message}."
     shown = [{"field": one.pop("path"), **one} for one in _findings(unusable.findings)]
-    raise Problem("invalid", detail, first.remedy, first.path, shown) from None
+    remedy = first.remedy or "Correct the plant file, and look at it with hoistway check."
+    raise Problem("invalid", detail, remedy, first.path, shown) from None
 
 
 def _findings(found: Sequence[Finding]) -> list[dict[str, object]]:

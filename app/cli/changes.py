@@ -37,7 +37,7 @@ LOOK_EVERY = 1.0
 TRIES = 2
 """Starts with a new version that may end before it runs; then the one before it goes on. Our choice: one may be a power cut."""
 FILE, START = Actor("plant file"), Actor("hoistway")
-EDITED = "the plant file, or a catalogue beside it, was edited"
+EDITED = "the plant file or a catalogue was edited"
 NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
 
 

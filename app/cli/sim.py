@@ -151,6 +151,8 @@ class _Floor:
         self._haste = haste
         self._panels = panels
         self._plant = plant
+        self._built = plant
+        """What the simulated machines are built by, whatever plant is followed."""
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
         self._controller = controller
@@ -211,8 +213,10 @@ class _Floor:
             except HoistwayError as wrong:
                 say(f"hoistway sim: the plant is not followed: {wrong.message}", wrong=True)
                 return
-            old, self._plant = self._plant, plant
+            self._plant = plant
             came, gone = floor.follow(plant, Clock().now())
+            stayed = (vehicle for vehicle in self._built.vehicles if vehicle.id not in gone)
+            self._built = replace(self._built, vehicles=(*stayed, *came))
             oracle.follow(plant)
             for name in gone:
                 await self._ends.pop(name).stop()
@@ -222,7 +226,7 @@ class _Floor:
                     await self._serve(spec, floor.devices[spec.id])
                 except OSError as wrong:
                     say(f"hoistway sim: {spec.id} is not there: {said(wrong)}", wrong=True)
-            for change in unfollowed(old, plant):
+            for change in unfollowed(self._built, plant):
                 say(f"hoistway sim: not followed until it is started again: {change}", wrong=True)
 
     async def _hands(self, floor: SimulatedPlant) -> Bench | None:

@@ -58,7 +58,7 @@ def test_everything_in_the_plant_is_counted() -> None:
     assert counted(plant_of("small")) == "2 hoists"
 
 
-def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path) -> None:
+def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     file = quick_plant("small", tmp_path)
     text, (port,) = file.read_text(encoding="utf-8"), free_ports(1)
     coming = f'  V003: {{dev_id: 3, address: "127.0.0.1:{port}", offset: {{shft: 0, rota: 0, lift: 0}}}}\n'
@@ -71,6 +71,7 @@ def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path) -> No
             with pytest.raises(ConnectionError):
                 await asyncio.open_connection("127.0.0.1", port)
             await simulator.follow("name: small\nwords: that nobody understands\n")
+            await simulator.follow(text.replace("dev_id: 2,", "dev_id: 7,"))
             await simulator.follow(more)
             _, writer = await asyncio.open_connection("127.0.0.1", port)
             writer.close()
@@ -78,3 +79,9 @@ def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path) -> No
             await _ended(simulator.process)
 
     asyncio.run(shown())
+    said = [line for line in capfd.readouterr().err.splitlines() if "hoistway sim" in line]
+    assert len(said) == 2
+    assert "the plant is not followed" in said[0]
+    assert said[1].endswith("not followed until it is started again: vehicle V002 changed"), (
+        "and back again is followed"
+    )
