@@ -42,7 +42,5 @@ export function ofThen(id: string, now: Record<string, unknown>): Vehicle {
 
 /** One that was shown, with what has changed of it: made many thousand times a second. */
 export function changedOf(before: Vehicle, now: Record<string, unknown>): Vehicle {
-  const next = Object.assign({}, before, now);
-  next.link = next.activity === "absent" ? GONE : LINK;
-  return next;
+  return { ...before, ...now, link: (now["activity"] ?? before.activity) === "absent" ? GONE : LINK };
 }

@@ -1876,9 +1876,11 @@ function ofThen(id, now) {
 }
 /** One that was shown, with what has changed of it: made many thousand times a second. */
 function changedOf(before, now) {
-	const next = Object.assign({}, before, now);
-	next.link = next.activity === "absent" ? GONE : LINK;
-	return next;
+	return {
+		...before,
+		...now,
+		link: (now["activity"] ?? before.activity) === "absent" ? GONE : LINK
+	};
 }
 // src/shows.ts
 /** As custom properties of the style sheet, which has them for each theme. */
