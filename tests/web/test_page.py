@@ -128,6 +128,7 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only(wire: ClientConnec
         page.until("document.querySelector('dialog input[name=key]')")
         use(page, "not the key of this server")
         page.until(text_of("dialog .problem", "This is no key"))
+        assert page.ask("sessionStorage.getItem('hoistway.key')") == ""
         use(page, KEY)
         page.until(LIVE)
         page.until(text_of("header .account", "access-key"))

@@ -2,7 +2,7 @@ import { deflateSync } from "node:zlib";
 import { describe, expect, test } from "vitest";
 import { kindOf, reachOf } from "../src/past/reach";
 import { type Change, type Piece, piecesOf, Reel, type State } from "../src/past/reel";
-import { ofThen } from "../src/past/then";
+import { changedOf, ofThen } from "../src/past/then";
 import { Trails } from "../src/past/trails";
 import { lookOf } from "../src/shows";
 import { Track } from "../src/track";
@@ -142,4 +142,7 @@ test("a vehicle of then looks as it did: an alarm, or absent", () => {
   expect(lookOf(ofThen("V1", { activity: "moving", oper: "alarm" }))).toBe("alarm");
   expect(lookOf(ofThen("V1", { activity: "absent" }))).toBe("gone");
   expect(lookOf(ofThen("V1", { activity: "waiting" }))).toBe("waiting");
+  const gone = changedOf(ofThen("V1", { activity: "waiting", barcode: "1" }), { activity: "absent" });
+  expect([lookOf(gone), gone.barcode]).toEqual(["gone", "1"]);
+  expect(lookOf(changedOf(gone, { activity: "waiting" }))).toBe("waiting");
 });

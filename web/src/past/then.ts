@@ -35,7 +35,14 @@ const BLANK: Vehicle = {
 };
 const GONE = { ...LINK, up: false };
 
-/** A vehicle as it was recorded, or one that was shown with what has changed of it. */
+/** A vehicle as it was recorded. */
 export function ofThen(id: string, now: Record<string, unknown>): Vehicle {
   return { ...BLANK, ...now, id, link: now["activity"] === "absent" ? GONE : LINK };
+}
+
+/** One that was shown, with what has changed of it: made many thousand times a second. */
+export function changedOf(before: Vehicle, now: Record<string, unknown>): Vehicle {
+  const next = Object.assign({}, before, now);
+  next.link = next.activity === "absent" ? GONE : LINK;
+  return next;
 }

@@ -1104,9 +1104,9 @@ function holdBack() {
 function letGo() {
 	goOn();
 }
-/** Whether a key or token is kept. */
-function hasKey() {
-	return key$1 !== "";
+/** The key or token that is kept; "": none. */
+function held() {
+	return key$1;
 }
 function useKey$1(given) {
 	key$1 = given;
@@ -1532,10 +1532,16 @@ async function logIn(name, password) {
 }
 /** Use a machine's key. Raises Refused. */
 async function useKey(key) {
+	const before = held();
+	useKey$1(key);
+	try {
+		await entered();
+	} catch (failure) {
+		useKey$1(before);
+		throw failure;
+	}
 	keep(null);
 	sessionStorage.setItem(FAMILY, freshKey());
-	useKey$1(key);
-	await entered();
 }
 /** Log out, here and in the tabs that were duplicated. */
 async function logOut() {
@@ -1574,10 +1580,10 @@ function begin$5(go) {
 	others.addEventListener("message", hear);
 	window.setInterval(() => void renew(), LOOK);
 	if (session.value && session.value.expires < serverNow()) forget();
-	if (!hasKey()) holdBack();
+	if (!held()) holdBack();
 	const first = async () => {
 		try {
-			if (!hasKey() && (await get("/session/required")).required) {
+			if (!held() && (await get("/session/required")).required) {
 				asked$2.value = true;
 				return;
 			}
@@ -1859,7 +1865,7 @@ var GONE = {
 	...LINK,
 	up: false
 };
-/** A vehicle as it was recorded, or one that was shown with what has changed of it. */
+/** A vehicle as it was recorded. */
 function ofThen(id, now) {
 	return {
 		...BLANK,
@@ -1867,6 +1873,12 @@ function ofThen(id, now) {
 		id,
 		link: now["activity"] === "absent" ? GONE : LINK
 	};
+}
+/** One that was shown, with what has changed of it: made many thousand times a second. */
+function changedOf(before, now) {
+	const next = Object.assign({}, before, now);
+	next.link = next.activity === "absent" ? GONE : LINK;
+	return next;
 }
 // src/shows.ts
 /** As custom properties of the style sheet, which has them for each theme. */
@@ -2464,10 +2476,11 @@ function showWhole(objects) {
 function showChange([, topic, key, value]) {
 	if (!isTopic(topic)) return;
 	const map = maps[topic];
-	put(map, topic, key, topic === "vehicles" && value !== null ? ofThen(key, {
-		...vehicles.get(key),
-		...value
-	}) : value);
+	put(map, topic, key, topic === "vehicles" && value !== null ? vehicleThen(key, value) : value);
+}
+function vehicleThen(id, value) {
+	const before = vehicles.get(id);
+	return before ? changedOf(before, value) : ofThen(id, value);
 }
 function put(map, topic, key, value) {
 	if (topic === "vehicles" && map === vehicles && (value === null || !map.has(key))) members.value++;
