@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 import sqlalchemy as sa
+from typer.testing import CliRunner
 
+from app.cli import app
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart
 from app.cli.running import plant_and_text_of
@@ -267,3 +269,18 @@ def test_a_version_from_before_goes_on_with_the_catalogues_that_are_found(start:
     engine.dispose()
     again, changes = start(HALL)
     assert (again, states(changes)) == (plant, {1: "active"})
+
+
+def test_what_runs_is_written_over_a_broken_plant_file_without_a_controller(
+    start: Start, tmp_path: Path, url: str
+) -> None:
+    start(HALL)
+    file = tmp_path / "back" / "hall.yaml"
+    said = CliRunner().invoke(app, ["layout", "get", "--database", url, "-o", str(file), "--catalogues"])
+    assert (said.exit_code, file.read_text(encoding="utf-8")) == (0, HALL)
+    assert (file.parent / "catalogues" / "demo.yaml").read_text(encoding="utf-8") == CATALOGUE
+    said = CliRunner().invoke(app, ["layout", "get", "7", "--database", url, "-o", str(file)])
+    assert (said.exit_code, "does not keep the text of that version" in said.output) == (1, True)
+    said = CliRunner().invoke(app, ["layout", "get", "--database", f"sqlite:///{tmp_path}/none.db", "-o", str(file)])
+    assert (said.exit_code, "keeps no versions of a plant" in said.output) == (1, True)
+    assert not (tmp_path / "none.db").exists()
