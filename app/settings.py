@@ -19,7 +19,9 @@ from app.domain.units import Seconds
 
 PREFIX = "HOISTWAY_"
 NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG", "HOISTWAY_LANG")
-"""Environment variables of the prefix that are not settings: the tests' own, and the one that names the file."""
+"""How environment variables of the prefix begin that are not settings: the tests' own, and the one that names the file."""
+CALLERS = ("HOISTWAY_URL", "HOISTWAY_KEY")
+"""What commands that call a controller take from the environment: they may be set where one is started too."""
 
 
 class SettingsError(HoistwayError):
@@ -145,7 +147,7 @@ def _environment(environ: Mapping[str, str]) -> dict[str, object]:
     found = {
         name.removeprefix(PREFIX).lower(): text
         for name, text in environ.items()
-        if name.startswith(PREFIX) and not name.startswith(NOT_SETTINGS) and text
+        if name.startswith(PREFIX) and name not in CALLERS and not name.startswith(NOT_SETTINGS) and text
     }
     _refuse_unknown(found, lambda name: f"environment variable {PREFIX}{name.upper()}")
     lists = {"allowed_hosts", "allowed_origins", "webhook_targets"}

@@ -2,14 +2,17 @@
 
 import ast
 import re
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 
 import pytest
 
 from app.api.problems import CODES, USUAL
+from app.domain import device_requests, drive_requests, requests, teaching_requests
 from app.domain.job import JobEvent
 from app.texts import LANGUAGES, catalogue, language_of, text, told
 
+REQUESTS = (requests, teaching_requests, drive_requests, device_requests)
 PIECES = re.compile(r"\{\d\}|[;:,]|\bwhich is\b|\bat\b")
 """Sentences are put together at such places."""
 APP = Path(__file__).parents[1] / "app"
@@ -67,6 +70,14 @@ def _constants() -> str:
         found += [node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
     page = (APP.parent / "web" / "src").rglob("*.ts*")
     return "\n".join([*found, *(file.read_text(encoding="utf-8") for file in page)])
+
+
+def test_everything_that_can_be_asked_for_has_its_words_in_the_audit() -> None:
+    classes = [cls for module in REQUESTS for cls in vars(module).values() if isinstance(cls, type)]
+    ours = [cls for cls in classes if "requests" in cls.__module__ and is_dataclass(cls)]
+    asked = {cls.__name__ for cls in ours if "actor" in {one.name for one in fields(cls)}}
+    assert "CreateJob" in asked
+    assert {f"did_{name}" for name in asked} <= set(catalogue("en")["page"])
 
 
 def test_every_saying_is_still_said_somewhere() -> None:

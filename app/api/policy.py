@@ -168,6 +168,7 @@ ROUTES: Mapping[str, Scope] = {
     "POST /layout/versions": Scope.LAYOUT,
     "GET /layout/versions/{version}": Scope.READ,
     "GET /layout/versions/{version}/file": Scope.READ,
+    "GET /layout/versions/{version}/catalogues/{model}": Scope.READ,
     "GET /layout/versions/{version}/findings": Scope.READ,
     "GET /layout/versions/{version}/diff": Scope.READ,
     "GET /layout/versions/{version}/impact": Scope.READ,

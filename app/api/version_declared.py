@@ -7,7 +7,15 @@ VERSIONS: Json = {
     "PlantVersion": record(
         {
             "number": WHOLE,
-            "digest": {**TEXT, "description": "SHA-256 of its text, in hex."},
+            "digest": {
+                **TEXT,
+                "description": "What tells it from others: SHA-256 of its text, and of its catalogues if any.",
+            },
+            "models": {
+                "type": "object",
+                "additionalProperties": TEXT,
+                "description": "The catalogues of its drives, kept with it: SHA-256 by model.",
+            },
             "size": {**WHOLE, "description": "Bytes."},
             "state": {"type": "string", "enum": [state.value for state in VersionState]},
             "origin": {"type": "string", "enum": [origin.value for origin in Origin]},

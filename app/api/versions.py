@@ -26,6 +26,7 @@ YAML = "application/yaml"
 KINDS = (YAML, "application/x-yaml", "text/yaml", "text/x-yaml", "text/plain")
 MOST_FINDINGS = 200
 """Our choice: nobody reads more, and each is some hundred bytes."""
+Model = Annotated[str, Path(min_length=1, max_length=100, pattern=TEXT_PATTERN)]
 VersionPath = Annotated[int, Path(ge=1, le=(1 << 53) - 1)]
 Why = Annotated[
     str, Query(min_length=1, max_length=200, pattern=TEXT_PATTERN, description="Why it is wanted; kept with it.")
@@ -96,6 +97,19 @@ async def get_version_file(version: VersionPath, controller: Ctl) -> Response:
         await _textless(controller, version)
     name = f'attachment; filename="{_plain(controller.plant.name)}-{version}.yaml"'
     return Response(text, headers={"Content-Disposition": name}, media_type=f"{YAML}; charset=utf-8")
+
+
+@router.get("/{version}/catalogues/{model}", responses=_FILE, response_class=Response)
+async def get_version_catalogue(version: VersionPath, model: Model, controller: Ctl) -> Response:
+    """Give the catalogue of a drive model as a version has it, to the letter."""
+    source = await read(_of(controller).store.source, version)
+    if source is None:
+        await _textless(controller, version)
+    text = (source.catalogues or {}).get(model)
+    if text is None:
+        detail = f"Version {version} has no catalogue {model}."
+        raise Problem("not-found", detail, f"GET /api/v1/layout/versions/{version} names its models.")
+    return Response(text, media_type=f"{YAML}; charset=utf-8")
 
 
 @router.get("/{version}/findings", **gives("PlantFinding[]", description="Warnings, in the order of the file."))
@@ -211,9 +225,11 @@ def _none(number: int) -> NoReturn:
 def _unusable(unusable: UnusablePlant) -> NoReturn:
     errors = [finding for finding in unusable.findings if finding.is_error]
     first = errors[0]
-    detail = f"The plant file has {len(errors)} errors; line {first.line}, column {first.column}: {first.message}."
+    many = f"{len(errors)} error{'s' * (len(errors) > 1)}"
+    detail = f"The plant file has {many}; line {first.line}, column {first.column}: {first.message}."
     shown = [{"field": one.pop("path"), **one} for one in _findings(unusable.findings)]
-    raise Problem("invalid", detail, first.remedy, first.path, shown) from None
+    remedy = first.remedy or "Correct the plant file, and look at it with hoistway check."
+    raise Problem("invalid", detail, remedy, first.path, shown) from None
 
 
 def _findings(found: Sequence[Finding]) -> list[dict[str, object]]:

@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Self
 
 from structlog.typing import FilteringBoundLogger
 
+from app.cli.catalogues import catalogue_texts
 from app.cli.plainly import CannotStart, text_of
 from app.cli.running import reader_of
 from app.domain.errors import HoistwayError, PlantHeld, Refusal, StoreError
 from app.domain.ids import Actor
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
+from app.domain.versions import Origin, PlantVersion, Source, VersionState
 from app.plant.difference import Broken, difference, obstruction
 from app.plant.touched import listens_at, touched
 from app.runtime.telemetry import logger
@@ -29,14 +30,14 @@ from app.store.standing import standing
 from app.store.versions import VersionStore
 
 if TYPE_CHECKING:
-    from app.plant import Finding
+    pass
 
 LOOK_EVERY = 1.0
 """Seconds between two looks whether a version that is waited for fits by now. Our choice."""
 TRIES = 2
 """Starts with a new version that may end before it runs; then the one before it goes on. Our choice: one may be a power cut."""
 FILE, START = Actor("plant file"), Actor("hoistway")
-EDITED = "the plant file was edited"
+EDITED = "the plant file or a catalogue was edited"
 NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
 
 
@@ -56,7 +57,7 @@ class Changes:
         self.number = 0
         """The version that runs."""
         self._file, self._database, self._utc = file, database, utc
-        self._read: Callable[[str], tuple[Plant, Sequence[Finding]]] = reader_of(file)
+        self._read = reader_of(file)
         self._store = VersionStore(database)
         self.versions = Versions(self._store, database, self._read, utc)
         self._again = self._waiting = self._trying = False
@@ -84,24 +85,25 @@ class Changes:
 
         ``plant`` and ``text`` are the plant file's. Raises PlantHeld, StoreError; CannotStart: the active version cannot be read.
         """
+        source = self._source(plant, text)
         with held(self._database, plant.name, holder(), self._utc()) as lease:
             if self._store.plant_name() not in {None, plant.name}:
                 return plant  # The ledger refuses it, and says why.
             active = self._store.active()
             if active is None:
-                self.number = self._store.begin(text, FILE, self._utc()).number
+                self.number = self._store.begin(source, FILE, self._utc()).number
                 return plant
             active = self._on_trial(active, lease)
             self.number = active.number
-            if digest_of(text) == active.digest:
-                self._store.take_file(text, self._utc())
+            if source.digest == active.digest:
+                self._store.take_file(source, self._utc())
                 return plant
-            edited = digest_of(text) != self._store.file_taken()
+            edited = source.digest != self._store.file_taken()
             try:
                 running = self._plant_of(active)
             except CannotStart as unreadable:
                 if edited:
-                    return self._instead_of_unreadable(active, plant, text, unreadable, lease)
+                    return self._instead_of_unreadable(active, plant, source, unreadable, lease)
                 before = self._fall_back(active, unreadable.message, lease)
                 if before is None:
                     raise
@@ -111,8 +113,11 @@ class Changes:
                     f"the database keeps plant {running.name}, not {plant.name}",
                     remedy="Give each plant a database of its own, or write the plant's old name into the plant file.",
                 )
+            if plant == running:
+                self._store.take_file(source, self._utc())
+                return plant
             if edited:
-                return self._edited(active, running, plant, text, lease)
+                return self._edited(active, running, plant, source, lease)
             logger(plant=plant.name).warning(
                 "the plant file is not what runs",
                 runs=f"version {active.number} ({active.why})",
@@ -149,21 +154,22 @@ class Changes:
 
     def _plant_of(self, version: PlantVersion) -> Plant:
         try:
-            return self._read(self._store.text(version.number) or "")[0]
+            return self._read(self._store.source(version.number) or Source("")).plant
         except HoistwayError as wrong:
             raise CannotStart(
                 f"version {version.number} of the plant, the active one, cannot be read: {wrong.message}",
                 remedy="Write a plant file that this program understands, and start with it.",
             ) from None
 
-    def _edited(self, active: PlantVersion, running: Plant, plant: Plant, text: str, lease: Lease) -> Plant:
+    def _source(self, plant: Plant, text: str) -> Source:
+        """Return the plant file as it is now, with the catalogues that are there now."""
+        return Source(text, catalogue_texts(plant, self._file))
+
+    def _edited(self, active: PlantVersion, running: Plant, plant: Plant, source: Source, lease: Lease) -> Plant:
         """Take a plant file that was edited while no controller ran, unless it breaks something under way."""
         log = logger(plant=plant.name)
-        if plant == running:
-            self._store.take_file(text, self._utc())
-            return plant
         broken = touched(running, plant, standing(self._database), listening=False)
-        version = self._staged(text, f"{EDITED} before a start")
+        version = self._staged(source, f"{EDITED} before a start")
         if broken:
             _log_all(log, broken)
             log.error(NOT_TAKEN, goes_on=f"version {active.number}", staged=f"version {version.number}")
@@ -173,11 +179,11 @@ class Changes:
         return plant
 
     def _instead_of_unreadable(
-        self, active: PlantVersion, plant: Plant, text: str, unreadable: CannotStart, lease: Lease
+        self, active: PlantVersion, plant: Plant, source: Source, unreadable: CannotStart, lease: Lease
     ) -> Plant:
         """Take the edited file where nobody can read the active version any more (another program staged it): nothing can be
         compared, and the start itself refuses a plant that lacks a vehicle on the rail."""
-        version = self._staged(text, f"version {active.number} cannot be read any more")
+        version = self._staged(source, f"version {active.number} cannot be read any more")
         self._take_edited(version, lease)
         logger(plant=plant.name).warning(
             "the plant has changed", version=version.number, reason=unreadable.message, compared="nothing"
@@ -194,12 +200,12 @@ class Changes:
         self._store.activate(version.number, self._utc(), lease, file=True)
         self.number, self._trying = version.number, True
 
-    def _staged(self, text: str, reason: str) -> PlantVersion:
-        """Return the version with this text; it is made if there is none that could become active."""
-        known = self._store.with_text(text)
+    def _staged(self, source: Source, reason: str) -> PlantVersion:
+        """Return the version made of this; it is made if there is none that could become active."""
+        known = self._store.with_source(source)
         if known is not None and known.state is not VersionState.ACTIVE:
             return known
-        made = self._store.stage(text, Origin.FILE, FILE, reason, self._utc(), again=True)
+        made = self._store.stage(source, Origin.FILE, FILE, reason, self._utc(), again=True)
         assert isinstance(made, PlantVersion)
         return made
 
@@ -233,22 +239,23 @@ class Changes:
         """Let the plant file be awaited, if it says something new."""
         try:
             text = await asyncio.to_thread(text_of, self._file)
-            found = (await asyncio.to_thread(self._read, text))[0]
+            understood = await asyncio.to_thread(self._read, Source(text))
         except HoistwayError as wrong:
             _refused(log, NOT_TAKEN, wrong)
             return
+        found, source = understood.plant, understood.source
         if found.name != plant.name:
             log.error(NOT_TAKEN, reason=f"it is of another plant: {found.name}")
         elif found == plant:
-            await asyncio.to_thread(self._store.take_file, text, self._utc())
+            await asyncio.to_thread(self._store.take_file, source, self._utc())
             log.info("the plant file says nothing new")
         else:
-            asked = await asyncio.to_thread(self._ask_for_file, text)
+            asked = await asyncio.to_thread(self._ask_for_file, source)
             if isinstance(asked, Refusal):
                 log.error(NOT_TAKEN, reason=asked.reason, remedy=asked.remedy)
 
-    def _ask_for_file(self, text: str) -> PlantVersion | Refusal:
-        version = self._staged(text, EDITED)
+    def _ask_for_file(self, source: Source) -> PlantVersion | Refusal:
+        version = self._staged(source, EDITED)
         if version.state is VersionState.AWAITED:
             return version
         return self._store.ask(version.number, FILE, EDITED, self._utc(), patient=False)
@@ -309,7 +316,7 @@ class Changes:
                 if broken := touched(plant, following, standing(self._database)):
                     self._kept_back(awaited, broken)
                     return plant
-                self._store.activate(awaited.number, self._utc(), lease, file=self._is_file(awaited))
+                self._store.activate(awaited.number, self._utc(), lease, file=self._is_file(awaited, following))
         except PlantHeld:
             raise
         except (StoreError, CannotStart) as trouble:
@@ -326,9 +333,9 @@ class Changes:
         if awaited is not None:
             self._store.give_up(awaited.number, said(trouble), self._utc())
 
-    def _is_file(self, version: PlantVersion) -> bool:
+    def _is_file(self, version: PlantVersion, plant: Plant) -> bool:
         try:
-            return digest_of(text_of(self._file)) == version.digest
+            return self._source(plant, text_of(self._file)).digest == version.digest
         except CannotStart:
             return False
 

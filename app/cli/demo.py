@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import json
-import sys
 import tempfile
 from contextlib import suppress
 from pathlib import Path
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import CannotStart, plainly
+from app.cli.plainly import plainly
 from app.cli.running import bound, on_again, on_loop, plant_and_text_of, stop_signal, uncollected, url_of
 from app.cli.tongue import say
 from app.cli.workload import order
@@ -59,24 +58,26 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
     listening = bound(settings.host, settings.port)
     with uncollected():
         from app.cli import hosting  # heavy: a wrong plant file and a port in use are told before
-        from app.cli.changes import Changes
+        from app.cli.shown import ShownChanges, Simulator
         from app.runtime.clock import Clock
 
     url = url_of(settings.host, listening.getsockname()[1])
-    with Changes(file, settings.database, Clock().utc) as changes:
+    simulator = Simulator(file, text, operator)
+    with ShownChanges(file, settings.database, Clock().utc, simulator) as changes:
         plant = changes.begin(plant, text)
 
         async def run() -> int:
             stop = stop_signal()
             on_again(changes.look)
-            simulator = await _simulated(file, operator)
-            watching = asyncio.create_task(_end_with(simulator, stop))
+            await simulator.start()
+            await changes.show()
+            watching = asyncio.create_task(_end_with(simulator.process, stop))
             working = None if keep is None else asyncio.create_task(_work(url, keep, stop, settings))
             said = ""
 
             def seen(controller: Controller) -> None:
-                nonlocal said
-                said = hosting.who_may_call(controller, settings)
+                nonlocal said, plant
+                said, plant = hosting.who_may_call(controller, settings), controller.plant
 
             def ready(url: str) -> None:
                 say(f"{_invitation(plant, url)}\n{said}\nCtrl-C ends it.")
@@ -87,27 +88,10 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
                 stop.set()
                 if working is not None:
                     await working
-                await _ended(simulator)
+                await _ended(simulator.process)
                 await watching
 
         return on_loop(run())
-
-
-async def _simulated(file: Path, operator: int | None) -> asyncio.subprocess.Process:
-    """Start the simulator; return once its vehicles are there. Raises CannotStart."""
-    hands = () if operator is None else ("--operator", str(operator))
-    # A session of its own: Ctrl-C reaches the parent alone, which ends both in order.
-    process = await asyncio.create_subprocess_exec(
-        sys.executable, "-m", "app.cli", "sim", "--plant", str(file), "--with-parent", *hands,
-        stdin=asyncio.subprocess.PIPE,
-        stdout=asyncio.subprocess.PIPE,
-        start_new_session=True,
-    )  # fmt: skip
-    assert process.stdout is not None
-    if not await process.stdout.readline():
-        await process.wait()
-        raise CannotStart("the simulated vehicles could not be started", remedy="The line above says why.")
-    return process
 
 
 async def _end_with(simulator: asyncio.subprocess.Process, stop: asyncio.Event) -> None:

@@ -7,14 +7,17 @@ import json as jsons
 import os
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from app.cli.catalogues import DIRECTORY
 from app.cli.plainly import CannotStart, plainly, refuse, text_of
+from app.cli.tongue import say
 from app.domain.errors import HoistwayError
+from app.domain.versions import Source
 
 if TYPE_CHECKING:
     import httpx
@@ -54,6 +57,18 @@ class Server:
         if answer.is_success:
             return answer
         raise _refused(answer)
+
+    def active(self) -> dict[str, Any]:
+        """Return the active version, looking through all of them from the newest on."""
+        after: dict[str, int] = {}
+        while True:
+            page = self.ask("GET", VERSIONS, params={"limit": 1000, **after}).json()
+            found: dict[str, Any] | None = next((one for one in page["items"] if one["state"] == "active"), None)
+            if found is not None:
+                return found
+            if page["next"] is None:
+                raise Refused("no version is active", remedy="Ask again: the controller changes over.")
+            after = {"after": page["next"]}
 
     def version(self, number: int) -> dict[str, Any]:
         """Return a version; while the controller changes over, wait."""
@@ -128,15 +143,65 @@ def versions(url: Url = HERE, *, json: Json = False) -> None:
 
 
 def get(
-    number: Number, output: Annotated[Path, typer.Option("--output", "-o", help="where to")], url: Url = HERE
+    number: Annotated[int | None, typer.Argument(help="of the version; without it, the active one", min=1)] = None,
+    *,
+    output: Annotated[Path, typer.Option("--output", "-o", help="where to")],
+    url: Url = HERE,
+    database: Annotated[
+        str | None, typer.Option(help="SQLAlchemy URL: read it there, whether a controller runs or not")
+    ] = None,
+    catalogues: Annotated[
+        bool, typer.Option("--catalogues", help="also the catalogues of its drives, into the directory beside it")
+    ] = False,
 ) -> None:
     """Write the plant file of a version, to the letter."""
-    with _server(url) as server:
-        text = server.ask("GET", f"{VERSIONS}/{number}/file").content
-        try:
-            output.write_bytes(text)
-        except OSError as wrong:
-            refuse(f"{output} cannot be written: {wrong.strerror}")
+    if database is not None:
+        with plainly():
+            source = _kept(database, number)
+    else:
+        with _server(url) as server:
+            source = _asked(server, number)
+    _write(output, source.text)
+    models = source.catalogues or {}
+    for model, text in models.items() if catalogues else ():
+        _write(output.parent / DIRECTORY / f"{model}.yaml", text)
+    if models and not catalogues:
+        say(f"the version has catalogues of its own ({', '.join(models)}): --catalogues writes them too")
+
+
+def _asked(server: Server, number: int | None) -> Source:
+    """Return what a version is made of, as a controller says."""
+    if number is None:
+        number = server.active()["number"]
+    text = server.ask("GET", f"{VERSIONS}/{number}/file").text
+    models = server.version(number)["models"]
+    paths = {model: f"{VERSIONS}/{number}/catalogues/{model}" for model in models}
+    return Source(text, {model: server.ask("GET", path).text for model, path in paths.items()})
+
+
+def _kept(database: str, number: int | None) -> Source:
+    """Return what a version is made of, as the database has it. Raises StoreError, CannotStart: it has none."""
+    from app.store.opening import revision
+    from app.store.schema import newest
+    from app.store.versions import VersionStore
+
+    if revision(database) != newest():
+        raise CannotStart("the database keeps no versions of a plant", remedy="Start the controller on it once.")
+    with closing(VersionStore(database)) as store:
+        active = store.active()
+        wanted = number if number is not None or active is None else active.number
+        source = None if wanted is None else store.source(wanted)
+    if source is None:
+        raise CannotStart("the database does not keep the text of that version")
+    return source
+
+
+def _write(file: Path, text: str) -> None:
+    try:
+        file.parent.mkdir(exist_ok=True)
+        file.write_bytes(text.encode())
+    except OSError as wrong:
+        refuse(f"{file} cannot be written: {wrong.strerror}")
 
 
 def activate(
@@ -164,8 +229,7 @@ def rollback(
 ) -> None:
     """Activate the version that was active before the present one; the same rules hold."""
     with _server(url) as server:
-        found = server.ask("GET", VERSIONS, params={"limit": 1000}).json()["items"]
-        active = next(one for one in found if one["state"] == "active")
+        active = server.active()
         if active["before"] is None:
             refuse(f"version {active['number']} is the first: there is nothing to roll back to")
         _activate(server, active["before"], reason, wait=wait, instead_of=active["number"])
@@ -208,8 +272,11 @@ def _refused(answer: httpx.Response) -> Refused:
     except ValueError:
         problem = {}
     said = problem.get("detail") or f"{answer.status_code} {answer.reason_phrase}"
-    lines = [said, *(_line(error) for error in problem.get("errors", ()))]
-    return Refused("\n  ".join(lines), remedy=problem.get("remedy", ""))
+    errors = problem.get("errors", ())
+    told = {error.get("remedy") for error in errors}
+    remedy = problem.get("remedy", "")
+    lines = [said, *(_line(error) for error in errors)]
+    return Refused("\n  ".join(lines), remedy="" if remedy in told else remedy)
 
 
 def _line(error: Mapping[str, Any]) -> str:

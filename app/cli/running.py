@@ -8,15 +8,17 @@ import signal
 import socket
 from collections.abc import Callable, Coroutine, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from app.cli.catalogues import equipped, with_catalogues
+from app.cli.catalogues import catalogue_texts, equipped, with_texts
 from app.cli.plainly import CannotStart, said, text_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
-    from app.plant import Finding
+    from app.domain.versions import Source
+    from app.plant.understood import Understood
 
 COLLECTED = (10_000, 20, 50)
 """New objects until they are looked through for rings, and how many times until older ones are: neither what is imported nor a
@@ -38,23 +40,26 @@ def plant_and_text_of(file: Path) -> tuple[Plant, str]:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
-        raise CannotStart(f"the plant file {file} has {errors} errors", remedy=f"See: hoistway check {file}") from None
+        raise CannotStart(f"the plant file {file} has errors: {errors}", remedy=f"See: hoistway check {file}") from None
     return equipped(plant, file), text
 
 
-def reader_of(file: Path) -> Callable[[str], tuple[Plant, list[Finding]]]:
-    """Return what reads a text as if it stood in a plant file: catalogues are looked for beside that.
+def reader_of(file: Path) -> Callable[[Source], Understood]:
+    """Return what reads a source as if it stood in a plant file: catalogues that it does not bring are looked for beside that.
 
     It raises UnusablePlant: the text, or a catalogue, has errors.
     """
     from app.plant import UnusablePlant, read
+    from app.plant.understood import Understood
 
-    def read_as(text: str) -> tuple[Plant, list[Finding]]:
-        plant, findings = read(text, str(file))
-        whole, besides, usable = with_catalogues(plant, file)
+    def read_as(source: Source) -> Understood:
+        plant, findings = read(source.text, str(file))
+        kept = source.catalogues
+        texts = catalogue_texts(plant, file) if kept is None else kept
+        whole, besides, usable = with_texts(plant, file, texts)
         if not usable:
             raise UnusablePlant("its catalogues", [finding for _, finding in besides])
-        return whole, [*findings, *(finding for _, finding in besides)]
+        return Understood(whole, [*findings, *(finding for _, finding in besides)], replace(source, catalogues=texts))
 
     return read_as
 

@@ -14,13 +14,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.panel import set_panels
-from app.cli.plainly import CannotStart, plainly, positive, refuse, said
-from app.cli.running import bound, on_loop, plant_of, stop_signal
+from app.cli.plainly import CannotStart, plainly, positive, refuse, said, text_of
+from app.cli.running import bound, on_again, on_loop, plant_of, reader_of, stop_signal
 from app.cli.tongue import say
+from app.domain.errors import HoistwayError
+from app.domain.versions import Source
 from app.wire.names import nearest
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Coroutine, Sequence
 
     from app.cli.operator import Bench
     from app.domain.ids import VehicleId
@@ -35,6 +37,8 @@ if TYPE_CHECKING:
     from app.sim.plantworld import SimulatedPlant
     from app.sim.truth import Act
 
+FOLLOWED = "followed"
+"""What a parent reads once a plant that it told is followed, as far as it can be."""
 LOOK_EVERY = 0.2
 """Seconds between two looks at the rails. Our choice."""
 
@@ -68,17 +72,22 @@ def sim(
         list[str] | None, typer.Option(help="do not simulate this vehicle or link: it is real (may be repeated)")
     ] = None,
     with_parent: Annotated[
-        bool, typer.Option("--with-parent", help="end when standard input ends", hidden=True)
+        bool, typer.Option("--with-parent", help="follow what standard input says; end with it", hidden=True)
     ] = False,
 ) -> None:
-    """Serve every vehicle and link of a plant as simulated devices at their own TCP addresses, until Ctrl-C."""
+    """Serve all vehicles and links of a plant as simulated devices at their addresses, until Ctrl-C. SIGHUP: follow its file."""
     from app.runtime.telemetry import set_up
 
     set_up(as_json=False, level="warning")
     with plainly():
         found = simulated(plant_of(plant), only or (), without or ())
+        reader = reader_of(plant)
+
+        def read(text: str | None) -> Plant:
+            return simulated(reader(Source(text_of(plant) if text is None else text)).plant, only or (), without or ())
+
         try:
-            floor = _Floor(found, journal, host, controller, haste, operator, panel or ())
+            floor = _Floor(found, journal, host, controller, haste, operator, panel or (), read)
             code = on_loop(floor.run(with_parent))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
@@ -124,7 +133,7 @@ def simulated(plant: Plant, only: Sequence[str], without: Sequence[str]) -> Plan
 
 
 class _Floor:
-    """The simulated plant on real sockets, watched by the oracle."""
+    """The simulated plant on real sockets, watched by the oracle. ``read`` gives the plant of a text; None: of the plant file."""
 
     def __init__(
         self,
@@ -133,18 +142,23 @@ class _Floor:
         host: str | None,
         controller: str,
         haste: float,
-        operator: int | None = None,
-        panels: Sequence[str] = (),
+        operator: int | None,
+        panels: Sequence[str],
+        read: Callable[[str | None], Plant],
     ) -> None:
+        self._read = read
+        self._following = asyncio.Lock()
         self._haste = haste
         self._panels = panels
         self._plant = plant
+        self._built = plant
+        """What the simulated machines are built by, whatever plant is followed."""
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
         self._controller = controller
         self._operator = operator
         self._hoists: dict[VehicleId, Line] = {}
-        self._ends: list[DeviceServer | Dialler | PtyPort] = []
+        self._ends: dict[str, DeviceServer | Dialler | PtyPort] = {}
 
     async def run(self, with_parent: bool) -> int:
         """Serve until told to stop."""
@@ -158,7 +172,14 @@ class _Floor:
         floor = SimulatedPlant(self._plant, lambda act: self._note(act, oracle, now()), options, now())
         set_panels(self._panels, floor.halls.drives, now())
         oracle = Oracle(self._plant, floor.truth)
-        parent = asyncio.create_task(_stop_with_parent(stop)) if with_parent else None
+
+        async def follow(text: str | None) -> None:
+            await self._follow(text, floor, oracle)
+
+        tasks = set[asyncio.Task[None]]()
+        on_again(lambda: tasks.add(asyncio.create_task(follow(None))))
+        if with_parent:
+            tasks.add(asyncio.create_task(_with_parent(stop, follow)))
         hands: Bench | None = None
         try:
             for spec in self._plant.hoists:
@@ -169,15 +190,44 @@ class _Floor:
             say(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there")
             await self._watch(floor, oracle, stop)
         finally:
-            if parent is not None:
-                parent.cancel()
+            for task in tasks:
+                task.cancel()
             if hands is not None:
                 hands.should_exit = True
-            for end in self._ends:
+            for end in self._ends.values():
                 await end.stop()
             if self._journal:
                 self._journal.close()
         return 0
+
+    async def _follow(self, text: str | None, floor: SimulatedPlant, oracle: Oracle) -> None:
+        """Become the plant of a text, or of the plant file, while vehicles drive; say what was not followed."""
+        from app.runtime.clock import Clock
+        from app.sim.plantworld import unfollowed
+
+        async with self._following:
+            try:
+                plant = await asyncio.to_thread(self._read, text)
+                if plant.name != self._plant.name:
+                    raise CannotStart(f"it is of another plant: {plant.name}")
+            except HoistwayError as wrong:
+                say(f"hoistway sim: the plant is not followed: {wrong.message}", wrong=True)
+                return
+            self._plant = plant
+            came, gone = floor.follow(plant, Clock().now())
+            stayed = (vehicle for vehicle in self._built.vehicles if vehicle.id not in gone)
+            self._built = replace(self._built, vehicles=(*stayed, *came))
+            oracle.follow(plant)
+            for name in gone:
+                await self._ends.pop(name).stop()
+                del self._hoists[name]
+            for spec in came:
+                try:
+                    await self._serve(spec, floor.devices[spec.id])
+                except OSError as wrong:
+                    say(f"hoistway sim: {spec.id} is not there: {said(wrong)}", wrong=True)
+            for change in unfollowed(self._built, plant):
+                say(f"hoistway sim: not followed until it is started again: {change}", wrong=True)
 
     async def _hands(self, floor: SimulatedPlant) -> Bench | None:
         """Let people at the simulated hoists, if that is wanted."""
@@ -202,10 +252,10 @@ class _Floor:
             dialler = Dialler(line, Tcp(self._controller, self._plant.listen[1]), spec.id)
             dialler.start()
             line.flush()
-            self._ends.append(dialler)
+            self._ends[spec.id] = dialler
             return
         server = DeviceServer(line, self._host or spec.host, spec.port, lambda: not device.accepting)
-        self._ends.append(server)
+        self._ends[spec.id] = server
         await server.start()
 
     async def _serve_link(self, link: LinkSpec, device: Endpoint) -> None:
@@ -220,7 +270,7 @@ class _Floor:
             server = PtyPort(line, Path(link.serial.device))
         else:
             server = DeviceServer(line, self._host or link.host, link.port)
-        self._ends.append(server)
+        self._ends[link.id] = server
         await server.start()
 
     async def _watch(self, floor: SimulatedPlant, oracle: Oracle, stop: asyncio.Event) -> None:
@@ -279,10 +329,22 @@ def _hasty(times: float) -> Options:
     )
 
 
-async def _stop_with_parent(stop: asyncio.Event) -> None:
-    """End with whoever started us, even if that was killed: its end of our standard input closes."""
+def message(text: str) -> bytes:
+    """Return a plant as a parent tells it over standard input: how many bytes, and the bytes."""
+    data = text.encode()
+    return b"%d\n" % len(data) + data
+
+
+async def _with_parent(stop: asyncio.Event, follow: Callable[[str], Coroutine[None, None, None]]) -> None:
+    """Follow the plants that whoever started us tells, each answered by a line; end with it, even if it was killed."""
     reader = asyncio.StreamReader()
     loop = asyncio.get_running_loop()
     await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), sys.stdin)
-    await reader.read()
+    while size := await reader.readline():
+        try:
+            text = (await reader.readexactly(int(size))).decode()
+        except asyncio.IncompleteReadError:
+            break
+        await follow(text)
+        print(FOLLOWED, flush=True)
     stop.set()

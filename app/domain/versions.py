@@ -1,6 +1,7 @@
 """Versions of the plant: what was staged, by whom and why, which one runs, and which ran before."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from hashlib import sha256
 
@@ -32,8 +33,9 @@ class Origin(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class PlantVersion:
-    """A version of the plant file; its text is kept beside it. Numbers rise from 1.
+    """A version of the plant file; its text is kept beside it, with the catalogues of its drives. Numbers rise from 1.
 
+    ``digest`` tells it from others, ``models`` has the digests of its catalogues.
     ``reason`` is why it was staged, ``why`` why it was activated last; ``before`` the version that was active until then.
     ``ran`` is when a controller first ran with it; ``tries`` how many starts with it were begun since it became active while none
     of them came to run (None: one did), which says after a crash too that the way back is still open.
@@ -61,6 +63,7 @@ class PlantVersion:
     note: str = ""
     ran: Timestamp | None = None
     tries: int | None = None
+    models: Mapping[str, str] = field(default_factory=dict)
     rejected: Timestamp | None = None
     pruned: Timestamp | None = None
 
@@ -68,6 +71,25 @@ class PlantVersion:
     def at_rest(self) -> VersionState:
         """Its state when a wish to activate it comes to nothing, or another takes its place."""
         return VersionState.STAGED if self.ran is None else VersionState.FORMER
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What a version is made of: the text of a plant file, and the catalogues of its drives by model (None: those found)."""
+
+    text: str
+    catalogues: Mapping[str, str] | None = None
+
+    @property
+    def digest(self) -> str:
+        """What tells it from another, catalogues included."""
+        models = sorted(self.models.items())
+        return digest_of(self.text) if not models else digest_of("\n".join([digest_of(self.text), *map(str, models)]))
+
+    @property
+    def models(self) -> dict[str, str]:
+        """The digests of the catalogues, by model."""
+        return {model: digest_of(text) for model, text in (self.catalogues or {}).items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,5 +105,5 @@ class Leaving:
 
 
 def digest_of(text: str) -> str:
-    """Return what tells one text of a plant file from another: SHA-256, in hex."""
+    """Return what tells one text from another: SHA-256, in hex."""
     return sha256(text.encode("utf-8", "surrogatepass")).hexdigest()

@@ -1,6 +1,7 @@
 """Where requests of people and hosts arrive: each goes to who answers it, and into the audit."""
 
 from dataclasses import fields
+from datetime import UTC, datetime
 
 from app.domain.alarms import AcknowledgeAlarm
 from app.domain.closures import ClosePlace, OpenPlace
@@ -241,8 +242,17 @@ def _said(request: Request) -> str:
     if names is None:
         names = _SAYABLE[kind] = tuple(f.name for f in fields(kind) if f.name not in UNSAID)
     return ", ".join(
-        [f"{name} {value}" for name in names if (value := getattr(request, name)) is not None and value not in EMPTY]
+        [
+            f"{name} {_moment(value) if name == 'expires' else value}"
+            for name in names
+            if (value := getattr(request, name)) is not None and value not in EMPTY
+        ]
     )
+
+
+def _moment(value: float) -> str:
+    """Return a moment in UTC as the API has it, to the second."""
+    return datetime.fromtimestamp(value, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
 
 
 _SAYABLE: dict[type, tuple[str, ...]] = {}

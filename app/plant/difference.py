@@ -1,7 +1,7 @@
 """What differs between two plants, in words, and what that breaks in a plant that has run."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import Enum
 from math import hypot
 from typing import Any
@@ -11,6 +11,7 @@ from app.plant.connections import graph_of, reachable
 
 NEAR = 1.0
 """A mark that disappears where another appears, within so many mm, has got another name."""
+FIRST_ONLY = "its dest counts only where a database is made: teach it, or PUT /api/v1/stations/ID/dest"
 SECTIONS = ("zones", "vehicles", "links", "doors", "buffers", "chargers", "drives")
 RULES = (
     "name",
@@ -70,6 +71,7 @@ def difference(old: Plant, new: Plant) -> Difference:
     for section in SECTIONS:
         changes += _section(section.removesuffix("s"), _by_id(getattr(old, section)), _by_id(getattr(new, section)))
     changes += _rules(old, new)
+    changes += _catalogues(old, new)
     return Difference(changes, list(_broken(old, new, renamed)))
 
 
@@ -150,7 +152,10 @@ def _edges(old: Plant, new: Plant) -> Iterator[Change]:
 
 
 def _stations(old: Plant, new: Plant) -> Iterator[Change]:
-    yield from _section("station", _by_id(old.stations), _by_id(new.stations))
+    for change in _section("station", _by_id(old.stations), _by_id(new.stations)):
+        before, after = ((shape or {}).get("dest") for shape in (change.before, change.after))
+        text = f"{change.text}; {FIRST_ONLY}" if change.text else FIRST_ONLY
+        yield replace(change, text=text) if after is not None and after != before else change
 
 
 def _section(what: str, before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[Change]:
@@ -191,6 +196,24 @@ def _rules(old: Plant, new: Plant) -> Iterator[Change]:
         a, b = getattr(old, name), getattr(new, name)
         if a != b:
             yield Change("plant", "changed", name, f"{_short(a)} → {_short(b)}", shown(a), shown(b))
+
+
+def _catalogues(old: Plant, new: Plant) -> Iterator[Change]:
+    before, after = ({catalogue.model: catalogue for catalogue in plant.catalogues} for plant in (old, new))
+    for model in sorted({*before, *after}):
+        was, now = before.get(model), after.get(model)
+        if was is None or now is None:
+            yield Change("catalogue", "added" if now else "removed", model, "", shown(was), shown(now))
+        elif was != now:
+            numbers = sorted({*was.parameters, *now.parameters})
+            told = [f"{n:02X}" for n in numbers if was.parameters.get(n) != now.parameters.get(n)]
+            text = f"describes {_listed(told)} in another way" if told else "has another description"
+            yield Change("catalogue", "changed", model, text, shown(was), shown(now))
+
+
+def _listed(names: Sequence[str]) -> str:
+    more = f" and {len(names) - 6} more" if len(names) > 6 else ""
+    return f"parameter{'s' * (len(names) > 1)} {', '.join(names[:6])}{more}"
 
 
 # -- what breaks --------------------------------------------------------------------------------------------------------

@@ -62,6 +62,9 @@ PIECE_SECONDS = 2.0
 """Changes of so many seconds are one piece. Our choice."""
 STATE_SECONDS = 60.0
 """So often the whole state is kept: what is behind a moment is at most so many seconds of changes. Our choice."""
+HEAVY = 4.0
+"""It is kept sooner, once the changes since the last one weigh so many times as much: in a large plant, whoever looks for a
+moment would have to read a great many of them. Our choice: a quarter more to keep, at most."""
 WAITING = 30
 """So many pieces may wait for the disk; then only the newest of each object is kept. Our choice."""
 LEVEL = 1
@@ -160,13 +163,15 @@ class _Writes:
     def __init__(self, store: PlaybackStore, limits: Limits) -> None:
         self._store, self._limits = store, limits
         self._state: dict[str, dict[str, Any]] = {}
-        self._next_state = 0.0
+        self._next_state = self._next_prune = 0.0
+        self._size = self._since = 0
+        """Bytes of the last whole state, and of the changes since then."""
 
     def write(self, some: list[tuple[float, Update]]) -> None:
         """Keep some updates as a piece of changes, with the whole state before them if it is time."""
         begin, end = some[0][0], some[-1][0]
         made: list[Piece] = []
-        whole = begin >= self._next_state
+        whole = begin >= self._next_state or self._since > HEAVY * self._size
         if whole and self._state:
             made.append(Piece(STATE, begin, begin, 1, packed(self._state)))
         changes = [change for at, update in some if (change := self._change(at, update)) is not None]
@@ -176,9 +181,19 @@ class _Writes:
             made.append(Piece(CHANGES, begin, end, len(changes), packed(changes)))
         if made:
             self._store.append(made)
+        self._weigh(made)
         if whole:
             self._next_state = begin + STATE_SECONDS
+        if begin >= self._next_prune:
+            self._next_prune = begin + STATE_SECONDS
             self._store.prune(end - self._limits.seconds, self._limits.size)
+
+    def _weigh(self, made: list[Piece]) -> None:
+        for piece in made:
+            if piece.kind == STATE:
+                self._size, self._since = len(piece.body), 0
+            else:
+                self._since += len(piece.body)
 
     def forget(self) -> None:
         """Something was not kept: the next piece begins with the whole state."""

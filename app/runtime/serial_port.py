@@ -2,11 +2,24 @@
 
 import asyncio
 from dataclasses import dataclass
+from functools import partial
 
-import serial_asyncio_fast
+import serial
+from serial_asyncio_fast import SerialTransport
 
 from app.domain.layout import SerialPort
 from app.runtime.lines import Line
+
+
+class Wire(SerialTransport):
+    """A transport that ends once, however often it is closed and aborted: the library would begin to end it each time."""
+
+    _ending = False
+
+    async def _call_connection_lost(self, exc: Exception | None, *, flush: bool) -> None:
+        if not self._ending:
+            self._ending = True
+            await super()._call_connection_lost(exc, flush=flush)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,18 +34,18 @@ class Serial:
 
     async def connect(self, line: Line) -> None:
         """Open the port. Raises OSError: it is not there, or somebody else has it."""
-        port = self.port
+        port, loop = self.port, asyncio.get_running_loop()
+        opened = partial(
+            serial.serial_for_url,
+            port.device,
+            baudrate=port.baud,
+            bytesize=port.data_bits,
+            parity=port.parity,
+            stopbits=port.stop_bits,
+            exclusive=True,
+        )
         try:
-            await serial_asyncio_fast.create_serial_connection(
-                asyncio.get_running_loop(),
-                lambda: line,
-                port.device,
-                baudrate=port.baud,
-                bytesize=port.data_bits,
-                parity=port.parity,
-                stopbits=port.stop_bits,
-                exclusive=True,
-            )
+            Wire(loop, line, await loop.run_in_executor(None, opened))
         except ValueError as error:
             # pyserial's word for a figure that the port's driver does not know, such as its baud rate.
             raise OSError(str(error)) from error

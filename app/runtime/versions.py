@@ -9,19 +9,20 @@ from app.domain.errors import HoistwayError, Refusal
 from app.domain.ids import Actor
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
-from app.domain.versions import Leaving, Origin, PlantVersion, digest_of
+from app.domain.versions import Leaving, Origin, PlantVersion, Source
 from app.plant import Finding
 from app.plant.difference import Broken, Difference, difference, obstruction
 from app.plant.lost import lost
 from app.plant.touched import leaving, touched
+from app.plant.understood import Understood
 from app.store.standing import standing
 from app.store.versions import VersionStore
 
 REMEMBERED = 4
 """Plants of versions that are kept in memory, read. Our choice: a fab takes seconds to read, and some tens of megabytes."""
 
-Read = Callable[[str], tuple[Plant, Sequence[Finding]]]
-"""Returns the plant of a text and the warnings about it. Raises UnusablePlant, or CannotStart for a catalogue with errors."""
+Read = Callable[[Source], Understood]
+"""Reads a source. Raises UnusablePlant, for a catalogue with errors too; CannotStart for one that cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,41 +54,44 @@ class Versions:
         self._announced: int | None = None
         self._leaves: Callable[[Leaving | None], None] = _nobody
         self._database, self._read, self._utc = database, read, utc
-        self._plants: OrderedDict[str, tuple[Plant, Sequence[Finding]]] = OrderedDict()
+        self._known: OrderedDict[str, Understood] = OrderedDict()
         self._reading = asyncio.Lock()
 
     async def stage(self, running: Plant, text: str, actor: Actor, reason: str) -> Staged | Refusal:
-        """Keep a text as a version that can be activated. Raises UnusablePlant: it has errors; nothing is kept."""
-        plant, findings = await self.read(text)
+        """Keep a text, with the catalogues that there are now, as a version that can be activated.
+
+        Raises UnusablePlant: it has errors; nothing is kept.
+        """
+        found = await self.read(Source(text))
+        plant = found.plant
         if plant.name != running.name:
             detail = f"It is a file of the plant {plant.name}, and this is {running.name}."
             return Refusal("invalid", detail, f"Write name: {running.name} into it, if it is meant for this plant.")
-        made = await asyncio.to_thread(self.store.stage, text, Origin.UPLOAD, actor, reason, self._utc())
-        return made if isinstance(made, Refusal) else Staged(made, findings)
+        made = await asyncio.to_thread(self.store.stage, found.source, Origin.UPLOAD, actor, reason, self._utc())
+        return made if isinstance(made, Refusal) else Staged(made, found.findings)
 
-    async def read(self, text: str) -> tuple[Plant, Sequence[Finding]]:
-        """Return the plant of a text, and the warnings about it."""
-        digest = digest_of(text)
+    async def read(self, source: Source) -> Understood:
+        """Return what is said by a source; one that does not bring its catalogues is read again each time."""
         # One at a time: reading holds the interpreter, and a controller shares it.
         async with self._reading:
-            found = self._plants.get(digest)
+            found = None if source.catalogues is None else self._known.get(source.digest)
             if found is None:
-                found = await asyncio.to_thread(self._read, text)
-                self._plants[digest] = found
-                if len(self._plants) > REMEMBERED:
-                    self._plants.popitem(last=False)
-            self._plants.move_to_end(digest)
+                found = await asyncio.to_thread(self._read, source)
+                self._known[found.source.digest] = found
+                if len(self._known) > REMEMBERED:
+                    self._known.popitem(last=False)
+            self._known.move_to_end(found.source.digest)
             return found
 
     async def plant(self, number: int) -> Plant | None:
-        """Return the plant of a version; None: there is no such version."""
-        text = await asyncio.to_thread(self.store.text, number)
-        return None if text is None else (await self.read(text))[0]
+        """Return the plant of a version; None: there is no such version, or its text is not kept."""
+        source = await asyncio.to_thread(self.store.source, number)
+        return None if source is None else (await self.read(source)).plant
 
     async def findings(self, number: int) -> Sequence[Finding]:
         """Return the warnings about a version."""
-        text = await asyncio.to_thread(self.store.text, number)
-        return () if text is None else (await self.read(text))[1]
+        source = await asyncio.to_thread(self.store.source, number)
+        return () if source is None else (await self.read(source)).findings
 
     async def difference(self, old: Plant, new: Plant) -> Difference:
         """Return what is different in the new plant, and what that breaks in a plant that has run."""

@@ -45,6 +45,8 @@ class SimulatedHalls:
         self.buffers: Mapping[DeviceId, SimulatedBuffer] = {
             buffer.id: SimulatedBuffer(buffer.number, cart=buffer.id in held) for buffer in plant.buffers
         }
+        self._tape, self._stations = Tape(()), dict[Barcode, StationId]()
+        self._lay(starts)
         self.agvs: Mapping[VehicleId, SimulatedAgv] = self._agvs(starts)
         self.drives: dict[DriveId, SimulatedDrive] = {}
         self.lines: Mapping[LinkId, Endpoint] = {link.id: self._line(link) for link in plant.links}
@@ -52,25 +54,38 @@ class SimulatedHalls:
             agv.set_mode(AgvMode.AUTO, now)
             agv.take(SetCurrent(starts[vehicle]), now)
 
-    def _agvs(self, starts: Mapping[VehicleId, Barcode]) -> dict[VehicleId, SimulatedAgv]:
+    def follow(self, plant: Plant, places: Mapping[VehicleId, Barcode]) -> None:
+        """Lay the tape anew, with its stations and chargers. All devices stay as they are; ``places`` is where the AGVs are."""
+        self._plant = plant
+        self._lay(places)
+
+    def _lay(self, places: Mapping[VehicleId, Barcode]) -> None:
+        """Lay the tape that is connected with one of the AGVs' places."""
         plant = self._plant
-        specs = [spec for spec in plant.vehicles if spec.kind is VehicleKind.AGV]
-        floor = _connected(plant, [starts[spec.id] for spec in specs])
-        tape = Tape(
+        agvs = [spec.id for spec in plant.vehicles if spec.kind is VehicleKind.AGV and spec.id in places]
+        floor = _connected(
+            plant, [places[agv] for agv in agvs if places[agv] in {point.barcode for point in plant.points}]
+        )
+        self._tape.lay(
             [edge for edge in plant.edges if edge.start in floor],
             {str(alias): tag for alias, tag in plant.aliases.items()},
             [charger.barcode for charger in plant.chargers],
         )
+        self._stations.clear()
+        self._stations.update({s.barcode: s.id for s in plant.stations if s.kind is StationKind.AGV_BUFFER})
+
+    def _agvs(self, starts: Mapping[VehicleId, Barcode]) -> dict[VehicleId, SimulatedAgv]:
+        plant = self._plant
+        specs = [spec for spec in plant.vehicles if spec.kind is VehicleKind.AGV]
         doors = {passage: self.doors[door.id] for door in plant.doors for passage in door.passages}
         buffers = {s.barcode: self.buffers[s.buffer] for s in plant.stations if s.buffer is not None}
-        stations = {s.barcode: s.id for s in plant.stations if s.kind is StationKind.AGV_BUFFER}
         return {
             spec.id: SimulatedAgv(
                 DeviceNumber(spec.dev_id),
-                tape,
+                self._tape,
                 starts[spec.id],
                 options=_options(spec),
-                hall=TrueHall(spec.id, self._truth, stations, doors, buffers),
+                hall=TrueHall(spec.id, self._truth, self._stations, doors, buffers),
             )
             for spec in specs
         }

@@ -43,6 +43,10 @@ class Oracle:
         self._meeting: frozenset[str] = frozenset()
         self._in_doors: frozenset[str] = frozenset()
 
+    def follow(self, plant: Plant) -> None:
+        """Judge by another plant from now on."""
+        self._plant, self._rails = plant, Rails(plant)
+
     def look(self, places: Mapping[VehicleId, Place], loaded: Mapping[VehicleId, bool], now: float) -> None:
         """Look at all vehicles on the rails at one moment: their places, and whether their FOUP sensors see a carrier."""
         meeting = frozenset(self._rails.meetings(places))

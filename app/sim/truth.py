@@ -44,11 +44,23 @@ class Truth:
         self.total = len(plant.carriers)
         """How many carriers there must be."""
         self._seen = seen
+        self._build(plant)
+
+    def _build(self, plant: Plant) -> None:
         self._offsets = {vehicle.id: _true_offset(plant, vehicle) for vehicle in plant.vehicles}
         self._dests = {station.id: _true_dest(station) for station in plant.stations}
         self._places: defaultdict[tuple[Barcode, StationKind], list[Station]] = defaultdict(list)
         for station in plant.stations:
             self._places[station.barcode, station.kind].append(station)
+
+    def follow(self, plant: Plant) -> None:
+        """Build the plant anew. What stood at a station that goes, or was aboard a vehicle that does, goes with it."""
+        self._build(plant)
+        for station in [station for station in self.at if station not in self._dests]:
+            self.remove(station)
+        for vehicle in [vehicle for vehicle in self.aboard if vehicle not in self._offsets]:
+            del self.aboard[vehicle]
+            self.total -= 1
 
     def take(self, vehicle: VehicleId, barcode: Barcode, kind: StationKind, target: PulseSet | None) -> bool:
         """Close the gripper; return whether it holds a carrier now that was at the station."""

@@ -104,7 +104,7 @@ def _remedy(cause: sa.exc.DBAPIError) -> str:
 
 
 _REMEDIES = {
-    "full": "Make room on the disk.",
+    "disk is full": "Make room on the disk.",
     "No space left": "Make room on the disk.",
     "readonly": "Give this user the right to write the file and its directory.",
     "unable to open": "See that the directory exists and that this user may write in it.",

@@ -552,6 +552,8 @@ plant_versions = sa.Table(
     _text("text"),
     sa.Column("ran", UTC),
     _maybe_big("tries"),
+    sa.Column("models", sa.JSON(none_as_null=True)),
+    sa.Column("catalogues", sa.JSON(none_as_null=True)),
     sa.Column("rejected", UTC),
     sa.Column("pruned", UTC),
 )

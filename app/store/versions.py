@@ -11,7 +11,7 @@ from app.domain.errors import Refusal, StoreError
 from app.domain.ids import Actor
 from app.domain.records import AuditRow
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, PlantVersion, VersionState, digest_of
+from app.domain.versions import Origin, PlantVersion, Source, VersionState
 from app.store.chain import append
 from app.store.columns import Found
 from app.store.engine import MEMORY, parsed, told, writing
@@ -79,9 +79,17 @@ class VersionStore:
         """Return the version that is to become active."""
         return self._in_state(VersionState.AWAITED)
 
-    def with_text(self, text: str) -> PlantVersion | None:
-        """Return the newest version with this text that can be used."""
-        return next(iter(self._list(_same_text(text))), None)
+    def source(self, number: int) -> Source | None:
+        """Return what a version is made of; None as for ``text``."""
+        which = sa.and_(_number == number, plant_versions.c.pruned.is_(None))
+        query = sa.select(plant_versions.c.text, plant_versions.c.catalogues).where(which)
+        with told("the versions of the plant cannot be read"), self._engine.connect() as connection:
+            row = connection.execute(query).one_or_none()
+            return None if row is None else Source(row.text, row.catalogues)
+
+    def with_source(self, source: Source) -> PlantVersion | None:
+        """Return the newest version made of the same that can be used."""
+        return next(iter(self._list(_same_source(source))), None)
 
     def file_taken(self) -> str | None:
         """Return the digest of the plant file as it was when it was last taken."""
@@ -90,40 +98,54 @@ class VersionStore:
 
     # -- changes ------------------------------------------------------------------------------------------------------
 
-    def take_file(self, text: str, now: Timestamp) -> None:
+    def take_file(self, source: Source, now: Timestamp) -> None:
         """Note that the plant file is known as it is now."""
         with self._transaction() as connection:
-            _take_file(connection, digest_of(text), now)
+            _take_file(connection, source.digest, now)
 
-    def begin(self, text: str, actor: Actor, now: Timestamp) -> PlantVersion:
+    def begin(self, source: Source, actor: Actor, now: Timestamp) -> PlantVersion:
         """Make the plant file version 1, the active one. Raises StoreError: there are versions already."""
         with self._transaction() as connection:
             if connection.execute(sa.select(_number).limit(1)).first() is not None:
                 raise StoreError("another controller has begun on the database meanwhile", remedy="Start again.")
-            digest, size = digest_of(text), len(text.encode())
+            digest, size = source.digest, len(source.text.encode())
             why = "the first start on this database"
             first = PlantVersion(
-                1, digest, VersionState.ACTIVE, Origin.FILE, now, actor, why, size, now, actor, why, tries=1
+                1,
+                digest,
+                VersionState.ACTIVE,
+                Origin.FILE,
+                now,
+                actor,
+                why,
+                size,
+                now,
+                actor,
+                why,
+                tries=1,
+                models=source.models,
             )
-            connection.execute(plant_versions.insert(), {**asdict(first), "text": text})
+            connection.execute(plant_versions.insert(), {**asdict(first), **_kept(source)})
             _take_file(connection, digest, now)
             append(connection, AuditRow(now, actor, "BeginLayout", "version 1", why, accepted=True))
             return first
 
     def stage(
-        self, text: str, origin: Origin, actor: Actor, reason: str, now: Timestamp, *, again: bool = False
+        self, source: Source, origin: Origin, actor: Actor, reason: str, now: Timestamp, *, again: bool = False
     ) -> PlantVersion | Refusal:
-        """Keep a text as a new version. ``again``: also if there is one with the same text."""
+        """Keep a plant as a new version. ``again``: also if there is one made of the same."""
         with self._transaction() as connection:
-            same = None if again else connection.execute(_same_text(text)).one_or_none()
+            same = None if again else connection.execute(_same_source(source)).one_or_none()
             number = (connection.execute(sa.select(sa.func.max(_number))).scalar() or 0) + 1
             refusal = _same(_version(same)) if same is not None else None if again else _too_many(connection)
             if refusal is not None:
                 _note(connection, now, actor, "StageLayout", number, refusal)
                 return refusal
-            size = len(text.encode())
-            made = PlantVersion(number, digest_of(text), VersionState.STAGED, origin, now, actor, reason, size)
-            connection.execute(plant_versions.insert(), {**asdict(made), "text": text})
+            size, digest = len(source.text.encode()), source.digest
+            made = PlantVersion(
+                number, digest, VersionState.STAGED, origin, now, actor, reason, size, models=source.models
+            )
+            connection.execute(plant_versions.insert(), {**asdict(made), **_kept(source)})
             _note(connection, now, actor, "StageLayout", number, reason)
             return made
 
@@ -262,8 +284,13 @@ class VersionStore:
             yield connection
 
 
-def _same_text(text: str) -> sa.Select[Any]:
-    same = sa.and_(plant_versions.c.digest == digest_of(text), plant_versions.c.state.in_(LIVE))
+def _kept(source: Source) -> dict[str, Any]:
+    """Return the columns of what a version is made of."""
+    return {"text": source.text, "catalogues": None if source.catalogues is None else dict(source.catalogues)}
+
+
+def _same_source(source: Source) -> sa.Select[Any]:
+    same = sa.and_(plant_versions.c.digest == source.digest, plant_versions.c.state.in_(LIVE))
     return sa.select(*_COLUMNS).where(same).order_by(_number.desc()).limit(1)
 
 
@@ -278,7 +305,9 @@ def _in(connection: sa.Connection, state: VersionState) -> list[PlantVersion]:
 
 def _version(row: Found) -> PlantVersion:
     values = {name: getattr(row, name) for name in _FIELDS}
-    return PlantVersion(**{**values, "state": VersionState(row.state), "origin": Origin(row.origin)})
+    return PlantVersion(
+        **{**values, "state": VersionState(row.state), "origin": Origin(row.origin), "models": row.models or {}}
+    )
 
 
 def _found(connection: sa.Connection, number: int) -> PlantVersion | None:
@@ -296,7 +325,9 @@ def _prune(connection: sa.Connection, now: Timestamp) -> None:
     last = plant_versions.c.rejected.desc(), _number.desc()
     late = [row.number for row in connection.execute(sa.select(_number).where(rejected).order_by(*last))]
     if late := late[KEPT_REJECTED:]:
-        connection.execute(plant_versions.update().where(_number.in_(late)).values(text="", pruned=now))
+        connection.execute(
+            plant_versions.update().where(_number.in_(late)).values(text="", catalogues=None, pruned=now)
+        )
 
 
 def _too_many(connection: sa.Connection) -> Refusal | None:

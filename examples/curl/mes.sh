@@ -15,6 +15,8 @@ echo
 # Follow its events; after a lost connection, ask what is missing from the last number on.
 after=0
 while true; do
+    # The state before the events: what happened until it was final is among them then.
+    state=$("${call[@]}" --retry 5 --retry-all-errors "$url/jobs/$job" | python3 -c 'import json, sys; print(json.load(sys.stdin)["state"])')
     page=$("${call[@]}" --retry 5 --retry-all-errors "$url/events?after=$after&job=$job&limit=100")
     while IFS=$'\t' read -r seq event vehicle result; do
         [ -n "$seq" ] || continue
@@ -22,7 +24,6 @@ while true; do
         echo "$seq $event $vehicle $result"
     done < <(python3 -c 'import json, sys
 for e in json.load(sys.stdin)["items"]: print(e["seq"], e["event"], e["vehicle"] or "-", e["result"] or "-", sep="\t")' <<<"$page")
-    state=$("${call[@]}" --retry 5 --retry-all-errors "$url/jobs/$job" | python3 -c 'import json, sys; print(json.load(sys.stdin)["state"])')
     case $state in completed | failed | cancelled | aborted) echo "$state"; break ;; esac
     sleep 1
 done

@@ -8,6 +8,7 @@ from pathlib import Path
 from app.cli.running import reader_of
 from app.domain.ids import Actor
 from app.domain.layout import Plant
+from app.domain.versions import Source
 from app.runtime.versions import Versions
 from app.store.ledger import SqlLedger
 from app.store.versions import VersionStore
@@ -32,10 +33,10 @@ def kept_versions(directory: Path) -> Iterator[KeptVersions]:
     ledger = SqlLedger(url, "small", "a test", lambda: NOW)
     ledger.load()
     store = VersionStore(url)
-    store.begin(TEXT, Actor("test"), NOW)
+    store.begin(Source(TEXT), Actor("test"), NOW)
     read = reader_of(FILE)
     try:
-        yield KeptVersions(read(TEXT)[0], Versions(store, url, read, lambda: NOW), ledger)
+        yield KeptVersions(read(Source(TEXT)).plant, Versions(store, url, read, lambda: NOW), ledger)
     finally:
         store.close()
         ledger.close()

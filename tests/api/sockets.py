@@ -57,7 +57,7 @@ class Socket:
 
     async def message(self) -> Message:
         """Return the next ASGI message."""
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(60):
             return await self.out.get()
 
     async def accepted(self) -> "Socket":

@@ -167,7 +167,7 @@ async def _stream(app: FastAPI, controller: Scripted, headers: dict[str, str]) -
         "server": ("localhost", 80),
     }
     task = asyncio.ensure_future(app(scope, receive, send))  # type: ignore[arg-type]
-    async with asyncio.timeout(10):
+    async with asyncio.timeout(60):
         got = [await pieces.get(), await pieces.get()]
     gone.set()
     await task

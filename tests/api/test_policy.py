@@ -199,6 +199,7 @@ MAY: dict[str, str] = {
     "POST /layout/versions": UPKEEP,
     "GET /layout/versions/{version}": ALL,
     "GET /layout/versions/{version}/file": ALL,
+    "GET /layout/versions/{version}/catalogues/{model}": ALL,
     "GET /layout/versions/{version}/findings": ALL,
     "GET /layout/versions/{version}/diff": ALL,
     "GET /layout/versions/{version}/impact": ALL,

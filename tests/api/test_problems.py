@@ -39,6 +39,7 @@ KNOWN = {
     "jog": "1",
     "operation": "1",
     "link": "AXES",
+    "model": "demo",
     "session": "1",
     "proposal": "1",
     "other": "V002",

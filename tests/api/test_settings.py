@@ -87,3 +87,9 @@ def test_a_key_is_not_shown_by_printing_the_settings() -> None:
 )
 def test_loopback_is_known_by_address_and_name(host: str, loopback: bool) -> None:
     assert is_loopback(host) is loopback
+
+
+def test_where_a_controller_is_called_from_one_can_be_started_too() -> None:
+    assert load(environ={"HOISTWAY_URL": "http://tc.fab:8080", "HOISTWAY_KEY": "secret"}) == load(environ={})
+    with pytest.raises(SettingsError, match="HOISTWAY_KEYS is not a setting"):
+        load(environ={"HOISTWAY_KEYS": "secret"})

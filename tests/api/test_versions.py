@@ -12,7 +12,7 @@ from app.domain.job import Job
 from app.domain.layout import PulseSet
 from app.domain.records import StationDest
 from app.domain.units import Pulses
-from app.domain.versions import Leaving, Origin
+from app.domain.versions import Leaving, Origin, Source
 from app.store.versions import KEPT_REJECTED
 from tests.api.kept_versions import TEXT, KeptVersions, kept_versions
 from tests.api.scripted import NOW, Scripted
@@ -100,7 +100,7 @@ async def test_warnings_do_not_keep_a_file_from_being_staged(client: httpx.Async
     [
         (b"\xff\xfe1", YAML, {"reason": "x"}, 400, "The plant file is not UTF-8: invalid start byte at byte 0."),
         (b"{}", {"Content-Type": "application/json"}, {"reason": "x"}, 415, "The body came as 'application/json'."),
-        (b"", YAML, {"reason": "x"}, 422, "has 1 errors"),
+        (b"", YAML, {"reason": "x"}, 422, "has 1 error;"),
         (TEXT.encode(), YAML, {}, 422, "reason: is required"),
         (TEXT.encode(), YAML, {"reason": "a\nb"}, 422, "reason: holds a character"),
         (
@@ -112,7 +112,7 @@ async def test_warnings_do_not_keep_a_file_from_being_staged(client: httpx.Async
         ),
         (TEXT.encode(), YAML, {"reason": "x"}, 409, "That is the active version 1, to the letter."),
         (b"a: &a [1]\nb: *a\n", YAML, {"reason": "x"}, 422, "an alias (*a) cannot be used here"),
-        (b"[" * 100_000, YAML, {"reason": "x"}, 422, "errors"),
+        (b"[" * 100_000, YAML, {"reason": "x"}, 422, "has 1 error;"),
         (b"x" * (17 << 20), YAML, {"reason": "x"}, 413, "larger than 16777216 bytes"),
     ],
 )
@@ -218,7 +218,7 @@ async def test_a_version_whose_text_is_not_kept_any_more_says_so(
 ) -> None:
     store = plant.versions.store
     for number in range(2, KEPT_REJECTED + 3):
-        store.stage(f"a text {number}", Origin.UPLOAD, Actor("lee"), "a try", NOW)
+        store.stage(Source(f"a text {number}"), Origin.UPLOAD, Actor("lee"), "a try", NOW)
         store.reject(number, Actor("lee"), "a typing error", NOW)
     answer = await client.get(f"/layout/versions/{path}")
     assert answer.status_code == 404
@@ -226,6 +226,15 @@ async def test_a_version_whose_text_is_not_kept_any_more_says_so(
     assert answer.json()["detail"] == said
     assert (await client.get("/layout/versions/2/findings")).json()["items"] == []
     assert (await client.get("/layout/versions/2")).json()["pruned"] is not None
+
+
+async def test_a_catalogue_is_given_as_the_version_has_it(client: httpx.AsyncClient, plant: KeptVersions) -> None:
+    plant.versions.store.stage(Source("text", {"sv2": "parameters: {}"}), Origin.UPLOAD, Actor("lee"), "a try", NOW)
+    assert list((await client.get("/layout/versions/2")).json()["models"]) == ["sv2"]
+    assert (await client.get("/layout/versions/2/catalogues/sv2")).text == "parameters: {}"
+    answer = await client.get("/layout/versions/2/catalogues/sv3")
+    assert (answer.status_code, answer.json()["detail"]) == (404, "Version 2 has no catalogue sv3.")
+    assert (await client.get("/layout/versions/9/catalogues/sv2")).status_code == 404
 
 
 async def test_a_person_has_to_decide(client: httpx.AsyncClient) -> None:

@@ -7,20 +7,25 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import sqlalchemy as sa
+from typer.testing import CliRunner
 
+from app.cli import app
 from app.cli.changes import Changes
 from app.cli.plainly import CannotStart
 from app.cli.running import plant_and_text_of
-from app.domain.errors import StoreError
+from app.domain.errors import Refusal, StoreError
 from app.domain.ids import Actor, StationId
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
-from app.domain.versions import Origin
+from app.domain.versions import Origin, Source
+from app.plant.difference import difference
 from app.store.lease import NoLease
 from app.store.ledger import SqlLedger
 from tests.store.samples import job
 
-TEXT = (Path(__file__).parents[2] / "plants" / "small.yaml").read_text(encoding="utf-8")
+PLANTS = Path(__file__).parents[2] / "plants"
+TEXT = (PLANTS / "small.yaml").read_text(encoding="utf-8")
 WITH_P9 = TEXT.replace("  B1: {", "  P9: {kind: port, at: 108, dest: {shft: 5, rota: 5, lift: 5}}\n  B1: {")
 WITHOUT_P2 = "\n".join(line for line in TEXT.splitlines() if not line.startswith("  P2:")) + "\n"
 OTHERS = "name: small\nwords: of another program\n"
@@ -76,7 +81,7 @@ def states(changes: Changes) -> dict[int, str]:
 def activated(changes: Changes, text: str) -> None:
     """Activate a version as people do over REST."""
     store = changes.versions.store
-    made = store.stage(text, Origin.UPLOAD, KIM, "a port more", NOW)
+    made = store.stage(Source(text), Origin.UPLOAD, KIM, "a port more", NOW)
     number = getattr(made, "number")  # noqa: B009
     store.ask(number, KIM, "it is built", NOW, patient=False)
     store.activate(number, NOW, NoLease())
@@ -160,7 +165,7 @@ def test_a_version_that_never_ran_and_cannot_be_read_gives_way_to_the_one_before
 def test_a_version_that_cannot_be_read_is_not_waited_for_stop_after_stop(start: Start) -> None:
     plant, changes = start(TEXT)
     store = changes.versions.store
-    store.stage(OTHERS, Origin.UPLOAD, KIM, "try", NOW)
+    store.stage(Source(OTHERS), Origin.UPLOAD, KIM, "try", NOW)
     store.ask(2, KIM, "try", NOW, patient=True)
     assert asyncio.run(changes.settle(plant)) == plant
     assert states(changes) == {1: "active", 2: "staged"}
@@ -220,3 +225,62 @@ def test_an_address_that_the_version_before_would_want_too_is_not_the_new_ones_f
     assert refused(changes, plant, listening=True) == set()
     coming = replace(plant, listen=("127.0.0.1", 1), vehicles=(replace(plant.vehicles[0], listen=True),))
     assert refused(changes, coming, listening=True) == stations(start(TEXT)[0])
+
+
+HALL = (PLANTS / "hall.yaml").read_text(encoding="utf-8")
+CATALOGUE = (PLANTS.parent / "app" / "catalogues" / "demo.yaml").read_text(encoding="utf-8")
+SLOWER = CATALOGUE.replace("default: 500}", "default: 400}").replace("default: 300,", "default: 200,")
+
+
+def test_a_version_keeps_the_catalogues_that_it_was_made_with(start: Start, tmp_path: Path) -> None:
+    plant, changes = start(HALL)
+    assert changes.versions.store.source(1) == Source(HALL, {"demo": CATALOGUE})
+    (tmp_path / "catalogues").mkdir()
+    (tmp_path / "catalogues" / "demo.yaml").write_text(SLOWER, encoding="utf-8")
+    slower, changes = start(HALL)
+    assert states(changes) == {1: "former", 2: "active"}
+    differs = difference(plant, slower).changes
+    assert [(one.what, one.how, one.name, one.text) for one in differs] == [
+        ("catalogue", "changed", "demo", "describes parameters 04, 06 in another way")
+    ]
+    store = changes.versions.store
+    store.ask(1, KIM, "back", NOW, patient=False)
+    assert asyncio.run(changes.settle(slower)) == plant
+    asyncio.run(changes.started())
+    again, changes = start(HALL)
+    assert (again, changes.number) == (plant, 1), "the catalogue beside the plant file was not edited since"
+
+
+def test_the_same_file_with_another_catalogue_is_another_version(start: Start, tmp_path: Path) -> None:
+    _, changes = start(HALL)
+    store = changes.versions.store
+    assert isinstance(store.stage(Source(HALL, {"demo": CATALOGUE}), Origin.UPLOAD, KIM, "again", NOW), Refusal)
+    made = store.stage(Source(HALL, {"demo": SLOWER}), Origin.UPLOAD, KIM, "slower", NOW)
+    assert getattr(made, "models") == Source("", {"demo": SLOWER}).models  # noqa: B009
+    assert asyncio.run(changes.versions.plant(2)) != asyncio.run(changes.versions.plant(1))
+
+
+def test_a_version_from_before_goes_on_with_the_catalogues_that_are_found(start: Start, url: str) -> None:
+    plant, _ = start(HALL)
+    engine = sa.create_engine(url)
+    with engine.begin() as connection:
+        connection.execute(sa.text("UPDATE plant_versions SET digest = 'old', models = NULL, catalogues = NULL"))
+        connection.execute(sa.text("UPDATE plant_file SET digest = 'old'"))
+    engine.dispose()
+    again, changes = start(HALL)
+    assert (again, states(changes)) == (plant, {1: "active"})
+
+
+def test_what_runs_is_written_over_a_broken_plant_file_without_a_controller(
+    start: Start, tmp_path: Path, url: str
+) -> None:
+    start(HALL)
+    file = tmp_path / "back" / "hall.yaml"
+    said = CliRunner().invoke(app, ["layout", "get", "--database", url, "-o", str(file), "--catalogues"])
+    assert (said.exit_code, file.read_text(encoding="utf-8")) == (0, HALL)
+    assert (file.parent / "catalogues" / "demo.yaml").read_text(encoding="utf-8") == CATALOGUE
+    said = CliRunner().invoke(app, ["layout", "get", "7", "--database", url, "-o", str(file)])
+    assert (said.exit_code, "does not keep the text of that version" in said.output) == (1, True)
+    said = CliRunner().invoke(app, ["layout", "get", "--database", f"sqlite:///{tmp_path}/none.db", "-o", str(file)])
+    assert (said.exit_code, "keeps no versions of a plant" in said.output) == (1, True)
+    assert not (tmp_path / "none.db").exists()

@@ -1,16 +1,19 @@
 """What ``hoistway demo`` invites to: a transfer that the plant can do."""
 
+import asyncio
 import json
 import re
 from pathlib import Path
 
 import pytest
 
-from app.cli.demo import WATCHED, _invitation, counted
+from app.cli.demo import WATCHED, _ended, _invitation, counted
+from app.cli.shown import Simulator
 from app.domain.layout import Plant, VehicleKind
 from app.planning.routing import Router
 from app.planning.track import Track
 from app.plant import read
+from tests.e2e.processes import free_ports, quick_plant
 
 PLANTS = Path(__file__).parents[2] / "plants"
 
@@ -53,3 +56,32 @@ def test_the_invited_transfer_is_soon_over_and_yet_to_be_seen() -> None:
 def test_everything_in_the_plant_is_counted() -> None:
     assert counted(plant_of("demo")) == "10 hoists, 2 AGVs, 1 door, 4 buffers, 1 charger, 3 drives"
     assert counted(plant_of("small")) == "2 hoists"
+
+
+def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    file = quick_plant("small", tmp_path)
+    text, (port,) = file.read_text(encoding="utf-8"), free_ports(1)
+    coming = f'  V003: {{dev_id: 3, address: "127.0.0.1:{port}", offset: {{shft: 0, rota: 0, lift: 0}}}}\n'
+    more = text.replace("  V002: {", coming + "  V002: {")
+
+    async def shown() -> None:
+        simulator = Simulator(file, text, None)
+        await simulator.start()
+        try:
+            with pytest.raises(ConnectionError):
+                await asyncio.open_connection("127.0.0.1", port)
+            await simulator.follow("name: small\nwords: that nobody understands\n")
+            await simulator.follow(text.replace("dev_id: 2,", "dev_id: 7,"))
+            await simulator.follow(more)
+            _, writer = await asyncio.open_connection("127.0.0.1", port)
+            writer.close()
+        finally:
+            await _ended(simulator.process)
+
+    asyncio.run(shown())
+    said = [line for line in capfd.readouterr().err.splitlines() if "hoistway sim" in line]
+    assert len(said) == 2
+    assert "the plant is not followed" in said[0]
+    assert said[1].endswith("not followed until it is started again: vehicle V002 changed"), (
+        "and back again is followed"
+    )

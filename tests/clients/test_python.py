@@ -128,7 +128,7 @@ def happened(*seqs: int) -> Json:
 
 
 async def taken(live: Live, number: int) -> list[Changed | Happened]:
-    async with asyncio.timeout(20):
+    async with asyncio.timeout(60):
         return [await anext(live) for _ in range(number)]
 
 

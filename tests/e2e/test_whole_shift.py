@@ -128,8 +128,12 @@ def a_drive_is_read_written_and_restored_through_noise(shift: Shift) -> None:
 
 
 def an_axis_is_jogged(shift: Shift) -> None:
-    # A jog is over when half a second goes by between two beats of the script, as it may here and there.
-    wait_until(lambda: shift.last("drive-jog.sh", "AX2", "cw", "1")["state"] == "done", "a jog that is let go")
+    def jogged() -> bool:
+        """Whether the axis was let go, and not stopped since half a second went by between two beats of the script."""
+        ended = shift.last("drive-jog.sh", "AX2", "cw", "1")
+        return bool(ended["result"].get("ended") == "released")
+
+    wait_until(jogged, "a jog that is let go")
     wait_until(lambda: (shift.get("/drives/AX2")["distance"] or 0) > 0, "the distance")
 
 

@@ -1,5 +1,7 @@
 """Closures: nobody comes in, those inside drive out, and every reason has to be lifted (DOMAIN sections 1 and 7)."""
 
+from datetime import datetime
+
 import pytest
 
 from app.domain.closures import (
@@ -15,6 +17,7 @@ from app.domain.commands import Move, Plain
 from app.domain.ids import Actor, JobId, StationId
 from app.domain.job import JobState
 from app.domain.layout import StopAction
+from app.domain.records import AuditRow
 from app.domain.requests import CommandVehicle, HandleOnce, MoveVehicle, ReleaseVehicle, Verdict
 from app.domain.units import Barcode, Timestamp
 from app.domain.view import ClosureView, StationView, Topic
@@ -228,7 +231,10 @@ def test_a_traffic_closure_expires_by_itself_and_one_for_work_never(ready: Scrip
     refusal = ready.refuse(ClosePlace(KIM, barcode("106"), "x", ClosurePurpose.WORK, Timestamp(UTC + ready.now + 60)))
     assert (refusal.field, refusal.remedy) == ("expires", "leave expires out, and open it when everybody is out")
     assert ready.refuse(ClosePlace(KIM, barcode("106"), "x", expires=Timestamp(UTC))).field == "expires"
-    number = shut(ready, barcode("106"), expires=Timestamp(UTC + ready.now + 60))
+    end = Timestamp(UTC + ready.now + 60)
+    number = shut(ready, barcode("106"), expires=end)
+    said = ready.kept(AuditRow)[-1].detail.partition("expires ")[2]
+    assert abs(datetime.fromisoformat(said).timestamp() - end) < 1
     ready.run(58)
     assert now(ready, number).state is ClosureState.CLOSED
     ready.run(4)

@@ -147,3 +147,13 @@ def test_taking_everything_away_is_told_without_end(name: str) -> None:
     removed = {c.name for c in made.changes if (c.what, c.how) == ("station", "removed")}
     assert removed == {station.id for station in given.stations} - {"A", "B", "C", "D"}
     assert len(made.broken) >= len(removed)
+
+
+def test_pulses_in_the_file_are_told_to_count_for_a_new_database_alone() -> None:
+    dest = "dest: {shft: 5, rota: 5, lift: 5}"
+    new = plant(("  B1: {", f"  P9: {{kind: port, at: 108, {dest}}}\n  B1: {{"))
+    taught = "its dest counts only where a database is made: teach it, or PUT /api/v1/stations/ID/dest"
+    assert told(difference(plant(), new)) == [f"station P9 added: {taught}"]
+    moved = difference(plant(), plant(("lift: 41000", "lift: 41001"))).changes
+    assert [(one.name, one.text.partition("; ")[2]) for one in moved] == [("P1", taught)]
+    assert difference(plant(), plant(("  B1: {", "  P9: {kind: port, at: 108}\n  B1: {"))).changes[0].text == ""

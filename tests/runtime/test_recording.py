@@ -176,6 +176,28 @@ def test_a_slow_disk_never_lets_more_than_so_much_wait(tmp_path: Path) -> None:
     playback.close()
 
 
+def test_the_whole_state_is_kept_sooner_where_many_changes_have_come_since(tmp_path: Path) -> None:
+    kept: list[str] = []
+
+    class Naming(Watched):
+        def append(self, some: Any) -> None:
+            kept.extend(piece.kind for piece in some)
+            super().append(some)
+
+    scene = Scene(tmp_path, Naming(f"sqlite:///{tmp_path}/plant.db"))
+    for second in range(20):
+        for n in range(50):
+            scene.show(1000.0 + second + n / 50, barcode=str(second * 50 + n))
+        scene.recorder.flush()
+        scene.store.wait()
+    playback = scene.ended()
+    assert 3 < kept.count("state") < 15
+    assert [barcode(playback, 1000.5 + second) for second in range(1, 20)] == [
+        str(second * 50 + 25) for second in range(1, 20)
+    ]
+    playback.close()
+
+
 def test_pieces_are_small(tmp_path: Path) -> None:
     kept: list[Piece] = []
 

@@ -20,7 +20,7 @@ from app.sim.world import Result, World
 from tests.shares import shared
 
 PLANTS = Path(__file__).parents[2] / "plants"
-TEN_MINUTES, TWENTY_MINUTES, HALF_AN_HOUR, ONE_HOUR = 600.0, 1200.0, 1800.0, 3600.0
+FIVE_MINUTES, TEN_MINUTES, HALF_AN_HOUR, ONE_HOUR = 300.0, 600.0, 1800.0, 3600.0
 AGAIN = """
 import json, sys
 from dataclasses import asdict
@@ -59,7 +59,7 @@ def plain(result: Result) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.parametrize("seconds", shared([TEN_MINUTES, HALF_AN_HOUR], 1))
+@pytest.mark.parametrize("seconds", shared([FIVE_MINUTES, HALF_AN_HOUR], 1))
 def test_work_under_load_ends_every_job_breaks_no_rule_and_is_the_same_in_every_process(seconds: float) -> None:
     """Two hours of it: ``hoistway simulate`` in ``make campaign``."""
     elsewhere = begun_elsewhere("demo", seconds, seconds, "4711")
@@ -76,7 +76,7 @@ def test_work_under_load_ends_every_job_breaks_no_rule_and_is_the_same_in_every_
     assert json.loads(there) == plain(here)
 
 
-@pytest.mark.parametrize("seconds", shared([TWENTY_MINUTES, ONE_HOUR], 1))
+@pytest.mark.parametrize("seconds", shared([TEN_MINUTES, ONE_HOUR], 1))
 def test_work_in_the_agv_hall_ends_every_job_through_its_door_and_is_the_same_in_every_process(seconds: float) -> None:
     elsewhere = begun_elsewhere("hall", seconds, seconds, "4711")
     world = World(plant_of("hall"), 1)

@@ -9,7 +9,7 @@ import sqlalchemy as sa
 from app.domain.errors import PlantHeld, StoreError
 from app.domain.ids import Actor
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, VersionState
+from app.domain.versions import Origin, Source, VersionState
 from app.store import tables
 from app.store.backup import Stock, back_up, look, put_back
 from app.store.engine import parsed, writing
@@ -196,8 +196,8 @@ def test_a_layout_that_was_awaited_then_is_not_awaited_after_a_backup_was_put_ba
     ledger.load()
     ledger.close()
     store = VersionStore(sqlite_url)
-    store.begin("name: P1", KIM, LATER)
-    store.stage("name: P1 # wider", Origin.UPLOAD, KIM, "wider", LATER)
+    store.begin(Source("name: P1"), KIM, LATER)
+    store.stage(Source("name: P1 # wider"), Origin.UPLOAD, KIM, "wider", LATER)
     store.ask(2, KIM, "wider", LATER, patient=True)
     store.close()
     file = tmp_path / "one.backup"

@@ -11,10 +11,12 @@ from alembic.script import ScriptDirectory
 
 import migrations
 from app.domain.errors import StoreError
+from app.domain.versions import Source
 from app.store import schema
 from app.store.engine import parsed, writing
 from app.store.opening import bring_up_to_date, revision
 from app.store.tables import metadata
+from app.store.versions import VersionStore
 from tests.store.conftest import NOW, Open
 from tests.store.samples import job
 
@@ -101,3 +103,34 @@ def test_a_database_is_brought_up_to_date_by_hand_only_while_no_controller_runs(
 def test_the_steps_are_found_beside_the_program_wherever_it_is_installed() -> None:
     assert schema.newest() == REVISIONS[0]
     assert Path(schema._config().get_main_option("script_location") or "") == Path(migrations.__file__).parent
+
+
+def test_versions_of_the_plant_from_before_their_trial_have_run_if_they_were_activated(
+    url: str, open_ledger: Open, raw: sa.Engine
+) -> None:
+    rows = [(1, "former", 10.0), (2, "active", 20.0), (3, "staged", None), (4, "rejected", 15.0), (5, "rejected", None)]
+    with raw.begin() as connection:
+        config = schema._config()
+        config.attributes["connection"] = connection
+        command.upgrade(config, "r0013")
+        for number, state, activated in rows:
+            connection.execute(
+                sa.text(
+                    "INSERT INTO plant_versions (number, state, activated, digest, origin, at, actor, reason, size, why,"
+                    " asked_why, patient, note, text)"
+                    " VALUES (:n, :state, :activated, 'd', 'file', 5.0, 'kim', '', 1, '', '', false, '', 'x')"
+                ),
+                {"n": number, "state": state, "activated": activated},
+            )
+    open_ledger(url)
+    store = VersionStore(url)
+    found = {one.number: (one.ran, one.tries, one.rejected, dict(one.models)) for one in store.versions()}
+    assert found == {
+        1: (10.0, None, None, {}),
+        2: (20.0, None, None, {}),
+        3: (None, None, None, {}),
+        4: (None, None, 15.0, {}),
+        5: (None, None, 5.0, {}),
+    }
+    assert store.source(1) == Source("x")
+    store.close()

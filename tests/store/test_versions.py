@@ -8,7 +8,7 @@ import sqlalchemy as sa
 from app.domain.errors import PlantHeld, Refusal, StoreError
 from app.domain.ids import Actor
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, PlantVersion, VersionState
+from app.domain.versions import Origin, PlantVersion, Source, VersionState
 from app.store.lease import NoLease
 from app.store.reading import Reader
 from app.store.versions import KEPT_REJECTED, MOST_STAGED, VersionStore
@@ -28,12 +28,12 @@ def store(url: str, open_ledger: Open) -> Iterator[VersionStore]:
 
 def begun(store: VersionStore) -> None:
     """Make version 1, which runs."""
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     store.tried(1, None, NOW)
 
 
 def staged(store: VersionStore, text: str, reason: str = "a port more") -> PlantVersion:
-    made = store.stage(text, Origin.UPLOAD, LEE, reason, NOW)
+    made = store.stage(Source(text), Origin.UPLOAD, LEE, reason, NOW)
     assert isinstance(made, PlantVersion)
     return made
 
@@ -58,13 +58,13 @@ def states(store: VersionStore) -> dict[int, str]:
 
 def test_the_first_plant_file_is_version_1_and_active(store: VersionStore) -> None:
     assert store.active() is None
-    first = store.begin("plant", KIM, NOW)
+    first = store.begin(Source("plant"), KIM, NOW)
     assert first == store.active() == store.version(1)
     assert (first.number, first.state, first.origin, first.size) == (1, VersionState.ACTIVE, Origin.FILE, 5)
     assert store.text(1) == "plant"
     assert store.file_taken() == first.digest
     with pytest.raises(StoreError, match="another controller has begun"):
-        store.begin("other", KIM, NOW)
+        store.begin(Source("other"), KIM, NOW)
 
 
 def test_a_version_goes_from_staged_over_awaited_to_active_and_the_one_before_can_come_back(
@@ -85,7 +85,7 @@ def test_a_version_goes_from_staged_over_awaited_to_active_and_the_one_before_ca
 
 
 def test_a_wish_that_comes_to_nothing_leaves_the_version_as_it_was_and_says_why(store: VersionStore) -> None:
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     staged(store, "two")
     awaited(store, 2)
     store.give_up(2, "job J1 names P2", LATER)
@@ -153,7 +153,7 @@ def test_the_way_back_leads_past_a_version_that_never_ran(store: VersionStore) -
     ],
 )
 def test_what_cannot_become_active_is_refused_with_the_reason(store: VersionStore, number: int, reason: str) -> None:
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     for text in ("two", "three", "four"):
         staged(store, text)
     awaited(store, 2)
@@ -179,12 +179,12 @@ def test_a_staged_version_is_rejected_a_former_one_only_stays_and_an_active_one_
 
 
 def test_the_same_text_is_not_kept_twice_while_the_first_can_be_used(store: VersionStore) -> None:
-    store.begin("one", KIM, NOW)
-    same = store.stage("one", Origin.UPLOAD, LEE, "again", NOW)
+    store.begin(Source("one"), KIM, NOW)
+    same = store.stage(Source("one"), Origin.UPLOAD, LEE, "again", NOW)
     assert isinstance(same, Refusal)
     assert same.reason == "That is the active version 1, to the letter."
     staged(store, "two")
-    again = store.stage("two", Origin.UPLOAD, LEE, "again", NOW)
+    again = store.stage(Source("two"), Origin.UPLOAD, LEE, "again", NOW)
     assert isinstance(again, Refusal)
     assert again.remedy == "Activate that one: POST /api/v1/layout/versions/2/activate."
     store.reject(2, KIM, "wrong", NOW)
@@ -192,7 +192,7 @@ def test_the_same_text_is_not_kept_twice_while_the_first_can_be_used(store: Vers
 
 
 def test_pages_of_versions_go_from_new_to_old(store: VersionStore) -> None:
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     for number in range(2, 7):
         staged(store, str(number))
     assert [version.number for version in store.versions(limit=3)] == [6, 5, 4]
@@ -200,14 +200,14 @@ def test_pages_of_versions_go_from_new_to_old(store: VersionStore) -> None:
 
 
 def test_two_versions_can_never_be_active(store: VersionStore, raw: sa.Engine) -> None:
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     staged(store, "two")
     with pytest.raises(sa.exc.IntegrityError), raw.begin() as connection:
         connection.execute(sa.text("UPDATE plant_versions SET state = 'active' WHERE number = 2"))
 
 
 def test_whatever_is_asked_of_versions_is_in_the_audit_once(store: VersionStore, url: str) -> None:
-    store.begin("one", KIM, NOW)
+    store.begin(Source("one"), KIM, NOW)
     staged(store, "two")
     store.ask(2, KIM, "now", LATER, patient=False, refusal=Refusal("not-now", "job J1 is in the way"))
     awaited(store, 2)
@@ -267,9 +267,9 @@ def test_so_many_versions_can_be_staged_at_once_and_no_more(store: VersionStore)
     begun(store)
     for number in range(2, MOST_STAGED + 2):
         staged(store, str(number))
-    refusal = store.stage("one more", Origin.UPLOAD, LEE, "a port more", NOW)
+    refusal = store.stage(Source("one more"), Origin.UPLOAD, LEE, "a port more", NOW)
     assert isinstance(refusal, Refusal)
     assert refusal.reason == f"{MOST_STAGED} versions are staged already."
     store.reject(7, KIM, "not this one", LATER)
     staged(store, "one more")
-    assert isinstance(store.stage("the file", Origin.FILE, LEE, "edited", NOW, again=True), PlantVersion)
+    assert isinstance(store.stage(Source("the file"), Origin.FILE, LEE, "edited", NOW, again=True), PlantVersion)

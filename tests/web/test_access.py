@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Page, expect
 
 from app.domain.access import Role
 from app.domain.ids import Actor
@@ -15,6 +15,7 @@ from app.runtime.reception import LOG_IN_LIFE
 from app.store.chain import Checked
 from tests.api.receptions import PASSWORD, ROOT
 from tests.api.scripted import NOW
+from tests.web.hands import press_twice
 from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.staffed import Staffed, log_in, staffed
@@ -197,12 +198,6 @@ def test_where_nobody_has_to_log_in_everything_can_be_pressed_and_people_name_th
 
 
 # -- users, keys, the audit -------------------------------------------------------------------------------------------
-
-
-def press_twice(scope: Locator, name: str) -> None:
-    """Press a button that wants to be pressed twice."""
-    scope.get_by_role("button", name=name, exact=True).click()
-    scope.get_by_role("button", name="Sure?", exact=True).click()
 
 
 def test_an_administrator_adds_somebody_changes_their_roles_and_disables_them(plant: Staffed) -> None:

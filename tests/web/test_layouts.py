@@ -7,6 +7,7 @@ from playwright.sync_api import Page, expect
 
 from tests.api.kept_versions import TEXT, kept_versions
 from tests.api.scripted import Scripted
+from tests.web.hands import press_twice
 from tests.web.looks import faults
 from tests.web.served import served
 from tools.chromium import installed
@@ -43,8 +44,7 @@ def test_a_plant_file_is_staged_looked_at_activated_and_taken_back(page: Page, t
             expect(version).to_contain_text("Nothing is in the way.")
             assert faults(page) == []
             version.get_by_placeholder("Reason").fill("it is built")
-            version.get_by_role("button", name="Activate").click()
-            version.get_by_role("button", name="Sure?").click()
+            press_twice(version, "Activate")
             expect(version).to_contain_text("awaited")
             version.get_by_placeholder("Reason").fill("not today")
             version.get_by_role("button", name="Do not activate it").click()

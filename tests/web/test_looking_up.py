@@ -8,13 +8,15 @@ from playwright.sync_api import Browser, expect
 from app.domain.alarms import Alarm, AlarmKind
 from app.domain.units import Timestamp
 from tests.api.scripted import NOW
+from tests.e2e.processes import wait_until
+from tests.web.hands import press_twice
+from tests.web.looks import faults
 from tests.web.staffed import Staffed, staffed
 from tests.web.test_panels import opened
 from tools.chromium import installed
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("staffed-looking-up"),
     pytest.mark.skipif(installed() is None, reason="Chromium is not installed"),
 ]
 
@@ -36,6 +38,7 @@ def test_a_drives_model_and_what_its_backups_have_can_be_read(plant: Staffed) ->
         expect(catalogue.locator("[data-spec='1D']")).to_contain_text("0: CW, 1: CCW")
         kept = opened(panel, "Backups and comparison").locator("[data-backup='1']")
         kept.locator("summary").click()
+        assert faults(page) == []
         expect(kept.locator("tr", has_text="1C")).to_contain_text("Acceleration")
 
 
@@ -48,11 +51,12 @@ def test_how_vehicles_held_out_leads_to_what_failed(plant: Staffed) -> None:
         page.get_by_role("button", name="Reliability").click()
         row = page.locator("[data-row=V001]")
         expect(row).to_contain_text("168.00")
+        assert faults(page) == []
         row.get_by_role("button", name="History").click()
         expect(page.get_by_label("Name", exact=True)).to_have_value("V001")
         expect(page.locator("[data-row='1']")).to_contain_text("bumper")
-        page.wait_for_load_state("networkidle")
-    assert plant.server.controller.reader.asked_for["source"] == "V001"
+        reader = plant.server.controller.reader
+        wait_until(lambda: reader.asked_for.get("source") == "V001", "the request")
 
 
 def test_a_period_of_ones_own_is_reckoned_saved_in_the_form_wanted_and_printed(plant: Staffed) -> None:
@@ -60,6 +64,7 @@ def test_a_period_of_ones_own_is_reckoned_saved_in_the_form_wanted_and_printed(p
         page.get_by_role("button", name="Other", exact=True).click()
         report = page.get_by_role("button", name="Report", exact=False).first
         expect(report).to_be_disabled()
+        assert faults(page) == []
         page.locator("input[name=begin]").fill("2026-01-01T06:00")
         with page.expect_response(lambda answer: "/statistics?" in answer.url) as reckoned:
             page.locator("input[name=end]").fill("2026-01-01T14:00")
@@ -82,10 +87,10 @@ def test_values_in_force_stand_where_they_are_saved_to_files(plant: Staffed) -> 
         opened(taught, "Write by hand")
         for axis, value in (("SHFT", "11"), ("ROTA", "-21"), ("LIFT", "31")):
             taught.get_by_label(axis, exact=True).fill(value)
-        taught.get_by_role("button", name="Write", exact=True).click()
-        taught.get_by_role("button", name="Sure?", exact=True).click()
+        press_twice(taught, "Write")
         expect(taught.locator("[data-version='1']")).to_contain_text("-21")
         page.goto(f"{plant.server.url}#/teaching")
         page.get_by_role("button", name="Files", exact=True).click()
         expect(page.locator("[data-row=P2]")).to_contain_text("-21")
         expect(page.locator("[data-row=P2]")).to_contain_text("mia")
+        assert faults(page) == []

@@ -15,6 +15,7 @@ from app.domain.view import ControllerView, Topic, Update
 from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import NOW
 from tests.e2e.processes import wait_until
+from tests.web.hands import TWICE
 from tests.web.served import Served, served
 from tests.web.whole import device, whole
 from tools.chromium import Page, chromium, installed, new_tab
@@ -81,9 +82,10 @@ def test_a_vehicle_chosen_shows_every_bit_and_why_it_waits(wire: ClientConnectio
 
 
 DRAWN = """(() => {
-  const canvas = document.querySelector('.map canvas.front');
-  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-  return data.some((value) => value > 0);
+  const { width, height } = document.querySelector('.map canvas.front');
+  const seen = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  seen.drawImage(document.querySelector('.map canvas.front'), 0, 0);
+  return seen.getImageData(0, 0, width, height).data.some((value) => value > 0);
 })()"""
 """Whether anything is on the canvas of what moves."""
 
@@ -126,6 +128,7 @@ def test_the_access_key_is_asked_for_and_kept_in_the_tab_only(wire: ClientConnec
         page.until("document.querySelector('dialog input[name=key]')")
         use(page, "not the key of this server")
         page.until(text_of("dialog .problem", "This is no key"))
+        assert page.ask("sessionStorage.getItem('hoistway.key')") == ""
         use(page, KEY)
         page.until(LIVE)
         page.until(text_of("header .account", "access-key"))
@@ -196,12 +199,10 @@ def test_an_agv_is_driven_by_hand_and_told_where_it_stands(wire: ClientConnectio
         page.open(f"{server.url}#/map?vehicle=AGV1")
         page.until(LIVE)
         page.until("document.querySelector('[data-commands=AGV1]')")
-        page.ask(press("By hand: turn left"))
-        page.ask(press("Sure?"))
+        page.ask(press_twice("By hand: turn left"))
         page.until("document.querySelector('.panel .done')")
         page.ask(fill(".panel input[name=tag]", "0142"))
-        page.ask(press("Tell it so"))
-        page.ask(press("Sure?"))
+        page.ask(press_twice("Tell it so"))
         seen = server.controller.seen
         wait_until(lambda: sum(isinstance(request, CommandAgv) for request in seen) == 2, "the second command")
         asked = [request.command for request in seen if isinstance(request, CommandAgv)]
@@ -209,9 +210,9 @@ def test_an_agv_is_driven_by_hand_and_told_where_it_stands(wire: ClientConnectio
         assert page.complaints == []
 
 
-def press(words: str) -> str:
-    """Press a button of the panel by what stands on it."""
-    return f"[...document.querySelectorAll('.panel button')].find((e) => e.textContent === {words!r}).click()"
+def press_twice(words: str) -> str:
+    """Press a button of the panel by what stands on it, and say that one is sure."""
+    return f"({TWICE})([...document.querySelectorAll('.panel button')].find((e) => e.textContent === {words!r}))"
 
 
 def test_a_door_is_commanded_by_two_presses(wire: ClientConnection) -> None:
@@ -225,7 +226,7 @@ def test_a_door_is_commanded_by_two_presses(wire: ClientConnection) -> None:
         page.ask("document.querySelector('[data-commands=DOOR1] button').click()")
         page.until(text_of("[data-commands=DOOR1] .armed", "Sure?"))
         assert not server.controller.seen
-        page.ask("document.querySelector('[data-commands=DOOR1] .armed').click()")
+        page.ask(f"({TWICE})(document.querySelector('[data-commands=DOOR1] button'))")
         page.until(text_of(".panel .done", "Open door"))
         assert [type(request).__name__ for request in server.controller.seen] == ["CommandDevice"]
 

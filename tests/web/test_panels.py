@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, expect
 
 from app.domain.device_requests import RaiseEmergency
 from app.domain.drive import Parameter
@@ -18,6 +18,7 @@ from app.domain.teaching_requests import ImportTaught
 from app.domain.view import ControllerView, ParameterView, Topic, Update
 from app.domain.webhooks import AddWebhook, ReplayWebhook
 from tests.e2e.processes import wait_until
+from tests.web.hands import press_twice
 from tests.web.staffed import Staffed, staffed
 from tools.chromium import installed
 
@@ -45,11 +46,6 @@ def end_all(plant: Staffed) -> None:
     drives = plant.server.controller.drives
     running = [number for number, one in drives.operations.items() if one.state is OperationState.RUNNING]
     plant.server.show([drives.end(number) for number in running])
-
-
-def press_twice(scope: Locator | Page, name: str) -> None:
-    scope.get_by_role("button", name=name, exact=True).click()
-    scope.get_by_role("button", name="Sure?", exact=True).click()
 
 
 def opened(scope: Locator, summary: str) -> Locator:

@@ -13,6 +13,7 @@ from playwright.sync_api import Locator, Page, expect
 from tests.api.receptions import PASSWORD
 from tests.api.recordings import recorded
 from tests.e2e.processes import COMMAND, GENEROUS, HTTP, answers, free_ports, quick_plant, running, wait_until
+from tests.web.hands import press_twice
 from tests.web.looks import faults
 from tests.web.served import served
 from tests.web.staffed import log_in
@@ -130,16 +131,9 @@ def close_a_rail_and_read_why(page: Page) -> None:
     order(page, "B2", "P3")
     job = page.locator(".jobs .job").first
     expect(job).to_contain_text("closed")
-    closure.get_by_role("button", name="Open").click()
-    closure.get_by_role("button", name="Sure?").click()
+    press_twice(closure, "Open")
     expect(closure).to_have_count(0)
     expect(job.locator(".state")).to_have_text("completed")
-
-
-def sure(place: Locator, name: str) -> None:
-    """Press what has to be pressed twice."""
-    place.get_by_role("button", name=name, exact=True).click()
-    place.get_by_role("button", name="Sure?").click()
 
 
 def choose(page: Page, vehicle: str) -> Locator:
@@ -166,8 +160,9 @@ def recover_an_alarm(page: Page, hands: str) -> None:
     alarm.get_by_role("button", name="Acknowledge").click()
     expect(alarm).to_contain_text(re.compile("kim .* I am on my way"))
     panel = choose(page, "V002")
-    expect(panel.locator("h2")).to_contain_text(re.compile("alarm", re.IGNORECASE))
-    sure(panel, "Recover from the alarm")
+    expect(panel.locator("h2")).to_contain_text("held")
+    expect(panel.locator(".note", has_text="alarm 105").first).to_be_visible()
+    press_twice(panel, "Recover from the alarm")
     expect(page.locator(".chip", has_text="V002")).to_contain_text(re.compile("idle|parked|moving"))
     room(page, "Alarms")
     expect(alarm).to_have_count(0)
@@ -185,10 +180,10 @@ def teach_and_approve(page: Page) -> None:
     panel = choose(page, "V001")
     panel.get_by_label("Move to barcode").fill("106")
     panel.get_by_label("Stops for").select_option("port")
-    sure(panel, "Move")
+    press_twice(panel, "Move")
     expect(panel.locator("dt:text-is('Place') + dd")).to_have_text("106")
     expect(panel.locator("h2")).to_contain_text("idle")
-    sure(panel.locator("[data-commands]"), "Stop (to MANT)")
+    press_twice(panel.locator("[data-commands]"), "Stop (to MANT)")
     expect(panel.locator("dt:text-is('Mode') + dd")).to_contain_text("MANT")
     room(page, "Teaching")
     teaching.get_by_role("button", name="Sessions").click()
@@ -197,7 +192,7 @@ def teach_and_approve(page: Page) -> None:
     teaching.get_by_role("button", name="Proposals").click()
     proposal = teaching.locator("[data-proposal]")
     expect(proposal).to_contain_text("P2")
-    sure(proposal, "Approve")
+    press_twice(proposal, "Approve")
     expect(proposal).to_contain_text(re.compile("approved.*kim"))
     teaching.get_by_role("button", name="Sessions").click()
     teaching.locator("tbody td").first.click()

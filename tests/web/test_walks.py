@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, expect
 
 from app.domain.ids import Actor, CarrierId, StationId
 from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, Sight, StartWalk
+from tests.web.hands import press_twice
 from tests.web.staffed import Staffed, staffed
 from tools.chromium import installed
 
@@ -55,8 +56,7 @@ def test_a_walk_is_begun_entered_at_a_place_and_from_a_file_and_taken_for_true(p
         file.write_text("Station;Seen;Seen_Carrier\r\nL3;Full;F7\r\nP1;;\r\n", encoding="utf-8")
         walk.get_by_label("Read a CSV").set_input_files(file)
         expect(walk.locator(".done").first).to_contain_text("1 places entered from the file")
-        walk.get_by_role("button", name="Take it for true").click()
-        walk.get_by_role("button", name="Sure?").click()
+        press_twice(walk, "Take it for true")
         expect(walk).to_contain_text("accepted")
     assert asked(plant, StartWalk) == [StartWalk(LEE, "after the outage", ())]
     assert [request.sights for request in asked(plant, EnterSights)] == [
@@ -78,8 +78,7 @@ def test_a_walk_is_given_up_with_a_reason_by_those_who_may(plant: Staffed) -> No
         walk = page.locator("[data-walk='1']")
         expect(walk).to_contain_text("spot check")
         walk.get_by_label("Reason").fill("nobody had time")
-        walk.get_by_role("button", name="Abandon").click()
-        walk.get_by_role("button", name="Sure?").click()
+        press_twice(walk, "Abandon")
         expect(walk).to_contain_text("abandoned")
     assert asked(plant, StartWalk)[-1] == StartWalk(LEE, "spot check", (StationId("L3"), StationId("P1")))
     assert asked(plant, AbandonWalk) == [AbandonWalk(LEE, 1, "nobody had time")]

@@ -138,10 +138,17 @@ export async function logIn(name: string, password: string): Promise<void> {
 
 /** Use a machine's key. Raises Refused. */
 export async function useKey(key: string): Promise<void> {
+  const before = api.held();
+  api.useKey(key);
+  try {
+    await entered();
+  } catch (failure) {
+    // Who was here before still is.
+    api.useKey(before);
+    throw failure;
+  }
   keep(null);
   sessionStorage.setItem(FAMILY, api.freshKey());
-  api.useKey(key);
-  await entered();
 }
 
 /** Log out, here and in the tabs that were duplicated. */
@@ -183,10 +190,10 @@ export function begin(go: () => void): void {
   others.addEventListener("message", hear);
   window.setInterval(() => void renew(), LOOK);
   if (session.value && session.value.expires < api.serverNow()) forget();
-  if (!api.hasKey()) api.holdBack();
+  if (!api.held()) api.holdBack();
   const first = async (): Promise<void> => {
     try {
-      if (!api.hasKey() && (await api.get<{ required: boolean }>("/session/required")).required) {
+      if (!api.held() && (await api.get<{ required: boolean }>("/session/required")).required) {
         asked.value = true;
         return;
       }

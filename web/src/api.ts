@@ -45,9 +45,9 @@ export function letGo(): void {
   goOn();
 }
 
-/** Whether a key or token is kept. */
-export function hasKey(): boolean {
-  return key !== "";
+/** The key or token that is kept; "": none. */
+export function held(): string {
+  return key;
 }
 
 export function useKey(given: string): void {

@@ -2,6 +2,9 @@
 import { computed, signal } from "@preact/signals";
 import { closureList, layout } from "./store";
 
+/** A stretch of track, from one barcode to another, in no language. */
+export const placed = (place: string): string => place.replace(/^(\S+) to (\S+)$/, "$1 → $2");
+
 /** Told which barcode was clicked, while somebody chooses track on the map. */
 export const choosing = signal<((barcode: string) => void) | null>(null);
 /** Barcodes that a closure that is only looked at would keep empty. */

@@ -55,6 +55,8 @@ export class Painter {
   private readonly heats = { now: new Heat(), then: new Heat() };
   private stale = true;
   private overAt = Number.NEGATIVE_INFINITY;
+  /** Something was reported since what lies over the track was painted. */
+  private overStale = true;
   private frame = 0;
   private painted = 0;
   private moved = Number.NEGATIVE_INFINITY;
@@ -151,6 +153,7 @@ export class Painter {
   /** Take the vehicles' newest reports. */
   report(): void {
     if (!this.scene) return;
+    this.overStale = true;
     const then = inPast.value;
     const now = then ? moment.value : performance.now() / 1000;
     const heat = then ? this.heats.then : this.heats.now;
@@ -223,16 +226,17 @@ export class Painter {
     const pick = selected.value;
     if (following.value && pick?.kind === "vehicle") this.keepInMiddle(pick.id);
     if (!this.ground.follow(view, ms) || this.stale) this.paintGround(scene, ms);
+    if (!this.front.follow(view, ms) || due) this.paintFront(ms);
+    // After the vehicles: holds and granted track are drawn where they are now.
     const shown = this.over.follow(view, ms);
     if (!shown || (due && ms - this.overAt > OVER)) this.paintOver(scene, ms);
-    if (!this.front.follow(view, ms) || due) this.paintFront(ms);
     this.front.canvas.dataset["pictures"] = String(++this.count);
     // Which moment of the past can be seen now, for whoever measures how long that takes.
     if (inPast.value && !loading.value) this.front.canvas.dataset["moment"] = String(moment.value);
     const alarm = this.bodies.some((body) => body.look === "alarm");
     const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
     const busy = !STILL.matches && (alarm || drives);
-    if (busy || moving || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
+    if (busy || moving || this.overStale || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
   }
 
   /** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
@@ -275,6 +279,7 @@ export class Painter {
 
   private paintOver(scene: Scene, ms: number): void {
     this.overAt = ms;
+    this.overStale = false;
     const at = this.over.begin(this.view, ms);
     const { ctx } = this.over;
     const { track: drawn } = scene;

@@ -6,7 +6,7 @@ import * as api from "./api";
 import { joins } from "./ends";
 import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import type { Change } from "./past/reel";
-import { ofThen } from "./past/then";
+import { changedOf, ofThen } from "./past/then";
 import { type DeviceLook, lookOfDevice } from "./shows";
 import { Track } from "./track";
 import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle, Walk } from "./types";
@@ -257,8 +257,12 @@ export function showWhole(objects: Record<string, Record<string, Record<string, 
 export function showChange([, topic, key, value]: Change): void {
   if (!isTopic(topic)) return;
   const map = maps[topic] as Map<string, unknown>;
-  const now = topic === "vehicles" && value !== null ? ofThen(key, { ...vehicles.get(key), ...value }) : value;
-  put(map, topic, key, now);
+  put(map, topic, key, topic === "vehicles" && value !== null ? vehicleThen(key, value) : value);
+}
+
+function vehicleThen(id: string, value: Record<string, unknown>): Vehicle {
+  const before = vehicles.get(id);
+  return before ? changedOf(before, value) : ofThen(id, value);
 }
 
 function put(map: Map<string, unknown>, topic: Topic, key: string, value: unknown): void {

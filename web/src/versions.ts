@@ -14,6 +14,7 @@ export interface Version {
   why: string;
   before: number | null;
   note: string;
+  pruned: string | null;
 }
 
 export interface Change {

@@ -2,7 +2,7 @@ import { deflateSync } from "node:zlib";
 import { describe, expect, test } from "vitest";
 import { kindOf, reachOf } from "../src/past/reach";
 import { type Change, type Piece, piecesOf, Reel, type State } from "../src/past/reel";
-import { ofThen } from "../src/past/then";
+import { changedOf, ofThen } from "../src/past/then";
 import { Trails } from "../src/past/trails";
 import { lookOf } from "../src/shows";
 import { Track } from "../src/track";
@@ -58,6 +58,15 @@ describe("the reel", () => {
     seen.length = 0;
     for (const moment of [102.5, 103, 159, 160, 161, 170]) made.forward(moment, screen);
     expect(seen).toEqual(["3", "all 9", "4", "no V1"]);
+  });
+
+  test("passes by a whole state that comes soon after another: it says nothing else", () => {
+    const made = new Reel();
+    for (const piece of [...pieces.slice(0, 2), { id: 5, begin: 110, end: 110, state: state("3") }, ...pieces.slice(2)]) made.add(piece);
+    const seen: string[] = [];
+    const screen = { whole: () => void seen.push("all"), change: ([, , , value]: Change) => void seen.push(`${value?.["barcode"]}`) };
+    for (const moment of [100, 102, 120, 161]) made.forward(moment, screen);
+    expect(seen).toEqual(["all", "2", "3", "all", "4"]);
   });
 
   test("unpacks an answer of the server: a line that lists the pieces, then the pieces", async () => {
@@ -133,4 +142,7 @@ test("a vehicle of then looks as it did: an alarm, or absent", () => {
   expect(lookOf(ofThen("V1", { activity: "moving", oper: "alarm" }))).toBe("alarm");
   expect(lookOf(ofThen("V1", { activity: "absent" }))).toBe("gone");
   expect(lookOf(ofThen("V1", { activity: "waiting" }))).toBe("waiting");
+  const gone = changedOf(ofThen("V1", { activity: "waiting", barcode: "1" }), { activity: "absent" });
+  expect([lookOf(gone), gone.barcode]).toEqual(["gone", "1"]);
+  expect(lookOf(changedOf(gone, { activity: "waiting" }))).toBe("waiting");
 });

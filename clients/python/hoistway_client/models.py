@@ -902,6 +902,7 @@ class PlantVersion(TypedDict):
 
     number: int
     digest: str
+    models: dict[str, str]
     size: int
     state: Literal['staged', 'awaited', 'active', 'former', 'rejected']
     origin: Literal['file', 'upload']

@@ -1,7 +1,8 @@
 /** Alarms: what is wrong now with cause, remedy and who knows of it; what was; what they add up to. */
 import { useSignal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
 import type { Wrong } from "../alarms";
-import { post } from "../api";
+import { post, serverNow } from "../api";
 import { clock } from "../shows";
 import { alarmList, changes, selected, troubles, vehicles, devices, drives } from "../store";
 import { said, t, tell } from "../texts";
@@ -118,9 +119,15 @@ function Other({ wrong }: { wrong: Wrong }) {
   );
 }
 
+/** Counted over so much, s. */
+const PARETO = { shift: 8 * 3600, day: 86_400, week: 7 * 86_400, month: 30 * 86_400 } as const;
+
 function Pareto() {
   const by = useSignal<"code" | "source" | "both">("code");
-  const { value } = useRead<{ items: AlarmCount[] }>(`/alarms/pareto?by=${by.value}`, changes.alarms.value);
+  const period = useSignal<keyof typeof PARETO>("week");
+  const round = changes.alarms.value;
+  const from = useMemo(() => new Date(serverNow() - PARETO[period.value] * 1000).toISOString(), [period.value, round]);
+  const { value } = useRead<{ items: AlarmCount[] }>(`/alarms/pareto?by=${by.value}&from=${from}`, round);
   let sum = 0;
   return (
     <div class="scroll" tabIndex={0} role="group" aria-label={t("alarms_pareto")}>
@@ -130,7 +137,13 @@ function Pareto() {
             {t(`pareto_${name}`)}
           </button>
         ))}
-        <small class="calm">{t("last_week")}</small>
+        <select aria-label={t("stretch")} class="narrow" value={period.value} onChange={(event) => (period.value = event.currentTarget.value as "week")}>
+          {(Object.keys(PARETO) as (keyof typeof PARETO)[]).map((name) => (
+            <option key={name} value={name}>
+              {t(`period_${name}`)}
+            </option>
+          ))}
+        </select>
       </div>
       <table class="list">
         <tbody>

@@ -4,7 +4,7 @@ import { refusal, round } from "../access";
 import { get } from "../api";
 import { csvOf, save } from "../csv";
 import { moment } from "../shows";
-import { t, tell } from "../texts";
+import { said, t, tell } from "../texts";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
 import { Table } from "./Table";
@@ -164,7 +164,7 @@ function Rows() {
           { name: "#", of: (row) => row.seq, number: true },
           { name: t("when"), of: (row) => moment(row.at) },
           { name: t("who"), of: (row) => tell(row.actor) },
-          { name: t("what"), of: (row) => row.action },
+          { name: t("what"), of: (row) => <Did action={row.action} /> },
           { name: t("on_what"), of: (row) => row.target },
           { name: t("result"), of: (row) => <span class={row.accepted ? "good" : "bad"}>{t(row.accepted ? "carried_out" : "refused")}</span> },
           { name: t("in_words"), wraps: true, of: (row) => tell(row.detail) },
@@ -184,5 +184,16 @@ function Rows() {
         </button>
       </div>
     </div>
+  );
+}
+
+/** What was asked for in words, and by the name that it is looked for by. */
+function Did({ action }: { action: string }) {
+  const word = said(`did_${action}`);
+  return (
+    <>
+      {word !== `did ${action}` && <>{word} </>}
+      <small class="calm">{action}</small>
+    </>
   );
 }

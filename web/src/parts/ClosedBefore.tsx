@@ -1,5 +1,6 @@
 /** What was closed before: by whom, why, how long, and who opened it. */
 import { useSignal } from "@preact/signals";
+import { placed } from "../closed";
 import { moment } from "../shows";
 import { changes } from "../store";
 import { said, t } from "../texts";
@@ -19,7 +20,7 @@ export function ClosedBefore() {
       <ul>
         {past.map((closure) => (
           <li key={closure.id}>
-            <b>{closure.place}</b> · {closure.reason} · {closure.owner} · {moment(closure.since)} – {moment(closure.ended ?? "")}{" "}
+            <b>{placed(closure.place)}</b> · {closure.reason} · {closure.owner} · {moment(closure.since)} – {moment(closure.ended ?? "")}{" "}
             <span class="calm">
               {said(closure.state)} {closure.ended_by}
             </span>

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { post, serverNow } from "../api";
-import { choosing, previewed } from "../closed";
+import { choosing, placed, previewed } from "../closed";
 import { clock, span } from "../shows";
 import { closureList, controller, layout, tick } from "../store";
 import { said, t, tell } from "../texts";
@@ -47,7 +47,7 @@ function Line({ closure }: { closure: Closure }) {
     <li data-closure={closure.id}>
       <span class={`sign ${closure.state === "draining" ? "wait" : ""}`}>{closure.state === "draining" ? "…" : "✕"}</span>
       <span>
-        <b>{closure.place}</b> · {said(closure.state)} · {said(closure.purpose)}: {closure.reason}
+        <b>{placed(closure.place)}</b> · {said(closure.state)} · {said(closure.purpose)}: {closure.reason}
       </span>
       <p class="remedy">
         {closure.owner} · {t("since", clock(closure.since))}
@@ -223,7 +223,7 @@ function Effects({ preview }: { preview: ClosurePreview }) {
     );
   return (
     <div class="note stack" data-preview>
-      <b>{preview.place}</b>
+      <b>{placed(preview.place)}</b>
       {names(t("stations_closed"), preview.stations)}
       {names(t("cut_off"), preview.cut_off)}
       {names(t("drive_out"), preview.inside)}

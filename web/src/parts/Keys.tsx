@@ -1,6 +1,7 @@
 /** The keys that the map takes. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { inPast } from "../store";
 import { t } from "../texts";
 
 const KEYS = [
@@ -10,6 +11,11 @@ const KEYS = [
   ["0", "key_fit"],
   ["F", "key_follow"],
   ["Esc", "key_none"],
+] as const;
+const PAST_KEYS = [
+  ["K", "play"],
+  [",", "event_before"],
+  [".", "event_next"],
 ] as const;
 
 export function Keys() {
@@ -41,6 +47,21 @@ function List({ close }: { close: () => void }) {
             </div>
           ))}
         </dl>
+        {inPast.value && (
+          <>
+            <h2>{t("keys_past")}</h2>
+            <dl class="keys">
+              {PAST_KEYS.map(([key, word]) => (
+                <div key={key}>
+                  <dt>
+                    <kbd>{key}</kbd>
+                  </dt>
+                  <dd>{t(word)}</dd>
+                </div>
+              ))}
+            </dl>
+          </>
+        )}
         <button type="submit">{t("close")}</button>
       </form>
     </dialog>

@@ -125,8 +125,9 @@ function Stage({ after }: { after: (number: number) => void }) {
 function Detail({ version, active, after }: { version: Version; active: Version | null; after: () => void }) {
   const path = `/layout/versions/${version.number}`;
   const runs = version.state === "active";
-  const change = useRead<Difference>(runs ? null : `${path}/diff`, active?.number);
-  const impact = useRead<Impact>(runs ? null : `${path}/impact`, active?.number, Math.floor(tick.value / EVERY));
+  const compared = !runs && !version.pruned;
+  const change = useRead<Difference>(compared ? `${path}/diff` : null, active?.number);
+  const impact = useRead<Impact>(compared ? `${path}/impact` : null, active?.number, Math.floor(tick.value / EVERY));
   const asking = useAsking();
   const activate = (wait: boolean) => async (reason: string) => {
     await post(`${path}/activate`, { reason, wait, instead_of: active?.number ?? null });
@@ -153,16 +154,20 @@ function Detail({ version, active, after }: { version: Version; active: Version 
         {version.actor} · {moment(version.at)} · {version.reason}
       </p>
       {version.note && <p class="note held">{tell(version.note)}</p>}
-      <div class="acts-row">
-        <button type="button" onClick={() => void asking.ask(() => download(`${path}/file`, `${layout.value?.name ?? "plant"}-${version.number}.yaml`), "")}>
-          {t("save_file")}
-        </button>
-      </div>
+      {version.pruned && <p class="note">{t("text_not_kept")}</p>}
+      {version.state === "awaited" && <p class="note">{t("jobs_refused_meanwhile")}</p>}
+      {!version.pruned && (
+        <div class="acts-row">
+          <button type="button" onClick={() => void asking.ask(() => download(`${path}/file`, `${layout.value?.name ?? "plant"}-${version.number}.yaml`), "")}>
+            {t("save_file")}
+          </button>
+        </div>
+      )}
       <Told asking={asking} />
       {open && <Reasoned decisions={version.state === "staged" ? [...decisions, rejecting] : decisions} />}
       {version.state === "awaited" && <Reasoned decisions={[rejecting]} />}
-      {!runs && <Weighed impact={impact.value} error={impact.error} />}
-      {!runs && <Changes difference={change.value} error={change.error} />}
+      {compared && <Weighed impact={impact.value} error={impact.error} />}
+      {compared && <Changes difference={change.value} error={change.error} />}
     </section>
   );
 }

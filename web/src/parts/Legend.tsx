@@ -70,7 +70,7 @@ export function Legend() {
       )}
       {heatShown.value && (
         <span class="heat-key">
-          {t("little")}
+          {t(heatShown.value === "waiting" ? "heat_waiting" : "heat_traffic")}: {t("little")}
           {[1, 2, 3, 4, 5, 6].map((step) => (
             <i key={step} style={{ background: `var(--heat-${step})` }} />
           ))}

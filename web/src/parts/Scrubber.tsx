@@ -149,7 +149,7 @@ function Line() {
       />
       <div class="ends" aria-hidden="true">
         <span>{dated(from)}</span>
-        <span class="here" style={{ left: share(told.value) }}>
+        <span class="here" style={{ left: `clamp(2.4em, ${share(told.value)}, calc(100% - 2.4em))` }}>
           {clock(iso(told.value))}
         </span>
         <span>{dated(to)}</span>

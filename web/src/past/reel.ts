@@ -52,6 +52,8 @@ export interface Screen {
   change(change: Change): void;
 }
 
+/** A whole state is shown on the way at most so often, s. */
+const ANEW = 55;
 /** So many changes are kept before those that are furthest back go. */
 const MOST = 250_000;
 
@@ -63,6 +65,8 @@ export class Reel {
   private within = 0;
   /** What is shown; NaN: nothing yet. */
   private now = Number.NaN;
+  /** Of when the last whole state that was shown is. */
+  private wholeAt = Number.NEGATIVE_INFINITY;
   /** All that happened before this moment is here, s. */
   until = Number.NEGATIVE_INFINITY;
 
@@ -70,6 +74,7 @@ export class Reel {
     this.pieces = [];
     this.count = this.index = this.within = 0;
     this.now = Number.NaN;
+    this.wholeAt = Number.NEGATIVE_INFINITY;
     this.until = Number.NEGATIVE_INFINITY;
   }
 
@@ -110,6 +115,7 @@ export class Reel {
     const own = new Set<object>();
     this.index = from;
     this.within = 0;
+    this.wholeAt = Number.NEGATIVE_INFINITY;
     const into: Screen = {
       whole: () => undefined,
       change: ([, topic, key, value]) => {
@@ -131,7 +137,11 @@ export class Reel {
     for (let piece = this.pieces[this.index]; piece; piece = this.pieces[this.index]) {
       if (piece.state) {
         if (piece.begin > at && this.index > 0) return;
-        screen.whole(piece.state);
+        // It is what the changes before it led to, unless some were lost: showing it costs more than it is worth.
+        if (this.index === 0 || piece.begin - this.wholeAt >= ANEW) {
+          this.wholeAt = piece.begin;
+          screen.whole(piece.state);
+        }
       } else {
         const changes = piece.changes ?? [];
         for (; this.within < changes.length; this.within++) {

@@ -35,7 +35,12 @@ const BLANK: Vehicle = {
 };
 const GONE = { ...LINK, up: false };
 
-/** A vehicle as it was recorded, or one that was shown with what has changed of it. */
+/** A vehicle as it was recorded. */
 export function ofThen(id: string, now: Record<string, unknown>): Vehicle {
   return { ...BLANK, ...now, id, link: now["activity"] === "absent" ? GONE : LINK };
+}
+
+/** One that was shown, with what has changed of it: made many thousand times a second. */
+export function changedOf(before: Vehicle, now: Record<string, unknown>): Vehicle {
+  return { ...before, ...now, link: (now["activity"] ?? before.activity) === "absent" ? GONE : LINK };
 }

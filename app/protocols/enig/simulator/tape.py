@@ -37,10 +37,19 @@ class Tape:
         chargers: Iterable[Barcode] | None = None,
         turns: Mapping[Turn, Steering] | None = None,
     ) -> None:
+        self._turns = dict(turns or {})
+        self.lay(edges, places, chargers)
+
+    def lay(
+        self,
+        edges: Iterable[Edge],
+        places: Mapping[str, Barcode] | None = None,
+        chargers: Iterable[Barcode] | None = None,
+    ) -> None:
+        """Lay the tape, instead of what there was. Who drives ends the way that was begun, and then finds the new tape."""
         self.places = dict(places or {})
         named = [tag for name, tag in self.places.items() if name in ("C1", "C2", "C3", "C4")]
         self.chargers = tuple(named if chargers is None else chargers)
-        self._turns = dict(turns or {})
         self._ahead: dict[Barcode, dict[Barcode, Edge]] = {}
         self._behind: dict[Barcode, dict[Barcode, Edge]] = {}
         for edge in edges:

@@ -12,6 +12,10 @@ class Track:
     __slots__ = ("_ahead",)
 
     def __init__(self, edges: Iterable[Edge]) -> None:
+        self.lay(edges)
+
+    def lay(self, edges: Iterable[Edge]) -> None:
+        """Lay the rail, instead of what there was. Who drives ends the way that was begun, and then finds the new rail."""
         self._ahead: dict[Barcode, dict[Barcode, Edge]] = {}
         for edge in edges:
             self._ahead.setdefault(edge.start, {})[edge.end] = edge
