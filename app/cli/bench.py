@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 FULL = 0.5
 """Share of the ports that have a carrier at first. Our choice."""
 
+CARRIED = 0.048
+"""Vehicles per barcode that are on their way in a generated fab at any time, by runs of the fast plant (docs/traffic.md)."""
+
 commands = typer.Typer(help="Measure this program on this machine.", no_args_is_help=True)
 
 
@@ -186,7 +189,19 @@ def _plant(file: Path | None, vehicles: int, seed: int) -> Plant:
         from app.cli.running import plant_of
 
         return plant_of(file)
-    return generated(vehicles, seed)
+    return kept_back(generated(vehicles, seed))
+
+
+def kept_back(plant: Plant) -> Plant:
+    """Return the plant with the rules that its operator would set if its fleet is larger than its track carries."""
+    from dataclasses import replace
+
+    from app.domain.layout import IdleRules
+    from app.domain.units import Seconds
+
+    if len(plant.vehicles) <= CARRIED * len(plant.points):
+        return plant
+    return replace(plant, restrain=True, idle=IdleRules(park=True, after=Seconds(5.0), farthest=Seconds(240.0)))
 
 
 def generated(vehicles: int, seed: int) -> Plant:

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Iterator
 
-from app.cli.bench import generated
+from app.cli.bench import generated, kept_back
 from app.cli.hoists.report import missed
 from app.cli.hoists.run import Asked, measure
 from tests.bench.measuring import Row, compiled
@@ -15,7 +15,7 @@ ASKED = Asked(seconds=20.0, settle=30.0, processes=1, first_port=22_001, jobs=HO
 
 def rows() -> Iterator[Row]:
     """Measure under load; the floor receives and acknowledges as many packets in C."""
-    found = asyncio.run(measure(generated(HOISTS, 1), ASKED))
+    found = asyncio.run(measure(kept_back(generated(HOISTS, 1)), ASKED))
     packets = found.controller["lines"]["frames_in"] / found.seconds / HOISTS
     floor = packets * cpu_per_packet([compiled("floor")], Load())
     yield Row(

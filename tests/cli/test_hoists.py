@@ -1,8 +1,9 @@
 """``hoistway bench hoists``: what its parts make of what they see."""
 
 import types
+from dataclasses import replace
 
-from app.cli.bench import generated
+from app.cli.bench import generated, kept_back
 from app.cli.hoists.report import missed, report
 from app.cli.hoists.run import Found
 from app.cli.hoists.sampling import LOOP, Sampler
@@ -21,7 +22,7 @@ def found(**lines: float) -> Found:
         "waited": 2.5,
         "lines": usual | lines,
     }
-    floors = ({"user": 1.0, "kernel": 1.0, "rss": 50.0},)
+    floors = ({"user": 1.0, "kernel": 1.0, "rss": 50.0, "late": {"p50": 0.2, "p99": 3.0, "max": 9.0}},)
     return Found(100, 10.0, controller, floors, 20, 0, 0, 0, {"move done": 5, "xmove settled_not_done": 1})
 
 
@@ -35,6 +36,7 @@ def test_the_report_gives_cpu_by_part_and_for_each_vehicle() -> None:
     assert "20 delivered (7,200 an hour)" in text
     assert "4000 µs a vehicle and second" in text
     assert "plant         20.0 % of a processor" in text
+    assert "plant late    p50 0.2 ms, p99 3.0 ms, max 9.0 ms" in text
     assert "had no processor for 25.0 % of the time" in text
     assert "without the waiting for a processor p50 0.1 ms, p99 0.5 ms, max 0.9 ms" in text
 
@@ -50,3 +52,9 @@ def test_a_small_fab_has_its_hoists_on_the_track() -> None:
     plant = generated(20, 1)
     assert len(plant.hoists) == 20
     assert len(plant.carriers) * 2 in range(len(plant.stations) // 2, len(plant.stations) + 2)
+
+
+def test_a_generated_fleet_that_its_track_does_not_carry_is_kept_back_and_parks() -> None:
+    many, few = generated(60, 1), replace(generated(60, 1), vehicles=generated(60, 1).vehicles[:10])
+    assert (kept_back(many).restrain, kept_back(many).idle.park) == (True, True)
+    assert kept_back(few) == few
