@@ -238,4 +238,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    # What is started where Ctrl-C is ignored, as a job in the background of a script is, would ignore it for ever.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     sys.exit(main())
