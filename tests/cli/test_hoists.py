@@ -4,6 +4,7 @@ import types
 from dataclasses import replace
 
 from app.cli.bench import generated, kept_back
+from app.cli.hoists.load import nameless
 from app.cli.hoists.report import missed, report
 from app.cli.hoists.run import Found
 from app.cli.hoists.sampling import LOOP, Sampler
@@ -23,7 +24,9 @@ def found(**lines: float) -> Found:
         "lines": usual | lines,
     }
     floors = ({"user": 1.0, "kernel": 1.0, "rss": 50.0, "late": {"p50": 0.2, "p99": 3.0, "max": 9.0}},)
-    return Found(100, 10.0, controller, floors, 20, 0, 0, 0, {"move done": 5, "xmove settled_not_done": 1})
+    return Found(
+        100, 10.0, controller, floors, 20, 0, 0, 0, {"move done": 5, "xmove settled_not_done": 1}, {"a circle": 3}
+    )
 
 
 def test_lost_polls_and_commands_without_an_answer_are_missed_deadlines() -> None:
@@ -36,6 +39,7 @@ def test_the_report_gives_cpu_by_part_and_for_each_vehicle() -> None:
     assert "20 delivered (7,200 an hour)" in text
     assert "4000 µs a vehicle and second" in text
     assert "plant         20.0 % of a processor" in text
+    assert "alarm       3 times: a circle" in text
     assert "plant late    p50 0.2 ms, p99 3.0 ms, max 9.0 ms" in text
     assert "had no processor for 25.0 % of the time" in text
     assert "without the waiting for a processor p50 0.1 ms, p99 0.5 ms, max 0.9 ms" in text
@@ -58,3 +62,9 @@ def test_a_generated_fleet_that_its_track_does_not_carry_is_kept_back_and_parks(
     many, few = generated(60, 1), replace(generated(60, 1), vehicles=generated(60, 1).vehicles[:10])
     assert (kept_back(many).restrain, kept_back(many).idle.park) == (True, True)
     assert kept_back(few) == few
+
+
+def test_alarms_of_one_kind_are_counted_together_whoever_is_named() -> None:
+    first, second = "V0001 and V0002 wait for each other at 101, 102", "V0013, V0500 and V0002 wait for each other at 7"
+    assert nameless(first) == nameless("V0009 and V0010 wait for each other at 1, 2")
+    assert "wait for each other" in nameless(second)

@@ -1,6 +1,7 @@
 """The host of the measurement: as many open jobs as it is told, over REST, following the durable events."""
 
 import asyncio
+import re
 from collections import defaultdict
 from random import Random
 
@@ -28,6 +29,8 @@ class Load:
         self.failed = 0
         self.noted: dict[str, int] = defaultdict(int)
         """How often each event came."""
+        self.alarms: defaultdict[str, int] = defaultdict(int)
+        """How often each alarm came, without the names and numbers in it."""
         self._open = open_jobs
         self._rng = Random(seed)
         # The server closes lines that are idle for 5 s: an order must not cross with that.
@@ -70,6 +73,8 @@ class Load:
         self._seen = int(str(event["seq"]))
         name = str(event["event"])
         self.noted[name] += 1
+        if name == "AlarmSet":
+            self.alarms[nameless(str(event.get("detail") or event.get("source") or ""))] += 1
         ended = self._jobs.pop(str(event["job"]), None) if name in ENDS else None
         if ended is None:
             return
@@ -104,6 +109,12 @@ class Load:
         if answer.status_code == 201:
             self._jobs[str(answer.json()["id"])] = (source, destination, carrier)
             del self._at[source]
+
+
+def nameless(sentence: str) -> str:
+    """Return a sentence with every word that has a digit left out, and shortened: so alarms of one kind are the same."""
+    words = re.sub(r"\S*\d\S*", "…", sentence)
+    return re.sub(r"(…\W*)+", "… ", words)[:80].strip()
 
 
 def _connected(plant: Plant) -> list[list[StationId]]:

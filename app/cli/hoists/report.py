@@ -4,6 +4,9 @@ from collections.abc import Iterator, Mapping
 
 from app.cli.hoists.run import Found
 
+ALARMS = 5
+"""So many kinds of alarms are named, the most frequent."""
+
 
 def report(found: Found) -> Iterator[str]:
     """Give the lines of the report."""
@@ -11,6 +14,8 @@ def report(found: Found) -> Iterator[str]:
     yield f"{found.vehicles:,} hoists, {seconds:.0f} s"
     yield f"jobs          {found.completed:,} delivered ({found.completed / seconds * 3600:,.0f} an hour), {found.failed} failed"
     yield f"missed        {_missed(found)}"
+    for alarm, count in sorted(found.said.items(), key=lambda one: -one[1])[:ALARMS]:
+        yield f"  alarm       {count:,} times: {alarm}"
     yield f"loop late     {_spread(controller['late'])}; without the waiting for a processor {_spread(controller['late_own'])}"
     yield f"machine       the loop was ready and had no processor for {_share(controller['waited'], seconds)} of the time"
     came, left = (controller["lines"][name] / seconds for name in ("frames_in", "frames_out"))

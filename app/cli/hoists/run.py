@@ -45,6 +45,8 @@ class Found:
     alarms: int
     held: int
     commands: Mapping[str, int]
+    said: Mapping[str, int]
+    """How often each kind of alarm came."""
 
     @property
     def per_vehicle_second(self) -> float:
@@ -131,7 +133,7 @@ async def _measured(
     sent = _commands(database)
     for child in (main, *floors):
         await child.ask("begin")
-    before, failed, noted = load.completed, load.failed, dict(load.noted)
+    before, failed, noted, said = load.completed, load.failed, dict(load.noted), dict(load.alarms)
     await _while(ordering, asked.seconds)
     commands = {name: count - sent.get(name, 0) for name, count in _commands(database).items()}
     figures = await main.ask("end")
@@ -145,6 +147,7 @@ async def _measured(
         alarms=load.noted.get("AlarmSet", 0) - noted.get("AlarmSet", 0),
         held=load.noted.get("VehicleHeld", 0) - noted.get("VehicleHeld", 0),
         commands=commands,
+        said={alarm: more for alarm, count in load.alarms.items() if (more := count - said.get(alarm, 0))},
     )
 
 
