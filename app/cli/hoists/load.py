@@ -112,8 +112,8 @@ class Load:
 
 
 def nameless(sentence: str) -> str:
-    """Return a sentence with every word that has a digit left out, and shortened: so alarms of one kind are the same."""
-    words = re.sub(r"\S*\d\S*", "…", sentence)
+    """Return a sentence up to its details, every word with a digit left out: so alarms of one kind are the same."""
+    words = re.sub(r"\S*\d\S*", "…", sentence.partition(" (")[0])
     return re.sub(r"(…\W*)+", "… ", words)[:80].strip()
 
 
