@@ -8,7 +8,7 @@ import socket
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 from structlog.typing import FilteringBoundLogger
 
@@ -28,9 +28,6 @@ from app.store.lease import Lease
 from app.store.opening import held
 from app.store.standing import standing
 from app.store.versions import VersionStore
-
-if TYPE_CHECKING:
-    pass
 
 LOOK_EVERY = 1.0
 """Seconds between two looks whether a version that is waited for fits by now. Our choice."""

@@ -362,15 +362,13 @@ class Motion:
         spec, track, since = vehicle.spec, self._books.track, drive.read or drive.acknowledged
         if since is None or len(ending) < 2:
             return True
-        edges = [track.edge(start, end) for start, end in pairwise(ending)]
-        limit, left = edge_speed(edges[0], spec), track.distance(ending)
-        speed = min(limit, sqrt(2 * spec.acceleration * drive.driven))
-        if self._books.now + HEARING < since + time_to_braking(
-            speed, left, max(edge_speed(e, spec) for e in edges), spec
-        ):
+        first, left = track.edge(*ending[:2]).length, track.distance(ending)
+        limits = [edge_speed(track.edge(start, end), spec) for start, end in pairwise(ending)]
+        speed = min(limits[0], sqrt(2 * spec.acceleration * drive.driven))
+        if self._books.now + HEARING < since + time_to_braking(speed, left, max(limits), spec):
             return False
-        at_next = min(limit, sqrt(2 * spec.acceleration * (drive.driven + edges[0].length)))
-        return left - edges[0].length < braking_distance(at_next, spec)
+        at_next = min(limits[0], sqrt(2 * spec.acceleration * (drive.driven + first)))
+        return left - first < braking_distance(at_next, spec)
 
     # -- what became of it --------------------------------------------------------------------------------------------
 

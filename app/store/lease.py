@@ -4,6 +4,7 @@ import fcntl
 import math
 import os
 import struct
+import sys
 from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
@@ -93,8 +94,9 @@ class FileLease:
             ) from cause
         os.ftruncate(self._fd, 0)
         os.pwrite(self._fd, f"{holder}, for plant {plant}, since {_when(since)}\n".encode(), 0)
-        with suppress(OSError):  # a file system without them: nobody sees the holder, but it holds
-            fcntl.fcntl(self._fd, fcntl.F_OFD_SETLK, _WHOLE)
+        if sys.platform == "linux":
+            with suppress(OSError):  # a file system without them: nobody sees the holder, but it holds
+                fcntl.fcntl(self._fd, fcntl.F_OFD_SETLK, _WHOLE)
 
     def verify(self, connection: sa.Connection) -> None:
         """Look whether the file is still the one that was locked: removed, it no longer keeps others out."""
@@ -113,7 +115,12 @@ class FileLease:
 
 
 def holder_of(database: Path) -> str | None:
-    """Return who has locked a database, if anybody has. It takes no lock: a controller that starts just now is not disturbed."""
+    """Return who has locked a database, as far as can be seen: on Linux, and where the file system has such locks.
+
+    It takes no lock: a controller that starts just now is not disturbed.
+    """
+    if sys.platform != "linux":
+        return None
     try:
         descriptor = os.open(f"{database}.lock", os.O_RDONLY | os.O_CLOEXEC)
     except FileNotFoundError:
@@ -123,6 +130,8 @@ def holder_of(database: Path) -> str | None:
         if found == fcntl.F_UNLCK:
             return None
         return os.pread(descriptor, 1000, 0).decode(errors="replace").strip() or UNNAMED
+    except OSError:
+        return None
     finally:
         os.close(descriptor)
 

@@ -148,10 +148,15 @@ def test_a_full_disk_is_wrong_before_it_is_full(tmp_path: Path, monkeypatch: pyt
 
 
 def test_people_read_a_line_for_each_and_a_remedy_once(tmp_path: Path) -> None:
-    words = ["doctor", "--database", f"sqlite:///{tmp_path}/plant.db", "--plant", "plants/demo.yaml", "--port", "0"]
+    with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as other:
+        ports = [server.getsockname()[1] for server in (one, other)]
+    second = f'  V2: {{dev_id: 2, address: "127.0.0.1:{ports[1]}", start: 2, length: 500}}\n'
+    plant = str(a_plant(tmp_path, ports[0], second))
+    words = ["doctor", "--database", f"sqlite:///{tmp_path}/plant.db", "--plant", plant, "--port", "0"]
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 0
-    assert "vehicle V001: 127.0.0.1:17001" in result.stdout
+    for name, port in zip(("V1", "V2"), ports, strict=True):
+        assert f"vehicle {name}: 127.0.0.1:{port}" in result.stdout
     assert result.stdout.count("Does its controller program run?") == 1
     assert "0 wrong" in result.stdout
 

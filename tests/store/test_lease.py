@@ -203,3 +203,23 @@ class TestLeaseByDeadline:
         for thread in threads:
             thread.join()
         assert (len(opened), len(refused)) == (1, 1)
+
+
+@pytest.mark.parametrize("without", ["a system other than Linux", "locks that can be asked about"])
+def test_where_nobody_can_see_the_holder_the_lock_keeps_others_out_all_the_same(
+    without: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(*_: object) -> None:
+        raise OSError(22, "Invalid argument")
+
+    if without.startswith("a system"):
+        monkeypatch.setattr("sys.platform", "darwin")
+        monkeypatch.delattr("fcntl.F_OFD_SETLK")
+        monkeypatch.delattr("fcntl.F_OFD_GETLK")
+    else:
+        monkeypatch.setattr("fcntl.fcntl", refused)
+    held = lease.FileLease(tmp_path / "plant.db", "P1", "server A", Timestamp(0.0))
+    assert lease.holder_of(tmp_path / "plant.db") is None
+    with pytest.raises(PlantHeld, match="held by server A"):
+        lease.FileLease(tmp_path / "plant.db", "P1", "server B", Timestamp(0.0))
+    held.release()
