@@ -20,10 +20,10 @@ test: $(READY)  ## all tests, on all cores, the long ones first (tests/ordering.
 	$(BIN)/pytest -n auto
 
 campaign: $(READY)  ## hundreds of runs in which everything goes wrong, and known mistakes that must be noticed
-	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls && $(BIN)/python -m tests.acceptance.power --cuts 1000 && $(BIN)/pytest -n auto -m campaign
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 0-299 --need-all && $(BIN)/hoistway fuzz --plant plants/hall.yaml --seeds 0-99 --need-all && $(BIN)/hoistway fuzz --plant plants/demo.yaml --seeds 0-11 && $(BIN)/hoistway simulate --plant plants/demo.yaml --hours 2 && $(BIN)/python -m tests.acceptance.calls --seed 1 && $(BIN)/python -m tests.acceptance.power --cuts 1000 && $(BIN)/pytest -n auto -m campaign
 
 soak: $(READY)  ## the same for hours: 20,000 runs, and each known mistake on seeds that nobody chose
-	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000
+	$(BIN)/hoistway fuzz --plant plants/small.yaml --seeds 1000-20999 --need-all && $(BIN)/python -m tests.acceptance.catching --seeds 1000 && $(BIN)/python -m tests.acceptance.calls --each 50
 
 coverage: $(READY)  ## branch coverage of the pure layers; fails below 95 %
 	$(BIN)/pytest -n auto --ignore=tests/e2e --ignore=tests/web --ignore=tests/api --ignore=tests/runtime --ignore=tests/acceptance/test_campaign.py --ignore=tests/acceptance/test_mistakes.py --cov=app.domain --cov=app.wire --cov=app.protocols --cov=app.planning --cov=app.plant --cov=app.fleet --cov=app.control --cov=app.store --cov-branch --cov-report=term:skip-covered --cov-fail-under=95

@@ -38,7 +38,7 @@ class MachineKeyIn(Strict):
 
     name: Name
     roles: Roles
-    days: Annotated[float | None, Field(gt=0, le=3660, allow_inf_nan=False, strict=False)] = None
+    days: Annotated[float | None, Field(gt=0, le=3660, allow_inf_nan=False)] = None
 
 
 def fitting(password: str, name: str, field: str = "password") -> None:

@@ -16,19 +16,22 @@ from app.fleet.motion import Motion
 from app.fleet.vehicle import VehicleNow
 
 AGE = Seconds(5.0)
-"""Circles are sought, at most once a second, while a vehicle has waited so long for another (our choice)."""
+"""Who has stood and waited so long may be in a circle, and one that has not been there for so long is over (our choice).
+
+In a ring full of traffic each waits for the next, and all drive on."""
 WAYS = 8
 """So many of the quickest ways of a vehicle are tried (our choice)."""
 IN_A_CIRCLE = "wait for each other in a circle"
 """What the alarm says, by which it is told from a vehicle's own."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Circle:
-    """A circle that was told: its vehicles, and the alarm in words."""
+    """A circle that was told: its vehicles, the alarm in words, and when some of them were last in a circle."""
 
     vehicles: tuple[VehicleId, ...]
     detail: str
+    seen: Seconds
 
 
 class Circles:
@@ -40,27 +43,29 @@ class Circles:
         self._known: list[Circle] = []
 
     def look(self) -> None:
-        """Seek circles if a vehicle waits long, or one is known; tell and resolve them."""
-        if not self._known and not self._long():
-            return
+        """Seek circles of vehicles that all stand and wait long; tell and resolve them."""
         books = self._books
-        cycles = [c for c in books.traffic.cycles() if not all(books.vehicles[name].is_agv for name in c)]
-        for circle in list(self._known):
-            if not any(set(circle.vehicles) & set(cycle) for cycle in cycles):
-                self._known.remove(circle)
-                self._count(JobEvent.ALARM_CLEARED, circle)
+        cycles = [c for c in self._stuck() if not all(books.vehicles[name].is_agv for name in c)]
         for cycle in cycles:
-            if not any(set(circle.vehicles) & set(cycle) for circle in self._known):
-                circle = Circle(cycle, self._words(cycle))
+            shared = [circle for circle in self._known if not set(circle.vehicles).isdisjoint(cycle)]
+            for circle in shared:
+                circle.seen = books.now
+            if not shared:
+                circle = Circle(cycle, self._words(cycle), books.now)
                 self._known.append(circle)
                 self._count(JobEvent.ALARM_SET, circle)
             self._resolve([books.vehicles[name] for name in cycle])
+        for circle in [circle for circle in self._known if books.now - circle.seen >= AGE]:
+            self._known.remove(circle)
+            self._count(JobEvent.ALARM_CLEARED, circle)
 
-    def _long(self) -> bool:
-        """Whether any vehicle has waited for AGE for another."""
+    def _stuck(self) -> tuple[tuple[VehicleId, ...], ...]:
+        """Return the circles of vehicles that have all waited for AGE, or wait and were in one just now."""
         books = self._books
-        waiting = (books.vehicles[name] for name, blocked in books.traffic.blocked.items() if blocked.by)
-        return any(vehicle.waiting and books.now - vehicle.waiting_since >= AGE for vehicle in waiting)
+        refused = [books.vehicles[name] for name in books.traffic.blocked]
+        told = {name for circle in self._known for name in circle.vehicles}
+        going = {v.id for v in refused if not v.waiting or (books.now - v.waiting_since < AGE and v.id not in told)}
+        return books.traffic.cycles(going) if len(going) < len(refused) else ()
 
     def _words(self, cycle: tuple[VehicleId, ...]) -> str:
         waits = "; ".join(self._books.vehicles[name].waiting or f"{name} waits" for name in cycle)

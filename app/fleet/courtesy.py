@@ -126,7 +126,8 @@ class Courtesy:
         books = self._books
         if not vehicle.is_agv:
             return
-        circle = next((c for c in books.traffic.cycles() if vehicle.id in c), ())
+        going = {name for name in books.traffic.blocked if books.vehicles[name].drive is not None}
+        circle = next((c for c in books.traffic.cycles(going) if vehicle.id in c), ())
         tied = [books.vehicles[name] for name in circle]
         if any(v.errand and v.errand.purpose is Purpose.BACK_OUT for v in tied):
             return

@@ -315,14 +315,15 @@ class Traffic:
                 found.update(self._blocked_zone.get(zone.id, {}))
         return (dict.fromkeys(sorted(found, key=self._turn.__getitem__)) if len(found) > 1 else found).keys()
 
-    def cycles(self) -> tuple[tuple[VehicleId, ...], ...]:
+    def cycles(self, going: AbstractSet[VehicleId] = frozenset()) -> tuple[tuple[VehicleId, ...], ...]:
         """Return the deadlocks: vehicles each of which waits for the next, and the last for the first.
 
         Judged by what stands against each waiting vehicle now. A vehicle that waits for room in a zone is locked only if
-        everyone in the zone is; one that waits for an opening or for a longer claim of its own is not. Where cycles
-        share vehicles, one is given. Each starts with its smallest id.
+        everyone in the zone is; one that waits for an opening or for a longer claim of its own is not, nor one of those
+        ``going``: whoever still drives gives back track, though it was refused more. Where cycles share vehicles, one is
+        given. Each starts with its smallest id.
         """
-        needs = {v: groups for v, b in self._blocked.items() if (groups := self._needs(v, b))}
+        needs = {v: groups for v, b in self._blocked.items() if v not in going and (groups := self._needs(v, b))}
         return deadlocks(needs)
 
     def snapshot(self) -> TrafficView:

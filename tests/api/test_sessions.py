@@ -346,6 +346,8 @@ async def test_where_access_is_required_nobody_gets_in_before_there_is_somebody(
         ("/users", LEE | {"password": "aaaaaaaaaaaa"}, "password"),
         ("/keys", {"name": "x" * 33, "roles": ["mes"]}, "name"),
         ("/keys", {"name": "mes", "roles": ["mes"], "days": 0}, "days"),
+        ("/keys", {"name": "mes", "roles": ["mes"], "days": True}, "days"),
+        ("/keys", {"name": "mes", "roles": ["mes"], "days": "3"}, "days"),
         ("/session", {"name": "kim"}, "password"),
     ],
 )

@@ -1,5 +1,7 @@
 """Circles of hoists that wait for each other are told, counted, and resolved where there is another way."""
 
+from math import cos, sin, tau
+
 from app.domain.ids import Actor, VehicleId
 from app.domain.requests import MoveVehicle, ReleaseVehicle, Verdict
 from app.domain.units import Barcode
@@ -46,8 +48,35 @@ def knot(*, branch: bool) -> Script:
     return script
 
 
+def train(hoists: int) -> str:
+    """A ring with a siding, a train of hoists all round it, and two more elsewhere, of which one waits for the other."""
+    ring = "\n".join(
+        f"  {100 + i}: [{round(9000 * cos(tau * i / 40))}, {round(9000 * sin(tau * i / 40))}]" for i in range(40)
+    )
+    starts = [f"V{i:03d}: {{dev_id: {i}, start: {100 + 4 * (i - 1)}}}" for i in range(1, hoists + 1)]
+    starts += ["V091: {dev_id: 91, start: 301}", "V092: {dev_id: 92, start: 304}"]
+    vehicles = "\n".join(f"  {start[:-1]}, address: '127.0.0.1:{17101 + i}'}}" for i, start in enumerate(starts))
+    return f"""
+name: train
+barcodes:
+{ring}
+  201..203: {{from: [12000, 0], to: [12000, 4000]}}
+  301..306: {{from: [20000, 0], to: [20000, 9000]}}
+track:
+  - {{through: [{", ".join(str(100 + i) for i in range(40))}, 100]}}
+  - {{through: [100, 201], length: 3000}}
+  - {{through: [201, 202, 203]}}
+  - {{through: [203, 110], length: 9000}}
+  - {{through: [301, 302, 303, 304, 305, 306]}}
+  - {{through: [306, 301], length: 9000}}
+vehicle_defaults: {{length: 1100, max_count: 100, max_speed: 3000, curve_speed: 1000}}
+vehicles:
+{vehicles}
+"""
+
+
 def controller(script: Script) -> ControllerView:
-    view = script.model[Topic.CONTROLLER]["knot"]
+    view = script.model[Topic.CONTROLLER][script.plant.name]
     assert isinstance(view, ControllerView)
     return view
 
@@ -88,3 +117,20 @@ def test_a_person_who_takes_one_off_the_rail_ends_the_circle() -> None:
     script.run(10)
     view = controller(script)
     assert (view.circles, view.circles_found, view.circles_resolved) == ((), 1, 1)
+
+
+def test_a_train_all_round_a_ring_is_no_circle_though_each_waits_for_the_next_while_it_drives() -> None:
+    plant, _ = read(train(9), "train.yaml")
+    script = Script(plant).obey()
+    script.toys[VehicleId("V092")].cut()
+    script.accept(MoveVehicle(KIM, VehicleId("V091"), Barcode("305")))
+    script.run(10)
+    assert script.fleet.books.vehicles[VehicleId("V091")].waiting
+    for i in range(1, 10):
+        script.accept(MoveVehicle(KIM, VehicleId(f"V{i:03d}"), Barcode(str(100 + (4 * (i - 1) + 38) % 40))))
+    nose_to_tail = False
+    for _ in range(60):
+        script.run(1)
+        nose_to_tail |= bool(script.fleet.books.traffic.cycles())
+    assert nose_to_tail
+    assert controller(script).circles_found == 0
