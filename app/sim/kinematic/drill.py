@@ -113,6 +113,7 @@ class Drill:
         self.fab.shut = {int(self.fab.net.buffer[barcode]): SHUT for barcode in shut}
         self.fab.cut_off = frozenset(self._behind(shut))
         self.fab.weigh()
+        self.fab.set_aside()
         for vehicle in range(len(self.fab.state.at)):
             think_again(self.fab.state, vehicle)
 

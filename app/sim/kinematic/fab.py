@@ -19,7 +19,7 @@ from app.planning.restraint import Restraint
 from app.sim.kinematic.events import run, send_each, take_off
 from app.sim.kinematic.load import NOBODY, Ports, Transfers, Work
 from app.sim.kinematic.network import Map, Real, Whole
-from app.sim.kinematic.state import DRIVING, DWELLING, FETCHING, IDLE, STANDING, Rules, still
+from app.sim.kinematic.state import BROKEN, DRIVING, DWELLING, FETCHING, IDLE, LOADED, STANDING, Rules, still
 from app.sim.kinematic.ways import drives, free_flow, refresh, survey
 
 TICK = 1.0
@@ -221,6 +221,28 @@ class Fab:
         ways.version[0] += 1
         self._know(self.net.buffer[s.goal[s.goal >= 0]])
 
+    def set_aside(self) -> None:
+        """Let those go elsewhere that were on their way to a port which is cut off now, and those come that wait for one no more.
+
+        Who fetches has nothing to do any more, and its transfer waits. Who is loaded waits where idle ones do, out of the way,
+        as the controller does where there is no fall-back (``app.fleet.missions``): at the closure it would hold up everybody.
+        """
+        s, transfers = self.state, self.transfers
+        cut = np.zeros(len(self.net.buffer), np.bool_)
+        cut[list(self.cut_off)] = True
+        able = (self._of >= 0) & (s.doing != DWELLING) & (s.doing != BROKEN) & (s.failed == 0)
+        for vehicle in np.flatnonzero(able).tolist():
+            row, phase = int(self._of[vehicle]), int(s.phase[vehicle])
+            source, destination = transfers.ports[row].tolist()
+            if phase == FETCHING and (cut[source] or cut[destination]):
+                transfers.vehicle[row] = self._of[vehicle] = NOBODY
+                take_off(self.net, s, vehicle)
+            elif phase == LOADED and cut[destination]:
+                take_off(self.net, s, vehicle)
+            elif phase == IDLE and not cut[destination]:
+                self._know(self.net.buffer[[destination]])
+                send_each(self.net, s, self.rules, np.array([vehicle]), np.array([destination]), LOADED)
+
     def _know(self, goals: "NDArray[np.int64]") -> None:
         older = goals[self.ways.made[goals] != self.ways.version[0]]
         if len(older):
@@ -245,8 +267,8 @@ class Fab:
         self._carry_out(jobs, np.where(plan.vehicle >= 0, vehicles[plan.vehicle], NOBODY))
 
     def _free(self) -> "NDArray[np.bool_]":
-        """Return who is idle and stands behind nobody who is."""
-        idle = self.state.phase == IDLE
+        """Return who is idle, has no carrier that waits, and stands behind nobody who is."""
+        idle = (self.state.phase == IDLE) & (self._of < 0)
         before = np.asarray(self.state.lines.before)
         found: NDArray[np.bool_] = idle & ~np.append(idle, False)[before]
         return found
