@@ -92,6 +92,20 @@ async def show_span(controller: Ctl) -> Response:
     return answer_of({"from": begin, "to": end, "bytes": span.size, "incident": incident})
 
 
+@router.get("/heat", **gives("Heat"))
+async def show_heat(controller: Ctl, begin: Begin = None, end: End = None) -> Response:
+    """Show where vehicles waited and where many came by in a period (by default the last hour), by barcode.
+
+    It is counted by the five minutes: `from` and `to` in the answer say from when to when, and are null where nothing was.
+    """
+    asked = period(begin, end, controller.utc(), HOUR)
+    found = await read(_playback(controller).heat, asked.begin, asked.end)
+    if found is None:
+        return answer_of({"from": None, "to": None, "waiting": {}, "traffic": {}})
+    times = {"from": iso(Timestamp(found.begin)), "to": iso(Timestamp(found.end))}
+    return answer_of({**times, "waiting": found.waiting, "traffic": found.traffic})
+
+
 @router.get("/changes", **gives("PlaybackChange[]", description="Changes after `from` up to `to`, in order."))
 async def list_changes(
     controller: Ctl, begin: Begin = None, end: End = None, after: Place = 0, limit: Most = 5000

@@ -157,6 +157,7 @@ ROUTES: Mapping[str, Scope] = {
     "GET /history": Scope.READ,
     "GET /history/span": Scope.READ,
     "GET /history/changes": Scope.READ,
+    "GET /history/heat": Scope.READ,
     "GET /history/pieces": Scope.READ,
     "GET /history/events": Scope.READ,
     "GET /history/export": Scope.READ_AUDIT,

@@ -92,6 +92,23 @@ ROOM: Json = {
         },
         "What playback there is.",
     ),
+    "Heat": record(
+        {
+            "from": nullable(TIME),
+            "to": nullable(TIME),
+            "waiting": {
+                "type": "object",
+                "description": "Barcode to the seconds that vehicles waited there, all together.",
+                "additionalProperties": {"type": "number"},
+            },
+            "traffic": {
+                "type": "object",
+                "description": "Barcode to how many vehicles came there.",
+                "additionalProperties": WHOLE,
+            },
+        },
+        "Where vehicles waited, and where many came by.",
+    ),
     "PlaybackChange": record(
         {
             "at": TIME,

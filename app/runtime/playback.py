@@ -9,6 +9,7 @@ import msgspec
 
 from app.domain.units import Timestamp
 from app.domain.view import Topic
+from app.runtime.heat import Heat, together
 from app.runtime.recording import Change
 from app.store.playback import Piece, PlaybackReader, Span
 
@@ -102,6 +103,10 @@ class Playback:
                 taken = taken[:count]
                 break
         return taken, len(taken) < len(found)
+
+    def heat(self, begin: float, end: float) -> Heat | None:
+        """Return what was counted in a period, by the five minutes; None: nothing was."""
+        return together(Heat(**unpacked(body)) for body in self._reader.heats(begin, end))
 
     def changes(self, begin: float, end: float, after: int = 0, limit: int = 5000) -> Iterator[tuple[int, Change]]:
         """Give the changes after a moment up to another, in order, with their places; ``after`` is the last place seen."""

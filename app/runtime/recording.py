@@ -9,7 +9,7 @@ import queue
 import threading
 import zlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from operator import attrgetter
 from typing import Any
 
@@ -18,6 +18,7 @@ from structlog.typing import FilteringBoundLogger
 from app.domain.errors import StoreError
 from app.domain.units import Timestamp
 from app.domain.view import DriveView, HoldView, LockoutView, Topic, Update, VehicleView
+from app.runtime.heat import HEAT_SECONDS, KEPT_EVERY, Counts
 from app.runtime.showing import encode, shown
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
 
@@ -68,6 +69,8 @@ moment would have to read a great many of them. Our choice: a quarter more to ke
 WAITING = 30
 """So many pieces may wait for the disk; then only the newest of each object is kept. Our choice."""
 LEVEL = 1
+WAITS = "waiting"
+"""The activity of a vehicle that stands for want of track."""
 
 Change = tuple[float, str, str, Any]
 """When, topic, key, and the object; of a vehicle what has changed. None: it is gone."""
@@ -164,12 +167,15 @@ class _Writes:
         self._store, self._limits = store, limits
         self._state: dict[str, dict[str, Any]] = {}
         self._next_state = self._next_prune = 0.0
+        self._heat: Counts | None = None
+        self._next_heat = 0.0
         self._size = self._since = 0
         """Bytes of the last whole state, and of the changes since then."""
 
     def write(self, some: list[tuple[float, Update]]) -> None:
         """Keep some updates as a piece of changes, with the whole state before them if it is time."""
         begin, end = some[0][0], some[-1][0]
+        self._heat = self._heat or Counts(begin)
         made: list[Piece] = []
         whole = begin >= self._next_state or self._since > HEAVY * self._size
         if whole and self._state:
@@ -187,6 +193,16 @@ class _Writes:
         if begin >= self._next_prune:
             self._next_prune = begin + STATE_SECONDS
             self._store.prune(end - self._limits.seconds, self._limits.size)
+        self._keep_heat(self._heat, end)
+
+    def _keep_heat(self, counts: Counts, end: float) -> None:
+        """Keep what was counted, if it is time."""
+        if end < self._next_heat:
+            return
+        self._next_heat = end + KEPT_EVERY
+        self._store.keep_heat(counts.begin, end, packed(asdict(counts.until(end))))
+        if end >= counts.begin + HEAT_SECONDS:
+            counts.begin_anew(end)
 
     def _weigh(self, made: list[Piece]) -> None:
         for piece in made:
@@ -202,6 +218,10 @@ class _Writes:
     def _change(self, at: float, update: Update) -> Change | None:
         topic, key, view = update.topic.value, update.key, update.value
         of_topic = self._state.setdefault(topic, {})
+        if topic == Topic.VEHICLES and self._heat is not None:
+            barcode = view.barcode if isinstance(view, VehicleView) else None
+            waits = isinstance(view, VehicleView) and view.activity == WAITS
+            self._heat.take(key, barcode, at, waits=waits)
         if view is None:
             return (at, topic, key, None) if of_topic.pop(key, None) is not None else None
         if not isinstance(view, VehicleView):

@@ -27,6 +27,13 @@ pieces = sa.Table(
     sa.Column("body", sa.LargeBinary(), nullable=False),
 )
 sa.Index("ix_playback_kind_begin", pieces.c.kind, pieces.c.begin)
+heats = sa.Table(
+    "playback_heat",
+    metadata,
+    sa.Column("begin", UTC, primary_key=True),
+    sa.Column("end", UTC, nullable=False),
+    sa.Column("body", sa.LargeBinary(), nullable=False),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,10 +91,20 @@ class PlaybackStore:
             connection.execute(pieces.insert(), rows)
         self._size += sum(len(p.body) for p in some)
 
+    def keep_heat(self, begin: float, end: float, body: bytes) -> None:
+        """Keep what was counted since a moment, in place of what was kept of it before."""
+        with told("playback cannot be kept"), self._engine.begin() as connection:
+            connection.execute(heats.delete().where(heats.c.begin == begin))
+            connection.execute(heats.insert(), [{"begin": begin, "end": end, "body": body}])
+
     def prune(self, before: float, most: int) -> int:
-        """Delete what ended before a moment, and the oldest while all is more than so many bytes; return how many were."""
+        """Delete what ended before a moment, and the oldest while all is more than so many bytes; return how many pieces were.
+
+        What was counted on the way is small, and goes by its age alone.
+        """
         deleted = 0
         with told("old playback cannot be deleted"), self._engine.begin() as connection:
+            connection.execute(heats.delete().where(heats.c.end < before))
             deleted += connection.execute(pieces.delete().where(pieces.c.end < before)).rowcount
             if deleted:
                 self._size = self._sum(connection)
@@ -158,6 +175,12 @@ class PlaybackReader:
         c = pieces.c
         query = sa.select(pieces).where(c.kind == CHANGES, c.end >= begin, c.begin <= end, c.id >= after)
         return self._pieces(query.order_by(c.id).limit(limit))
+
+    def heats(self, begin: float, end: float) -> list[bytes]:
+        """Return what was counted in a period, and a little before and after it, in order."""
+        c = heats.c
+        query = sa.select(c.body).where(c.end > begin, c.begin < end).order_by(c.begin)
+        return [bytes(row.body) for row in self._rows(query)]
 
     def _rows(self, query: sa.Select[Any]) -> list[sa.Row[Any]]:
         with told("the playback store cannot be read"), self._engine.connect() as connection:

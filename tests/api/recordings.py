@@ -22,6 +22,7 @@ JOB = {
     "created": "2025-12-31T23:59:11.000Z",
     "ended": None,
 }
+HEAT = {"waiting": {"1003": 9.5}, "traffic": {"1002": 1, "1003": 1}}
 STATE_AT_START = {"vehicles": {"V001": {"barcode": "1001", "activity": "idle", "job": None}}}
 
 
@@ -37,5 +38,6 @@ def recorded(directory: Path) -> Playback:
     store.append([Piece(STATE, NOW - 60, NOW - 60, 1, packed(STATE_AT_START))])
     store.append([Piece(CHANGES, NOW - 50, NOW - 49, 2, packed(first))])
     store.append([Piece(CHANGES, NOW - 40, NOW - 39, 2, packed(second))])
+    store.keep_heat(NOW - 60, NOW - 30, packed({"begin": NOW - 60, "end": NOW - 30, **HEAT}))
     store.close()
     return Playback(url)

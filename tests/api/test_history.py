@@ -12,7 +12,7 @@ from app.api.application import application
 from app.runtime.incident import NoIncident, read
 from app.runtime.recorded import Recorded
 from app.settings import Settings
-from tests.api.recordings import JOB, STATE_AT_START, recorded
+from tests.api.recordings import HEAT, JOB, STATE_AT_START, recorded
 from tests.api.scripted import PLANT, Scripted
 
 pytestmark = pytest.mark.anyio
@@ -64,6 +64,16 @@ async def test_the_span_says_from_when_to_when_there_is_playback(client: httpx.A
     span = (await client.get("/history/span")).json()
     assert (span["from"], span["to"]) == ("2025-12-31T23:59:00.000Z", "2025-12-31T23:59:21.000Z")
     assert span["bytes"] > 50
+
+
+async def test_heat_is_that_of_the_period_and_says_from_when_to_when(client: httpx.AsyncClient) -> None:
+    heat = (await client.get("/history/heat")).json()
+    assert heat == {"from": "2025-12-31T23:59:00.000Z", "to": "2025-12-31T23:59:30.000Z", **HEAT}
+    before = {"from": "2025-12-31T22:00:00Z", "to": "2025-12-31T23:00:00Z"}
+    nothing = (await client.get("/history/heat", params=before)).json()
+    assert nothing == {"from": None, "to": None, "waiting": {}, "traffic": {}}
+    wrong = await client.get("/history/heat", params={"from": before["to"], "to": before["from"]})
+    assert (wrong.status_code, wrong.json()["field"]) == (422, "from")
 
 
 def pieces(body: bytes) -> tuple[list[tuple[str, object]], bool]:

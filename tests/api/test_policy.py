@@ -188,6 +188,7 @@ MAY: dict[str, str] = {
     "GET /history": ALL,
     "GET /history/span": ALL,
     "GET /history/changes": ALL,
+    "GET /history/heat": ALL,
     "GET /history/pieces": ALL,
     "GET /history/events": ALL,
     "GET /history/export": PLANT,

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -12,7 +13,7 @@ from app.runtime.incident import Incident
 from app.runtime.recorded import Recorded
 from app.runtime.recording import packed
 from app.store.playback import CHANGES, Piece, PlaybackStore
-from tests.api.recordings import STATE_AT_START, recorded
+from tests.api.recordings import HEAT, STATE_AT_START, recorded
 from tests.api.scripted import NOW, PLANT, Scripted
 from tests.web.served import Served, served
 from tools.chromium import installed
@@ -45,6 +46,23 @@ def complaints(page: Page) -> list[str]:
 def place(page: Page) -> Any:
     """Where the chosen vehicle is, by its panel."""
     return page.locator(".panel dt:text-is('Place') + dd")
+
+
+def test_heat_of_the_past_is_that_of_the_hours_before_the_moment(
+    page: Page, server: Served, complaints: list[str]
+) -> None:
+    page.goto(f"{server.url}#/playback?at={AT}15Z")
+    expect(page.locator(".past-banner")).to_contain_text("THE PAST")
+    page.get_by_role("button", name="Layers").click()
+    with page.expect_response(lambda answer: "/history/heat" in answer.url) as an_hour:
+        page.get_by_label("Traffic", exact=True).check()
+    assert an_hour.value.json()["traffic"] == HEAT["traffic"]
+    with page.expect_response(lambda answer: "/history/heat" in answer.url) as a_shift:
+        page.get_by_label("counted over").select_option("8")
+    asked = parse_qs(urlsplit(a_shift.value.url).query)
+    assert asked == {"from": ["2025-12-31T16:00:00.000Z"], "to": ["2026-01-01T00:00:00.000Z"]}
+    expect(page.locator(".heat-key")).to_contain_text("Traffic")
+    assert complaints == []
 
 
 def test_a_link_to_a_moment_shows_what_was_then_and_one_click_what_is(

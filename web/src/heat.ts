@@ -1,7 +1,10 @@
-/** Where vehicles wait, and where many come by: counted on this page since it was opened. Pure. */
+/** Where vehicles wait, and where many come by: counted on this page since it was opened, or by the server. Pure. */
 import type { Vehicle } from "./types";
 
 export type HeatKind = "waiting" | "traffic";
+
+/** Seconds waited, and vehicles that came, by barcode. */
+export type HeatCounts = Record<HeatKind, Record<string, number>>;
 
 /** A longer gap between two reports is not counted as a wait, s. */
 const GAP = 5;
@@ -10,6 +13,15 @@ export class Heat {
   /** Seconds waited, and vehicles that came, by barcode. */
   private readonly counts: Record<HeatKind, Map<string, number>> = { waiting: new Map(), traffic: new Map() };
   private readonly last = new Map<string, { barcode: string; at: number; waits: boolean }>();
+
+  /** What the server has counted. */
+  static of(given: HeatCounts): Heat {
+    const heat = new Heat();
+    for (const kind of ["waiting", "traffic"] as const) {
+      for (const [barcode, count] of Object.entries(given[kind])) heat.add(kind, barcode, count);
+    }
+    return heat;
+  }
 
   clear(): void {
     this.last.clear();

@@ -21,6 +21,9 @@ function kept(): Record<Layer, boolean> {
 export const layers = signal(kept());
 /** Which heat is shown over the track; none at first. */
 export const heatShown = signal<HeatKind | null>(null);
+/** Over how many hours it is counted; 0: since this page was opened. */
+export const heatHours = signal(1);
+export const HEAT_HOURS = [0, 1, 8, 24] as const;
 /** Whether the chosen vehicle is kept in the middle of the map. */
 export const following = signal(false);
 

@@ -3,6 +3,7 @@ import { closedWays, previewedWays } from "./closed";
 import { doorMarks } from "./doors";
 import { Glide } from "./glide";
 import { Heat } from "./heat";
+import { heatKept } from "./heats";
 import { following, heatShown, layers } from "./layers";
 import { dip, type Now, type Scene } from "./paint/ink";
 import { Labels } from "./paint/labels";
@@ -283,7 +284,7 @@ export class Painter {
     const at = this.over.begin(this.view, ms);
     const { ctx } = this.over;
     const { track: drawn } = scene;
-    if (heatShown.value) paintHeat(ctx, at, drawn, inPast.value ? this.heats.then : this.heats.now, heatShown.value);
+    if (heatShown.value) paintHeat(ctx, at, drawn, heatKept.value ?? (inPast.value ? this.heats.then : this.heats.now), heatShown.value);
     if (layers.value.closures) {
       paintClosed(ctx, at, drawn, closedWays.value.flatMap(([start, end]) => drawn.way(start, end) ?? []));
     }

@@ -15,6 +15,18 @@ export const LOOKS: Record<Look, string> = {
   gone: "var(--look-gone)",
 };
 
+/** Beside a name, for whom colours say little: each look has a sign of its own, and only who is idle has none. */
+export const SIGNS: Record<Look, string> = {
+  idle: "",
+  moving: "›",
+  waiting: "…",
+  handling: "↕",
+  charging: "↯",
+  held: "‖",
+  alarm: "!",
+  gone: "?",
+};
+
 const LOOK_OF: Record<string, Look> = {
   idle: "idle",
   moving: "moving",

@@ -55,6 +55,13 @@ describe("heat", () => {
     expect(heat.shares("traffic")).toEqual([["2", 1]]);
   });
 
+  test("of a period is as the server has counted it", () => {
+    const heat = Heat.of({ waiting: { "1": 4, "2": 1 }, traffic: { "2": 7 } });
+    expect(heat.most("waiting")).toBe(4);
+    expect(heat.shares("waiting")).toEqual([["1", 1], ["2", 0.5]]);
+    expect(heat.shares("traffic")).toEqual([["2", 1]]);
+  });
+
   test("does not count a gap in the reports as a wait", () => {
     const heat = new Heat();
     heat.take(vehicle("V1", { activity: "waiting" }), 0);

@@ -455,6 +455,13 @@ class Calls(Synchronous):
         """Show from when to when there is playback, and how large it is."""
         return cast("m.Span", self._call("GET", "/api/v1/history/span"))
 
+    def show_heat(self, *, from_: str | None = None, to: str | None = None) -> m.Heat:
+        """Show where vehicles waited and where many came by in a period (by default the last hour), by barcode. It is
+        counted by the five minutes: `from` and `to` in the answer say from when to when, and are null where nothing
+        was.
+        """
+        return cast("m.Heat", self._call("GET", "/api/v1/history/heat", params={"from": from_, "to": to}))
+
     def list_changes(self, *, from_: str | None = None, to: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.PlaybackChange]:
         """List what changed in a period (by default the last hour). Of a vehicle a change has only the fields that are
         other now.
@@ -1189,6 +1196,13 @@ class AsyncCalls(Asynchronous):
     async def show_span(self) -> m.Span:
         """Show from when to when there is playback, and how large it is."""
         return cast("m.Span", await self._call("GET", "/api/v1/history/span"))
+
+    async def show_heat(self, *, from_: str | None = None, to: str | None = None) -> m.Heat:
+        """Show where vehicles waited and where many came by in a period (by default the last hour), by barcode. It is
+        counted by the five minutes: `from` and `to` in the answer say from when to when, and are null where nothing
+        was.
+        """
+        return cast("m.Heat", await self._call("GET", "/api/v1/history/heat", params={"from": from_, "to": to}))
 
     async def list_changes(self, *, from_: str | None = None, to: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.PlaybackChange]:
         """List what changed in a period (by default the last hour). Of a vehicle a change has only the fields that are

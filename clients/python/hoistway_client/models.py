@@ -528,6 +528,17 @@ class Health(TypedDict):
     status: str
 
 
+Heat = TypedDict(
+    "Heat",
+    {
+        'from': 'str | None',
+        'to': 'str | None',
+        'waiting': 'dict[str, float]',
+        'traffic': 'dict[str, int]',
+    },
+)
+
+
 class Hold(TypedDict):
     """Why nothing is sent to a vehicle until a person decides, and what would help."""
 

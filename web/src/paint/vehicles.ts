@@ -1,5 +1,5 @@
 /** Drawing of what moves: vehicles and their names. A thousand are drawn in a few paths, one for each way to look. */
-import type { Look } from "../shows";
+import { type Look, SIGNS } from "../shows";
 import type { Spot } from "../track";
 import type { Vehicle } from "../types";
 import type { Box, View } from "../view";
@@ -149,7 +149,6 @@ const SMALL = 13;
 const NAMED = 0.014;
 /** So few vehicles have names at any scale. */
 const FEW = 60;
-const SIGNS: Partial<Record<Look, string>> = { alarm: "!", held: "‖", gone: "?", waiting: "…", charging: "↯" };
 /** Height of a vehicle's name with its ground, px. */
 const LINE = 15;
 

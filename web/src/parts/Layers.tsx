@@ -1,7 +1,7 @@
 /** Which layers the map shows. */
 import { useSignal } from "@preact/signals";
 import type { HeatKind } from "../heat";
-import { heatShown, LAYERS, layers, show } from "../layers";
+import { HEAT_HOURS, heatHours, heatShown, LAYERS, layers, show } from "../layers";
 import { t } from "../texts";
 
 const HEATS: (HeatKind | null)[] = [null, "waiting", "traffic"];
@@ -28,6 +28,18 @@ export function Layers() {
               {t(kind === null ? "heat_off" : kind === "waiting" ? "heat_waiting" : "heat_traffic")}
             </label>
           ))}
+          {heatShown.value && (
+            <label>
+              {t("heat_over")}
+              <select value={heatHours.value} onChange={(event) => (heatHours.value = Number(event.currentTarget.value))}>
+                {HEAT_HOURS.map((hours) => (
+                  <option key={hours} value={hours}>
+                    {hours ? t("heat_hours", hours) : t("heat_seen")}
+                  </option>
+                ))}
+              </select>
+            </label>
+          )}
         </div>
       )}
     </div>

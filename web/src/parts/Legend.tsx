@@ -2,11 +2,9 @@
 import { heatShown, layers } from "../layers";
 import { closedWays } from "../closed";
 import { plan } from "../plan";
-import { LOOKS, type Look } from "../shows";
+import { LOOKS, type Look, SIGNS } from "../shows";
 import { layout } from "../store";
 import { t, type Word } from "../texts";
-
-const SIGNS: Partial<Record<Look, string>> = { alarm: "!", held: "‖", gone: "?", waiting: "…", charging: "↯" };
 
 export function Legend() {
   const plant = layout.value;
@@ -18,7 +16,7 @@ export function Legend() {
       {looks.map((look) => (
         <span key={look}>
           <i class="dot" style={{ background: LOOKS[look] }} />
-          {t(`look_${look}` as Word)} {SIGNS[look] ?? ""}
+          {t(`look_${look}` as Word)} {SIGNS[look]}
         </span>
       ))}
       <span>

@@ -9,6 +9,7 @@ import { closedWays, previewedWays } from "../closed";
 import type { Found } from "../find";
 import { following, heatShown, layers } from "../layers";
 import { moment } from "../past/player";
+import * as heats from "../heats";
 import * as planned from "../plan";
 import { theme } from "../theme";
 import { Finder } from "./Finder";
@@ -69,6 +70,7 @@ export function TrackMap() {
     size.observe(box);
     const stops = [
       planned.begin(),
+      heats.begin(),
       effect(() => {
         void track.value;
         paint.load();
@@ -85,6 +87,7 @@ export function TrackMap() {
         void selected.value;
         void layers.value;
         void heatShown.value;
+        void heats.heatKept.value;
         void closedWays.value;
         void previewedWays.value;
         void planned.plan.value;

@@ -1,0 +1,77 @@
+"""Where vehicles wait, and where many come by: counted while they are recorded, kept by the five minutes for the map."""
+
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+HEAT_SECONDS = 300.0
+"""What is counted in so many seconds is kept together. Our choice: a period is exact to that."""
+KEPT_EVERY = 60.0
+"""What is counted at present is kept so often. Our choice: so much of it is lost with the process."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heat:
+    """What was counted from ``begin`` to ``end`` (UTC seconds): seconds waited, and vehicles that came, by barcode."""
+
+    begin: float
+    end: float
+    waiting: dict[str, float]
+    traffic: dict[str, int]
+
+
+class Counts:
+    """Counts from ``begin`` on. A vehicle is told of as it changes; between two changes it goes on as it was."""
+
+    def __init__(self, begin: float) -> None:
+        self.begin = begin
+        self._waiting: defaultdict[str, float] = defaultdict(float)
+        self._traffic: defaultdict[str, int] = defaultdict(int)
+        self._last: dict[str, tuple[str, bool, float]] = {}
+        """Of each vehicle: where it is, whether it waits there, and up to when that is counted."""
+
+    def take(self, vehicle: str, barcode: str | None, at: float, *, waits: bool) -> None:
+        """A vehicle is at a barcode now; None: nobody knows where."""
+        before = self._last.pop(vehicle, None)
+        if before is not None:
+            self._add(before, at)
+        if barcode is None:
+            return
+        if before is not None and before[0] != barcode:
+            self._traffic[barcode] += 1
+        self._last[vehicle] = barcode, waits, at
+
+    def until(self, end: float) -> Heat:
+        """Return what was counted up to a moment."""
+        for vehicle, last in self._last.items():
+            self._add(last, end)
+            self._last[vehicle] = last[0], last[1], max(end, last[2])
+        waiting = {barcode: round(seconds, 1) for barcode, seconds in self._waiting.items()}
+        return Heat(self.begin, end, waiting, dict(self._traffic))
+
+    def begin_anew(self, begin: float) -> None:
+        """Count from zero, with the vehicles where they are."""
+        self.begin = begin
+        self._waiting.clear()
+        self._traffic.clear()
+
+    def _add(self, last: tuple[str, bool, float], at: float) -> None:
+        barcode, waits, since = last
+        if waits and at > since:
+            self._waiting[barcode] += at - since
+
+
+def together(some: Iterable[Heat]) -> Heat | None:
+    """Return what several have counted, in their order; None: there are none."""
+    waiting: defaultdict[str, float] = defaultdict(float)
+    traffic: defaultdict[str, int] = defaultdict(int)
+    first = last = None
+    for heat in some:
+        first, last = first or heat, heat
+        for barcode, seconds in heat.waiting.items():
+            waiting[barcode] += seconds
+        for barcode, came in heat.traffic.items():
+            traffic[barcode] += came
+    if first is None or last is None:
+        return None
+    return Heat(first.begin, last.end, {b: round(s, 1) for b, s in waiting.items()}, dict(traffic))
