@@ -19,9 +19,11 @@ from typing import Literal, get_args
 Language = Literal["en", "ko"]
 Section = Literal["page", "problems", "remedies", "sayings", "events"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
-Patterns = list[tuple[re.Pattern[str], str]]
+Patterns = list[tuple[str, re.Pattern[str], str]]
+"""The longest fixed part of a sentence (which is looked for first, since it is quick), its pattern, and what it means."""
 HERE = Path(__file__).parent
 _SLOT = re.compile(r"(\{\d\})")
+_FIXED = re.compile(r"\{\d\}")
 _DEPTH = 4
 """Sentences within sentences are translated too, so deep."""
 
@@ -58,7 +60,7 @@ def _exact(language: Language) -> Mapping[str, str]:
 
 
 @lru_cache
-def _terminal_patterns(language: Language) -> list[tuple[re.Pattern[str], str]]:
+def _terminal_patterns(language: Language) -> Patterns:
     return _compiled({key: text for key, text in terminal("en").items() if _SLOT.search(text)}, terminal(language))
 
 
@@ -99,8 +101,8 @@ def _retold(sentence: str, language: Language, depth: int) -> str:
 
 
 def _matched(sentence: str, patterns: Patterns, language: Language, depth: int) -> str | None:
-    for pattern, other in patterns:
-        if match := pattern.fullmatch(sentence):
+    for fixed, pattern, other in patterns:
+        if fixed in sentence and (match := pattern.fullmatch(sentence)):
             return _filled(other, match.groupdict(), language, depth)
     return None
 
@@ -114,14 +116,17 @@ def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int
 
 
 @lru_cache
-def _patterns(language: Language) -> list[tuple[re.Pattern[str], str]]:
+def _patterns(language: Language) -> Patterns:
     return _compiled(catalogue("en")["sayings"], catalogue(language)["sayings"])
 
 
 def _compiled(english: Mapping[str, str], other: Mapping[str, str]) -> Patterns:
     """Return patterns with what they mean, those with most letters of their own first."""
     rows = sorted(english.items(), key=lambda row: -len(_SLOT.sub("", row[1])))
-    return [(re.compile(_pattern(sentence), re.DOTALL), other[key]) for key, sentence in rows]
+    return [
+        (max(_FIXED.split(sentence), key=len), re.compile(_pattern(sentence), re.DOTALL), other[key])
+        for key, sentence in rows
+    ]
 
 
 def _pattern(sentence: str) -> str:

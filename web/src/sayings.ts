@@ -1,6 +1,8 @@
 /** Sentences of the server in another language: by their patterns, since they come with names and numbers filled in. Pure. */
 
 interface Saying {
+  /** Its longest fixed part: looked for first, since that is quick. */
+  fixed: string;
   pattern: RegExp;
   other: string;
   /** Letters that are no slot: the pattern with most of them is tried first. */
@@ -18,6 +20,7 @@ export class Sayings {
   /** Two catalogues of the same keys; {0}, {1} … are slots. */
   constructor(from: Record<string, string>, to: Record<string, string>) {
     this.list = Object.entries(from).map(([key, text]) => ({
+      fixed: text.split(/\{\d\}/).reduce((longest, part) => (part.length > longest.length ? part : longest), ""),
       pattern: patternOf(text),
       other: to[key] ?? text,
       weight: text.replace(/\{\d\}/g, "").length,
@@ -36,8 +39,8 @@ export class Sayings {
   }
 
   private retold(sentence: string, depth: number): string {
-    for (const { pattern, other } of this.list) {
-      const match = pattern.exec(sentence);
+    for (const { fixed, pattern, other } of this.list) {
+      const match = sentence.includes(fixed) ? pattern.exec(sentence) : null;
       if (!match) continue;
       return other.replace(/\{(\d)\}/g, (_, slot: string) => {
         const part = match.groups?.[`s${slot}`] ?? "";
