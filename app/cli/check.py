@@ -11,6 +11,7 @@ import typer
 
 from app.cli.catalogues import with_catalogues
 from app.cli.plainly import CannotStart, text_of
+from app.cli.tongue import told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -78,9 +79,9 @@ def _show(file: Path, plant: Plant | None, findings: list[tuple[Path, Finding]])
     for where, finding in findings:
         severity = (finding.severity.value, _COLOURS[finding.severity])
         place = (f"{where}:{finding.line}:{finding.column}: ", "bold")
-        console.print(Text.assemble(place, severity, f": {finding.message}"))
+        console.print(Text.assemble(place, severity, f": {told_here(finding.message)}"))
         if finding.remedy:
-            console.print(Text(f"    {finding.remedy}", style="dim"))
+            console.print(Text(f"    {told_here(finding.remedy)}", style="dim"))
     errors = sum(finding.is_error for _, finding in findings)
     console.print(Text(f"{file}: {_counted(errors, 'error')}, {_counted(len(findings) - errors, 'warning')}"))
     if plant is not None:

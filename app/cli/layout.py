@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json as jsons
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,6 +12,7 @@ import typer
 
 from app.cli import layout_look, layout_out, layout_versions
 from app.cli.plainly import CannotStart, refuse, said, text_of
+from app.cli.tongue import told_here
 
 if TYPE_CHECKING:
     from app.plant.exchange.importing import Imported, Wishes
@@ -188,9 +189,9 @@ def _report(imported: Imported, output: Path | None, *, json: bool) -> None:
     print(imported.report.source)
     print("read: " + ", ".join(counted(count, what) for what, count in imported.report.read.items()))
     for note in imported.report.notes:
-        print(f"{note.kind.value}: {note}")
+        print(f"{note.kind.value}: {replace(note, what=told_here(note.what))}")
         if note.remedy:
-            print(f"    {note.remedy}")
+            print(f"    {told_here(note.remedy)}")
     _show_plant(imported, output)
 
 
@@ -200,9 +201,9 @@ def _show_plant(imported: Imported, output: Path | None) -> None:
 
     file = output or "(no file: say --output)"
     for finding in imported.findings:
-        print(f"{file}:{finding}")
+        print(f"{file}:{replace(finding, message=told_here(finding.message))}")
         if finding.remedy:
-            print(f"    {finding.remedy}")
+            print(f"    {told_here(finding.remedy)}")
     told = {what: count for what, count in counts(imported.plant).items() if isinstance(count, int) and count}
     errors = sum(finding.is_error for finding in imported.findings)
     print(f"{file}: " + ", ".join(counted(count, what) for what, count in told.items()))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import CannotStart, text_of
+from app.cli.tongue import told_here
 from app.domain.errors import StoreError
 
 if TYPE_CHECKING:
@@ -64,9 +65,9 @@ def _read(file: Path) -> tuple[Plant | None, list[Finding]]:
 def _show(seen: Survey) -> None:
     for remark in seen.remarks:
         more = f" and {remark.count - len(remark.barcodes)} more" if remark.count > len(remark.barcodes) else ""
-        print(f"{remark.topic}: {', '.join(remark.barcodes)}{more}: {remark.message}")
+        print(f"{remark.topic}: {', '.join(remark.barcodes)}{more}: {told_here(remark.message)}")
         if remark.remedy:
-            print(f"    {remark.remedy}")
+            print(f"    {told_here(remark.remedy)}")
     wide = max(len(name) for name in seen.figures) + 2
     for name, value in seen.figures.items():
         print(f"{name:<{wide}}{value:,}" if isinstance(value, int) else f"{name:<{wide}}{value}")

@@ -175,3 +175,12 @@ def test_a_sentence_with_something_filled_in_is_told_in_korean_and_an_unknown_on
     )
     assert said("nobody ever said this", "ko") == "nobody ever said this"
     assert said("hoistway controls demo: http://127.0.0.1:8080", "en").startswith("hoistway controls")
+
+
+def test_what_is_wrong_with_a_layout_is_told_in_korean(tmp_path: Path) -> None:
+    plant = (ROOT / "plants/small.yaml").read_text(encoding="utf-8").replace("at: 104", "at: 999", 1)
+    (tmp_path / "wrong.yaml").write_text(plant, encoding="utf-8")
+    told = hoistway("--lang", "ko", "check", str(tmp_path / "wrong.yaml"))
+    assert told.returncode == 1
+    assert "error: 알 수 없는 바코드 999" in told.stdout
+    assert "barcodes 아래에 쓰세요" in told.stdout

@@ -27,7 +27,7 @@ export function DrivePanel({ id }: { id: string }) {
         </Fact>
         {now.mode !== null && (
           <Fact name={t(now.mode === "error" ? "error_fact" : "operation_fact")}>
-            {said(now.meaning) || "–"} <small>{now.code}</small>
+            {said(tell(now.meaning)) || "–"} <small>{now.code}</small>
           </Fact>
         )}
         {now.online && (

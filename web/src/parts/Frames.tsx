@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { get } from "../api";
 import { clock } from "../shows";
-import { language, t } from "../texts";
+import { language, t, tell } from "../texts";
 import type { Traffic } from "../types";
 
 const FRAMES_SHOWN = 30;
@@ -52,7 +52,7 @@ function Frame({ traffic }: { traffic: Traffic }) {
         <span class={traffic.direction}>{traffic.direction === "in" ? "←" : "→"}</span>
         <time>{clock(traffic.at)}</time>
         <b>{kind}</b>
-        <span class="more">{main ? main.meaning || main.value : ""}</span>
+        <span class="more">{main ? tell(main.meaning) || main.value : ""}</span>
       </summary>
       <code class="hex">{traffic.hex.match(/../g)?.join(" ")}</code>
       <table class="bits">
@@ -60,8 +60,8 @@ function Frame({ traffic }: { traffic: Traffic }) {
           {rows.map((row, i) => (
             <tr key={i}>
               <th style={{ paddingLeft: `${row.depth * 0.7}em` }}>{row.name}</th>
-              <td>{row.value}</td>
-              <td>{row.meaning}</td>
+              <td>{tell(row.value)}</td>
+              <td>{tell(row.meaning)}</td>
             </tr>
           ))}
         </tbody>

@@ -218,7 +218,7 @@ function Changes({ difference, error }: { difference: Difference | null; error: 
           { name: t("what"), by: (row) => row.what, of: (row) => said(row.what) },
           { name: t("name"), by: (row) => row.name, of: (row) => row.name },
           { name: t("how"), by: (row) => row.how, of: (row) => <b class={`how ${row.how}`}>{t(`diff_${row.how}`)}</b> },
-          { name: t("in_words"), wraps: true, of: (row) => row.text },
+          { name: t("in_words"), wraps: true, of: (row) => tell(row.text) },
         ]}
       />
       <Breaks list={difference.breaks} tone="wait" />

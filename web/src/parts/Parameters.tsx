@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { call, get, post } from "../api";
 import { clock } from "../shows";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import type { Operation, Parameter } from "../types";
 import { Button } from "./Button";
 import { Problem } from "./Problem";
@@ -15,8 +15,8 @@ export function Outcome({ operation, label }: { operation: Operation | null; lab
   if (operation.state === "failed" || operation.state === "unknown") {
     return (
       <div class="problem" role="alert">
-        <b>{operation.reason || t("op_unknown")}</b>
-        {operation.remedy && <span>{operation.remedy}</span>}
+        <b>{tell(operation.reason) || t("op_unknown")}</b>
+        {operation.remedy && <span>{tell(operation.remedy)}</span>}
       </div>
     );
   }

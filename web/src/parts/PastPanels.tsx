@@ -136,7 +136,7 @@ function PastDrive({ id }: { id: string }) {
           <b class={tone}>{t(`drive_${word}`)}</b>
         </Fact>
         <Fact name={t(then.mode === "error" ? "error_fact" : "operation_fact")}>
-          {then.meaning || "–"} <small>{then.code}</small>
+          {said(tell(then.meaning)) || "–"} <small>{then.code}</small>
         </Fact>
         <Fact name={t("moves")}>{then.moving === null ? t("unknown") : t(then.moving ? "yes" : "no")}</Fact>
         <Fact name={t("on_line")}>{t("line_number", then.line, then.address)}</Fact>
