@@ -68,7 +68,7 @@ class Settings(BaseSettings):
     """Most connections to the server at the same time, live streams among them; at most half the files that may be open."""
     watchers: Annotated[int, Field(ge=1)] = 1000
     """Most live streams at the same time."""
-    history_days: Annotated[int, Field(ge=0)] = 90
+    history_days: Annotated[int, Field(ge=0, le=36_500)] = 90
     """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
     playback_days: Annotated[float, Field(ge=0)] = 7.0
     """Days that positions and states are kept for playback; older ones are deleted. 0: nothing is recorded."""

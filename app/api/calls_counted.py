@@ -93,7 +93,7 @@ class CountedCalls:
         self._log.info(
             "call refused",
             method=scope["method"],
-            path=scope["path"][:200],
+            path=plain(scope["path"][:200]),
             status=status,
             code=problem.code,
             detail=problem.detail,
@@ -134,4 +134,11 @@ def route_of(scope: Scope) -> str:
 def _about(scope: Scope) -> dict[str, str]:
     """Return the job and the vehicle that a call is about, as the log names them."""
     named = scope.get("path_params") or {}
-    return {name: str(named[name])[:64] for name in ("job", "vehicle", "device", "drive", "station") if name in named}
+    return {
+        name: plain(str(named[name])[:64]) for name in ("job", "vehicle", "device", "drive", "station") if name in named
+    }
+
+
+def plain(text: str) -> str:
+    """Return a caller's text for a log: what could command a terminal is written as its escape."""
+    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)

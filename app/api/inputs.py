@@ -1,10 +1,11 @@
 """Bodies and parameters that we accept: strict (``false`` is no 0, ``"5"`` no 5), bounded, without control characters."""
 
 import re
+from datetime import UTC, datetime
 from typing import Annotated, Literal
 
 from fastapi import Path, Query
-from pydantic import AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
+from pydantic import AfterValidator, AwareDatetime, BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints
 
 from app.api.problems import Problem
 from app.domain.commands import Plain
@@ -36,7 +37,16 @@ def _said(value: object) -> object:
     return value
 
 
-Moment = Annotated[AwareDatetime, BeforeValidator(_said), Field(strict=False)]
+def _within(moment: datetime) -> datetime:
+    """Return a moment that any period around it can be reckoned with."""
+    if not EARLIEST <= moment <= LATEST:
+        raise ValueError(f"lies outside {EARLIEST.year} to {LATEST.year}")
+    return moment
+
+
+EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(9000, 1, 1, tzinfo=UTC)
+"""Our choice: well within what a calendar has."""
+Moment = Annotated[AwareDatetime, BeforeValidator(_said), AfterValidator(_within), Field(strict=False)]
 """A moment with its zone."""
 
 PathId = Annotated[str, Path(min_length=1, max_length=64, pattern=ID_PATTERN)]

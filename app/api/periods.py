@@ -35,7 +35,8 @@ def period(begin: AwareDatetime | None, end: AwareDatetime | None, now: Timestam
     last = now if end is None else end.timestamp()
     first = last - usual if begin is None else begin.timestamp()
     if first >= last:
-        raise Problem("invalid", "from lies after to.", "Exchange them.", "from")
+        remedy = "Exchange them." if begin is not None and end is not None else "Say both, or neither."
+        raise Problem("invalid", "from does not lie before to.", remedy, "from")
     if last - first > LONGEST:
         raise Problem("invalid", f"At most {LONGEST / DAY:.0f} days at a time.", "Ask for less.", "from")
     return Period(first, last)

@@ -85,7 +85,7 @@ class Problem(Exception):
         if self.field:
             members["field"] = self.field
         if self.errors:
-            members["errors"] = list(self.errors)
+            members["errors"] = [_error_in(error, language) for error in self.errors]
         return members
 
     def brief(self) -> str:
@@ -135,10 +135,14 @@ async def _ours(request: Request, error: Exception) -> Response:
     return ours(error).response(language_in(request.scope))
 
 
-async def defect(_request: Request, _error: Exception) -> Response:
-    """Answer what no other handler takes."""
+async def defect(request: Request, _error: Exception) -> Response:
+    """Answer what no other handler takes. The server closes the connection then, and says so."""
     remedy = "Report it with the server's log of this moment; nothing is known of the request's effect."
-    return Problem("internal", "The request met a defect of this server.", remedy).response()
+    answer = Problem("internal", "The request met a defect of this server.", remedy).response(
+        language_in(request.scope)
+    )
+    answer.headers["connection"] = "close"
+    return answer
 
 
 _BY_STATUS = {400: "malformed", 401: "unauthorised", 404: "no-such-path", 405: "method", 413: "too-large"}
@@ -201,6 +205,18 @@ def problem_of(errors: Sequence[Mapping[str, object]], content_type: str) -> Pro
     first = found[0]
     detail = f"{first['field']}: {first['message']}" if first["field"] else first["message"]
     return Problem("invalid", detail, field=first["field"], errors=found)
+
+
+def _error_in(error: Mapping[str, object], language: Language) -> dict[str, object]:
+    """Return one of several errors in a language; what is said of a field may be known together with its name alone."""
+    found = dict(error)
+    place, message = str(found.get("field", "")), str(found.get("message", ""))
+    whole = told(f"{place}: {message}", language) if place else ""
+    known = whole.startswith(f"{place}: ") and whole != f"{place}: {message}"
+    found["message"] = whole.removeprefix(f"{place}: ") if known else told(message, language)
+    if remedy := found.get("remedy"):
+        found["remedy"] = told(str(remedy), language)
+    return found
 
 
 def is_json(content_type: str) -> bool:

@@ -1,5 +1,6 @@
-"""``python -m app.cli``."""
+"""``python -m app.cli``: the same as ``hoistway``."""
 
 from app.cli import app
+from app.cli.tongue import run
 
-app()
+run(app)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -31,10 +32,15 @@ def verify(
     ] = None,
 ) -> None:
     """Look whether each row follows from the one before it; name the first that does not. Exit code 1 if one does not."""
+    from app.store.engine import parsed
     from app.store.reading import Reader
 
     with plainly():
-        reader = Reader(url_of(database, config))
+        url = url_of(database, config)
+        made = parsed(url)
+        if made.get_backend_name() == "sqlite" and made.database and not Path(made.database).is_file():
+            refuse(f"there is no database {made.database}", "Name that of the plant with --database.")
+        reader = Reader(url)
         try:
             if head is not None:
                 _same(reader, head)
@@ -46,7 +52,7 @@ def verify(
 
 def _same(reader: Reader, head: str) -> None:
     number, _, mark = head.partition(":")
-    if not (number.isdecimal() and mark):
+    if not (number.isdecimal() and len(number) < len(str(1 << 63)) and mark):
         refuse(f"{head!r} is no number and hash", "Write them as an earlier verify printed them, NUMBER:HASH.")
     if reader.audit_hash(int(number)) != mark:
         refuse(f"audit row {number} is not what it was when its hash was noted", "Compare with a backup.")

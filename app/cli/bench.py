@@ -29,7 +29,7 @@ def _bench() -> None:
 
 @commands.command()
 def hoists(
-    vehicles: Annotated[int, typer.Option(min=1, help="hoists of the generated plant")] = 1000,
+    vehicles: Annotated[int, typer.Option(min=1, max=10_000, help="hoists of the generated plant")] = 1000,
     minutes: Annotated[float, typer.Option(callback=positive, help="minutes to measure")] = 10.0,
     processes: Annotated[int, typer.Option(min=1, help="processes for the simulated hoists")] = 1,
     settle: Annotated[float, typer.Option(help="seconds under load before it begins")] = 60.0,

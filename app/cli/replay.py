@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def replay(
     file: Annotated[Path, typer.Argument(help="what GET /api/v1/history/export gave")],
-    port: Annotated[int, typer.Option(help="port to listen at")] = 8090,
+    port: Annotated[int, typer.Option(min=0, max=65535, help="port to listen at")] = 8090,
     *,
     summary: Annotated[bool, typer.Option("--summary", help="say what is in it, and serve nothing")] = False,
 ) -> None:

@@ -1,6 +1,7 @@
 """An incident as one file: the plant, its state, what changed, and the events; lines of JSON under gzip."""
 
 import gzip
+import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
@@ -17,6 +18,8 @@ from app.runtime.recording import Change
 from app.runtime.showing import encode, iso
 
 FORMAT = 1
+LARGEST = 1 << 30
+"""Bytes that a file may unpack to. Our choice: an export ends at 500,000 changes, some 100 MB."""
 
 
 class NoIncident(HoistwayError):
@@ -74,11 +77,24 @@ def written(incident: Incident) -> bytes:
     return gzip.compress(b"\n".join(lines) + b"\n", 6)
 
 
+def _unpacked(body: bytes) -> bytes:
+    """Return what a file has. Raises ValueError: it is none, or far too large."""
+    unpacking = zlib.decompressobj(wbits=31)
+    found = unpacking.decompress(body, LARGEST)
+    if unpacking.unconsumed_tail:
+        raise ValueError(f"it unpacks to more than {LARGEST >> 20} MB")
+    if not unpacking.eof:
+        raise ValueError("it ends too soon")
+    return found
+
+
 def read(body: bytes) -> Incident:
     """Undo :func:`written`. Raises NoIncident: it is no such file, or a newer one."""
     try:
-        head, *lines = gzip.decompress(body).splitlines()
+        head, *lines = _unpacked(body).splitlines() or [b""]
         first = msgspec.json.decode(head)
+        if not isinstance(first, dict):
+            raise TypeError("its first line does not say what it is")
         if first["hoistway"] != FORMAT:
             raise NoIncident("a newer Hoistway has written this file", remedy="Open it with that one.")
         plant = msgspec.convert(first["plant"], Plant, strict=False)
@@ -93,8 +109,16 @@ def read(body: bytes) -> Incident:
                 events.append(part["event"])
             else:
                 state = part["state"]
+        if not state:
+            raise ValueError("it has no state of the plant")
+        for name in ("from", "to"):
+            iso(first[name])
         made = Timestamp(datetime.fromisoformat(first["made"]).timestamp())
         return Incident(plant, first["from"], first["to"], made, first["by"], state, changes, events)
-    except (OSError, EOFError, ValueError, KeyError, TypeError, msgspec.MsgspecError) as wrong:
+    except MemoryError:
+        raise NoIncident("it unpacks to more than the memory has") from None
+    except (
+        OSError, EOFError, ValueError, KeyError, TypeError, AttributeError, OverflowError, zlib.error, msgspec.MsgspecError,
+    ) as wrong:  # fmt: skip
         remedy = "Get one with GET /api/v1/history/export."
         raise NoIncident(f"this is no recorded incident: {wrong}", remedy=remedy) from wrong

@@ -132,5 +132,5 @@ def _compiled(english: Mapping[str, str], other: Mapping[str, str]) -> Patterns:
 def _pattern(sentence: str) -> str:
     """Return it as an expression. What stands first is a name, or several: a clause within a sentence is none by itself."""
     first, *rest = (part for part in _SLOT.split(sentence) if part)
-    head = rf"(?P<s{first[1]}>\S+?(?:, \S+?)*?)" if _SLOT.fullmatch(first) else re.escape(first)
+    head = rf"(?P<s{first[1]}>\S+?(?: \(for \S+?\))?(?:, \S+?)*?)" if _SLOT.fullmatch(first) else re.escape(first)
     return head + "".join(f"(?P<s{part[1]}>.+?)" if _SLOT.fullmatch(part) else re.escape(part) for part in rest)

@@ -1,5 +1,6 @@
 """Playback over REST: a moment, a period, an incident as a file, and the file opened again."""
 
+import gzip
 import json
 import zlib
 from pathlib import Path
@@ -11,9 +12,10 @@ from fastapi import FastAPI
 from app.api.application import application
 from app.runtime.incident import NoIncident, read
 from app.runtime.recorded import Recorded
+from app.runtime.showing import encode
 from app.settings import Settings
 from tests.api.recordings import HEAT, JOB, STATE_AT_START, recorded
-from tests.api.scripted import PLANT, Scripted
+from tests.api.scripted import NOW, PLANT, Scripted
 
 pytestmark = pytest.mark.anyio
 KIM = {"X-Actor": "kim"}
@@ -160,7 +162,50 @@ async def compare(client: httpx.AsyncClient, app: FastAPI) -> None:
         assert (refused.status_code, refused.json()["detail"]) == (409, "This is a recording.")
 
 
-def test_a_file_that_is_no_incident_is_said_to_be_none() -> None:
-    for body in (b"", b"PK", b"\x1f\x8b"):
-        with pytest.raises(NoIncident, match="no recorded incident"):
-            read(body)
+def head(**changed: object) -> bytes:
+    """The first line of an incident's file."""
+    usual = {"hoistway": 1, "from": NOW - 60, "to": NOW, "made": "2026-01-01T00:00:00Z", "by": "kim", "plant": PLANT}
+    return encode({**usual, **changed})
+
+
+STATE = b'{"state": {"vehicles": {"V001": {"barcode": "1001"}}}}'
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"PK",
+        b"\x1f\x8b",
+        gzip.compress(b""),
+        gzip.compress(b"[1]\n"),
+        gzip.compress(head()),
+        gzip.compress(head(**{"from": {}}) + b"\n" + STATE),
+        gzip.compress(head(to=1e308) + b"\n" + STATE),
+        gzip.compress(head() + b"\n" + STATE)[:-9],
+        gzip.compress(head() + b"\n" + STATE + b"\n7\n"),
+    ],
+)
+def test_a_file_that_is_no_incident_is_said_to_be_none(body: bytes) -> None:
+    with pytest.raises(NoIncident, match="no recorded incident"):
+        read(body)
+
+
+def test_a_file_that_would_fill_the_memory_is_not_unpacked(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = gzip.compress(head() + b"\n" + STATE)
+    assert read(whole).actor == "kim"
+    monkeypatch.setattr("app.runtime.incident.LARGEST", 100)
+    with pytest.raises(NoIncident, match="unpacks to more than 0 MB"):
+        read(whole)
+
+
+@pytest.mark.parametrize("moment", ["9999-12-31T23:59:59-23:59", "0001-01-01T00:00:00Z", "1969-12-31T23:59:59Z"])
+@pytest.mark.parametrize(
+    ("path", "name"),
+    [("/history", "at"), ("/history/export", "to"), ("/statistics", "to"), ("/statistics/report", "to")],
+)
+async def test_a_moment_at_the_edge_of_the_calendar_is_refused(
+    client: httpx.AsyncClient, path: str, name: str, moment: str
+) -> None:
+    answer = await client.get(path, params={name: moment}, headers=KIM)
+    assert (answer.status_code, answer.json()["detail"]) == (422, f"{name}: lies outside 1970 to 9000")

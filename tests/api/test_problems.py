@@ -298,3 +298,10 @@ async def test_a_problem_is_told_in_the_callers_language_and_its_code_stays(clie
         assert (korean.headers["content-language"], english.headers["content-language"]) == ("ko", "en")
         assert korean.json()["code"] == english.json()["code"]
         assert english.json()["title"].isascii()
+
+
+async def test_each_of_several_errors_is_told_in_the_callers_language(client: httpx.AsyncClient) -> None:
+    body = {"place": 7, "purpose": "fun", "more": 1}
+    answer = (await client.post("/closures", json=body, headers={"Accept-Language": "ko", "X-Actor": "kim"})).json()
+    assert len(answer["errors"]) > 2
+    assert not [error for error in answer["errors"] if error["message"].isascii()]

@@ -136,14 +136,22 @@ class Receiver:
     def __init__(self, answers: Sequence[bytes] = ()) -> None:
         self.answers = list(answers)
         self.got: list[tuple[str, bytes]] = []
+        self._writers: list[asyncio.StreamWriter] = []
 
     @asynccontextmanager
     async def open(self) -> AsyncIterator[str]:
         server = await asyncio.start_server(self._serve, "127.0.0.1", 0)
-        async with server:
-            yield f"http://127.0.0.1:{server.sockets[0].getsockname()[1]}/hooks?a=1"
+        try:
+            async with server:
+                yield f"http://127.0.0.1:{server.sockets[0].getsockname()[1]}/hooks?a=1"
+        finally:
+            # A connection is gone only in a later turn of the loop, which would not come if the scenario ended here.
+            for writer in self._writers:
+                writer.close()
+            await asyncio.gather(*(writer.wait_closed() for writer in self._writers), return_exceptions=True)
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        self._writers.append(writer)
         head = (await reader.readuntil(b"\r\n\r\n")).decode()
         length = next(int(line[15:]) for line in head.lower().splitlines() if line.startswith("content-length:"))
         self.got.append((head, await reader.readexactly(length)))

@@ -59,7 +59,7 @@ function patternOf(text: string): RegExp {
   const pieces = text.split(/(\{\d\})/).filter(Boolean);
   const parts = pieces.map((part, i) => {
     const slot = /^\{(\d)\}$/.exec(part);
-    return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+    return slot ? `(?<s${slot[1]}>${i === 0 ? "\\S+?(?: \\(for \\S+?\\))?(?:, \\S+?)*?" : ".+?"})` : part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   });
   return new RegExp(`^${parts.join("")}$`, "s");
 }

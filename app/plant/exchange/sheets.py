@@ -3,7 +3,9 @@
 import codecs
 import csv
 import io
+import re
 import zipfile
+import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -18,6 +20,9 @@ HEADER_WITHIN = 30
 MOST_ROWS = 500_000
 UNPACKED_LIMIT = 512 << 20
 """Largest size of a workbook's parts together, bytes: a small file may unpack to fill the memory. Our choice."""
+MOST_CELLS = 20_000_000
+"""Cells of one sheet, empty ones between others included. Our choice."""
+_CELL = re.compile(rb'<(?:\w+:)?c\b[^>]*?\br=[\'"]([A-Z]{1,8})(\d{1,12})[\'"]')
 _BOMS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 Cell = object
 Row = Sequence[Cell]
@@ -143,6 +148,26 @@ def _check_size(data: bytes, name: str) -> None:
         raise UnreadableLayout(f"{name} is a damaged workbook: {shown(wrong)}", remedy="save it anew") from None
     if size > UNPACKED_LIMIT:
         raise UnreadableLayout(f"{name} unpacks to {size >> 20} MB: that is no list of barcodes")
+    _check_extent(data, name)
+
+
+def _check_extent(data: bytes, name: str) -> None:
+    """A cell far from all others makes a table of everything between."""
+    with zipfile.ZipFile(io.BytesIO(data)) as parts:
+        for part in (part for part in parts.namelist() if part.startswith("xl/worksheets/")):
+            try:
+                cells = [(_number(letters), int(row)) for letters, row in _CELL.findall(parts.read(part))]
+            except (zipfile.BadZipFile, OSError, EOFError, NotImplementedError, RuntimeError, zlib.error) as wrong:
+                raise UnreadableLayout(f"{name} is a damaged workbook: {shown(wrong)}", remedy="save it anew") from None
+            columns, rows = (max((cell[axis] for cell in cells), default=0) for axis in (0, 1))
+            if rows > 2 * MOST_ROWS or columns * rows > MOST_CELLS:
+                remedy = "delete what stands far from the list, and save it anew"
+                raise UnreadableLayout(f"{name}: a sheet reaches to row {rows}, column {columns}", remedy=remedy)
+
+
+def _number(letters: bytes) -> int:
+    """Return the number of a column from its letters: A is 1, AA is 27."""
+    return sum((letter - 64) * 26**place for place, letter in enumerate(reversed(letters[:8])))
 
 
 def _table(name: str, rows: list[tuple[int, Row]]) -> Table | None:

@@ -24,11 +24,12 @@ for key in sys.argv[1].split("."):
 print("" if value is None else value)' "$1"
 }
 
-# wait_for PATH NAME VALUE: ask again and again, for two minutes at most, until a field has that value.
+# wait_for PATH NAME VALUE: ask again and again, for two minutes at most, until a field has that value, or can have it no more.
 wait_for() {
-  local now="" _
-  for _ in {1..240}; do
+  local now="" end=$((SECONDS + 120))
+  while ((SECONDS < end)); do
     now=$(api GET "$1" | field "$2") && [[ $now == "$3" ]] && return
+    [[ $now =~ ^(failed|not_sent|settled_not_done)$ ]] && break
     sleep 0.5
   done
   echo "$1: $2 is '$now', not '$3'" >&2

@@ -1,5 +1,7 @@
 """Barcode lists: CSV and workbooks, in English and Korean, as people write them."""
 
+import io
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -231,6 +233,22 @@ def test_station_names_that_no_plant_takes_are_written_otherwise() -> None:
 def test_what_is_no_list_is_refused_in_a_sentence(data: bytes, message: str) -> None:
     with pytest.raises(UnreadableLayout, match=message):
         imported(data)
+
+
+def test_a_cell_far_from_all_others_does_not_fill_the_memory() -> None:
+    book = io.BytesIO(workbook({"track": [["barcode", "x", "y", "next"], [1, 0, 0, 2]]}))
+    far = io.BytesIO()
+    with zipfile.ZipFile(book) as parts, zipfile.ZipFile(far, "w") as made:
+        for part in parts.namelist():
+            data = parts.read(part)
+            if part.startswith("xl/worksheets/"):
+                data = data.replace(
+                    b"</sheetData>", b'<row r="1048576"><c r="XFD1048576"><v>1</v></c></row></sheetData>'
+                )
+                assert b"XFD" in data
+            made.writestr(part, data)
+    with pytest.raises(UnreadableLayout, match="a sheet reaches to row 1048576, column 16384"):
+        imported(far.getvalue(), "far.xlsx")
 
 
 def test_an_unknown_encoding_is_named() -> None:
