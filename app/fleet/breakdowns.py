@@ -85,11 +85,15 @@ class Breakdowns:
         if books.controller.state is not ControllerState.AUTO:
             return
         due = [n for n, stand in self._standing.items() if not stand.reason and now - stand.since >= stand.grace]
-        for name in sorted(due, key=lambda name: self._standing[name].since)[:AT_ONCE]:
+        heard, left = self._heard() if due else set(), AT_ONCE
+        for name in sorted(due, key=lambda name: self._standing[name].since):
             vehicle, stand = books.vehicles[name], self._standing[name]
-            if vehicle.stage is Stage.ABSENT and not self._accompanied(vehicle):
-                continue
+            if not left:
+                return
+            if vehicle.stage is Stage.ABSENT and heard.isdisjoint(self._areas(vehicle)):
+                continue  # if none is heard where it is, the network is silent
             if self._shut(vehicle, stand):
+                left -= 1
                 off = ", ".join(map(str, books.traffic.barred_by(name)))
                 books.event(JobEvent.VEHICLE_BROKEN_DOWN, vehicle=name, detail=f"{stand.why}; ways lead round {off}")
 
@@ -104,15 +108,16 @@ class Breakdowns:
         books.closed.shut_only(stand.reason, *barred)
         return True
 
-    def _accompanied(self, vehicle: VehicleNow) -> bool:
-        """Whether others in the area of a silent vehicle are heard: if none is, the network is silent."""
-        books = self._books
-        areas = {books.track.area(b) for b in books.traffic.held(vehicle.id) if b in books.track}
-        return any(
-            other.linked and other.barcode in books.track and books.track.area(other.barcode) in areas
-            for other in books.vehicles.values()
-            if other.barcode is not None
-        )
+    def _heard(self) -> set[int]:
+        """Return the areas of the track in which vehicles are heard."""
+        track = self._books.track
+        heard = (v.barcode for v in self._books.vehicles.values() if v.linked and v.barcode is not None)
+        return {track.area(barcode) for barcode in heard if barcode in track}
+
+    def _areas(self, vehicle: VehicleNow) -> set[int]:
+        """Return the areas of the track that a vehicle holds any of."""
+        track = self._books.track
+        return {track.area(barcode) for barcode in self._books.traffic.held(vehicle.id) if barcode in track}
 
     def _stands(self, vehicle: VehicleNow) -> tuple[str, Seconds]:
         """Return why a vehicle stands that does not go on by itself, empty if it may, and how long that is let pass."""

@@ -60,11 +60,15 @@ class Circles:
             self._count(JobEvent.ALARM_CLEARED, circle)
 
     def _stuck(self) -> tuple[tuple[VehicleId, ...], ...]:
-        """Return the circles of vehicles that have all waited for AGE, or wait and were in one just now."""
+        """Return the circles of vehicles that have all waited for AGE, or wait and were in one just now.
+
+        Who may not drive at all, as while everything is stopped, waits for that.
+        """
         books = self._books
         refused = [books.vehicles[name] for name in books.traffic.blocked]
         told = {name for circle in self._known for name in circle.vehicles}
         going = {v.id for v in refused if not v.waiting or (books.now - v.waiting_since < AGE and v.id not in told)}
+        going.update(v.id for v in refused if not self._motion.may_drive(v))
         return books.traffic.cycles(going) if len(going) < len(refused) else ()
 
     def _words(self, cycle: tuple[VehicleId, ...]) -> str:

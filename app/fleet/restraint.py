@@ -23,7 +23,7 @@ class KeptBack:
         if self._restraint is None:
             return len(books.vehicles)
         on_jobs = [vehicle for vehicle in books.vehicles.values() if vehicle.job is not None]
-        passed = books.now - self._looked
+        passed = min(books.now - self._looked, 2 * LOOK_EVERY)  # a pause tells nothing of the track
         if passed < LOOK_EVERY:
             return max(0, self._restraint.most - len(on_jobs))
         self._looked = books.now

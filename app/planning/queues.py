@@ -204,9 +204,11 @@ class Queues:
         if now - gave >= GIVES_TURN:
             return None
         for other in self._watchers.get(buffer, ()):
-            old = self._since[other]
-            asks, want = self._asked[other]
-            if other == vehicle or asks != buffer or old >= since or now - old < AGE or self.slot(other) in {home, -1}:
+            # One that was let in a moment ago, this one itself above all, is not struck off the watchers yet.
+            if other == vehicle or other not in self._asked:
+                continue
+            old, (asks, want) = self._since[other], self._asked[other]
+            if asks != buffer or old >= since or now - old < AGE or self.slot(other) in {home, -1}:
                 continue
             if self.ask(other, buffer, want) is None:
                 self._gave[vehicle] = gave

@@ -5,6 +5,7 @@ import pytest
 from app.domain.ids import VehicleId
 from app.domain.requests import LockVehicle, PauseController, ReleaseVehicle, ResumeController, SetService, Verdict
 from app.fleet.breakdowns import AT_ONCE, GRACE, OBSTACLE_GRACE
+from app.plant import read
 from tests.fleet.branching import KIM, PLANT, V1, V2, V3, branching, controller, driven, go, go_on, hold
 from tests.fleet.script import Script
 
@@ -185,6 +186,19 @@ def test_many_that_fall_silent_at_once_are_closed_a_few_at_a_time() -> None:
         seen.add(len(closed(script)))
     assert sorted(seen)[-1] == more
     assert any(0 < count < more for count in seen)
+
+
+def test_those_that_close_nothing_do_not_stand_before_those_that_do() -> None:
+    spare = AT_ONCE + 2
+    text = PLANT + "".join(
+        f'  W{n:03}: {{dev_id: {n + 10}, address: "127.0.0.1:{17200 + n}", in_service: false}}\n' for n in range(spare)
+    )
+    plant, _ = read(text, "branching.yaml")
+    script = Script(plant).obey(V1, V2, V3)
+    script.run(GRACE + 2)
+    script.accept(hold())
+    script.run(GRACE + 2)
+    assert closed(script) == {"106"}
 
 
 def test_what_is_closed_is_shown_with_its_reason_until_it_is_open(script: Script) -> None:

@@ -262,6 +262,21 @@ def test_who_waits_before_a_soft_zone_is_woken_when_one_leaves_it(lay: Callable[
     assert traffic.claim(V1, way("b1"), goal_included=True, now=Seconds(2)).blocked is None
 
 
+def test_who_is_let_into_a_soft_zone_at_last_may_be_granted_two_of_its_buffers_at_once(
+    lay: Callable[..., Track],
+) -> None:
+    zone = Zone(ZoneId("spine"), frozenset(way("b1 b2 b3 b4 c1 c2 c3 c4")), 1, meter=Meter(0.25, Seconds(60)))
+    traffic = Traffic(lay(*MERGE, length=1500, zones=[zone]), admission=True)
+    fill(traffic, "c4 c3")
+    traffic.hold(V1, way("a4"))
+    ahead = way("b1 b2 b3 b4 c1 c2")
+    blocked = traffic.claim(V1, ahead, goal_included=True, now=Seconds(0)).blocked
+    assert blocked is not None
+    assert blocked.why is BlockReason.METER
+    grant = traffic.claim(V1, ahead, goal_included=True, now=Seconds(60))
+    assert (grant.granted, grant.blocked) == (tuple(ahead), None)
+
+
 def test_a_soft_zone_of_small_share_takes_in_one_and_more_than_its_capacity_says(lay: Callable[..., Track]) -> None:
     assert soft(lay, 0.01).claim(V1, way("b1"), goal_included=True).blocked is None
     traffic = soft(lay, 1.0)
