@@ -185,6 +185,7 @@ STATE = b'{"state": {"vehicles": {"V001": {"barcode": "1001"}}}}'
         gzip.compress(head() + b"\n" + STATE)[:-9],
         gzip.compress(head() + b"\n" + STATE + b"\n7\n"),
     ],
+    ids=["nothing", "zip", "cut", "empty", "list", "head", "from", "to", "end", "row"],
 )
 def test_a_file_that_is_no_incident_is_said_to_be_none(body: bytes) -> None:
     with pytest.raises(NoIncident, match="no recorded incident"):
