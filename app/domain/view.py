@@ -220,6 +220,7 @@ class ControllerView:
     stations that nobody can reach for that, with the reason. How many vehicles under way were led another way since the start:
     ``led_round`` what is closed, ``led_quicker`` because another way had become quicker. ``slow_track``: pieces of track that
     take twice as long as usual for the traffic on them; ``weighed``: how often ways were weighed anew by that.
+    ``restrained_to``: so many hoists may be on their way with jobs now, where the fleet may be larger than its track carries.
     ``pauses``: zones that are paused or stopped. ``recording``: a recorded incident is replayed, and nothing can be asked of it.
     """
 
@@ -241,6 +242,7 @@ class ControllerView:
     led_quicker: int = 0
     slow_track: int = 0
     weighed: int = 0
+    restrained_to: int | None = None
     pauses: tuple[PauseView, ...] = ()
     recording: bool = False
 

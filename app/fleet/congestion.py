@@ -9,8 +9,10 @@ from itertools import pairwise
 import numpy as np
 
 from app.domain.ids import VehicleId
+from app.domain.records import ControllerState
 from app.domain.units import Seconds
 from app.fleet.books import Books
+from app.fleet.motion import Motion
 from app.fleet.vehicle import VehicleNow
 from app.planning.congestion import Congestion as Fullness
 from app.planning.queues import Queues
@@ -36,8 +38,9 @@ class Stay:
 class Congestion:
     """Watches hoists on their way and weighs ways, if the plant says so. Pieces are the buffers of ``Traffic.queues``."""
 
-    def __init__(self, books: Books) -> None:
+    def __init__(self, books: Books, motion: Motion) -> None:
         self._books = books
+        self._motion = motion
         plant = books.plant
         wanted = not plant.restrain if plant.congestion is None else plant.congestion
         self._queues = books.traffic.queues if wanted else None
@@ -69,7 +72,8 @@ class Congestion:
         piece = buffers.at(vehicle.barcode) if vehicle.barcode is not None else -1
         stay, now = self._stays.get(vehicle.id), self._books.now
         errand = vehicle.errand
-        drives = vehicle.fit and errand is not None and vehicle.handling is None and buffers.at(errand.goal) != piece
+        under_way = errand is not None and vehicle.handling is None and buffers.at(errand.goal) != piece
+        drives = under_way and self._motion.may_drive(vehicle)
         if stay is None or stay.piece != piece:
             follows = stay is not None and piece in buffers.nexts[stay.piece]
             if stay is not None and stay.fair and follows:
@@ -88,10 +92,21 @@ class Congestion:
         slots = [queues.slot(vehicle.id) for vehicle in busy] if queues is not None else []
         return np.bincount([slot for slot in slots if slot >= 0], minlength=len(self._free)).astype(np.int64)
 
+    def _stilled(self) -> None:
+        """All stand because they are told to: that says nothing of the track, and nor do the seconds that it lasts."""
+        self._looked = self._books.now
+        for stay in self._stays.values():
+            stay.fair = False
+
     def run(self) -> None:
         """Weigh ways anew by what was seen, from time to time and where it makes a difference."""
         books, passed = self._books, self._books.now - self._looked
-        if self._queues is None or passed < WEIGH_EVERY:
+        if self._queues is None:
+            return
+        if books.controller.state is not ControllerState.AUTO:
+            self._stilled()
+            return
+        if passed < WEIGH_EVERY:
             return
         self._looked = books.now
         inside = [(stay.piece, books.now - stay.since) for stay in self._stays.values() if stay.fair]

@@ -210,7 +210,7 @@ class Dispatch:
 
     def _hold_back(self, asked: Asked, plan: Plan, room: int) -> None:
         """Note the jobs that get nobody because no more vehicles may set out, though some are idle."""
-        idle = sum(prospect.vehicle.job is None and not prospect.soon for prospect in asked.prospects)
+        idle = sum(p.vehicle.job is None and not p.soon and not p.vehicle.is_agv for p in asked.prospects)
         if idle > room:
             self._held.update(asked.jobs[column].id for column in np.flatnonzero(plan.vehicle == NOBODY).tolist())
 
@@ -227,10 +227,11 @@ class Dispatch:
             if job.vehicle == vehicle.id or not self._as_weighed(asked, row, job):
                 continue
             fresh = vehicle.job is None and job.vehicle is None
-            if fresh and not may_set_out:
+            kept_back = fresh and not vehicle.is_agv
+            if kept_back and not may_set_out:
                 self._held.add(job.id)
                 continue
-            may_set_out -= fresh
+            may_set_out -= kept_back
             if fresh and not room:
                 self._pending.append((vehicle, job, column))
             else:

@@ -104,6 +104,7 @@ class Asked:
             offset=np.array([p.offset for p in prospects], np.float64),
             job=np.array(held, np.intp),
             soon=np.array([p.soon for p in prospects], np.bool_),
+            exempt=np.array([p.vehicle.is_agv for p in prospects], np.bool_),
         )
         self.waiting = Jobs(
             priority=np.array([job.priority for job in jobs], np.intp),

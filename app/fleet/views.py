@@ -221,6 +221,7 @@ def with_traffic(view: ControllerView, state: TrafficState, closed: Closed) -> C
         led_quicker=state.led_quicker,
         slow_track=state.slow,
         weighed=state.weighed,
+        restrained_to=state.restrained_to,
     )
 
 

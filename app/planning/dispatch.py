@@ -55,12 +55,14 @@ class Vehicles:
     """One entry for each vehicle that carries nothing, or soon will not.
 
     ``offset``: seconds until it can turn to another goal (the end of its grant), or until it is free. ``job``: the column of
-    the job that it is on its way to fetch, else -1. ``soon``: it is not free yet: it may be waited for, not sent.
+    the job that it is on its way to fetch, else -1. ``soon``: it is not free yet: it may be waited for, not sent. ``exempt``: it
+    does not count where only so many may get something; None: all count.
     """
 
     offset: Floats
     job: Indices
     soon: Flags
+    exempt: Flags | None = None
 
     @classmethod
     def idle(cls, count: int) -> "Vehicles":
@@ -146,6 +148,8 @@ def assigned(plan: Plan, vehicles: Vehicles, jobs: Jobs, rules: Rules = RULES, m
     holder = _holders(vehicles, len(jobs.age))
     free = np.ones(len(rows), np.bool_)
     idle = (vehicles.job[rows] == NOBODY) & ~vehicles.soon[rows]
+    if vehicles.exempt is not None:
+        idle &= ~vehicles.exempt[rows]
     room = len(rows) if most is None else most
     for hot in (True, False):
         some, left = np.flatnonzero(jobs.hot[columns] == hot), np.flatnonzero(free)

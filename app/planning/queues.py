@@ -77,10 +77,6 @@ class Queues:
 
     # -- where vehicles are in line -----------------------------------------------------------------------------------
 
-    def may_end(self, barcode: Barcode) -> bool:
-        """Return whether a grant that is not for a goal may end here."""
-        return barcode not in self.no_end
-
     def waits_in(self, barcode: Barcode) -> int:
         """Return the buffer whose slot is needed to stand here; -1: none is."""
         return self._waits.get(barcode, -1)
@@ -144,16 +140,12 @@ class Queues:
         number = self._numbers.get(vehicle)
         if number is None or buffer != self._lines.slot[number]:
             return True
-        return way[last] in self._opening if first == last else self.begins(buffer, way[first : last + 1])
+        return self.buffers.chains[buffer][0] in way[first : last + 1]
 
     def stays(self, vehicle: VehicleId, last: Barcode) -> bool:
         """Return whether a vehicle that holds this farthest ahead has the slot that is due to it."""
         number = self._numbers.get(vehicle)
         return number is not None and self._waits.get(last, -2) == self._lines.slot[number]
-
-    def begins(self, buffer: int, part: Sequence[Barcode]) -> bool:
-        """Return whether this part of a way comes by the beginning of a buffer."""
-        return self.buffers.chains[buffer][0] in part
 
     # -- what vehicles ask --------------------------------------------------------------------------------------------
 

@@ -30,10 +30,11 @@ class Limits:
 class Restraint:
     """The number of vehicles that may be on their way, found by how many of them stand."""
 
-    def __init__(self, vehicles: int, limits: Limits | None = None) -> None:
+    def __init__(self, vehicles: int, limits: Limits | None = None, under_way: int = 0) -> None:
+        """Begin with so many on their way: after a restart, no fewer than there were."""
         self._limits = limits or Limits()
         self._vehicles = vehicles
-        self._most = float(min(vehicles, self._limits.first))
+        self._most = float(min(vehicles, max(self._limits.first, under_way)))
         self._share = 0.0
 
     @property

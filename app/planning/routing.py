@@ -101,25 +101,10 @@ class Router:
             self._closed.pop(place, None)
         self._recut()
 
-    def reweigh(self, seconds: Mapping[EdgeKey, float]) -> None:
-        """Let these edges take so long from now on, never less than on an empty track; the others stay as they are.
-
-        Nor more than ``LONGEST``, unless the empty track takes more; what is no number counts as the empty track.
-        Raises KeyError: one is no edge of the track.
-        """
-        edges = self._arcs.edges
-        places = np.fromiter((edges[edge] for edge in seconds), dtype=np.intp, count=len(seconds))
-        values = np.fromiter(seconds.values(), dtype=np.float64, count=len(seconds))
-        values = np.fmax(np.minimum(values, LONGEST), self._free[places])  # fmax: NaN gives way to the empty track
-        if not np.array_equal(values, self._seconds[places]):
-            self._seconds = self._seconds.copy()
-            self._seconds[places] = values
-            self._change()
-
     def slow(self, factors: Floats) -> None:
         """Let each edge, by its number in ``edges``, take so many times as long as on an empty track from now on; at least once.
 
-        Nor more than ``LONGEST``, unless the empty track takes more.
+        Nor more than ``LONGEST``, unless the empty track takes more; what is no number counts as the empty track.
         """
         values = np.minimum(np.fmax(factors, 1.0) * self._free, np.maximum(LONGEST, self._free))
         if not np.array_equal(values, self._seconds):
@@ -135,10 +120,6 @@ class Router:
     def seconds(self) -> Floats:
         """The seconds that each edge takes by the newest weights, by its number. Not to be changed; a new array each time."""
         return self._seconds
-
-    def weight(self, start: Barcode, end: Barcode) -> float:
-        """Return the seconds that an edge takes by the newest weights. Raises KeyError: it is no edge of the track."""
-        return float(self._seconds[self._arcs.edges[start, end]])
 
     # -- new versions --------------------------------------------------------------------------------------------------------
 
@@ -219,10 +200,6 @@ class Router:
         if path is None:
             raise self._no_route(start, goal)
         return path
-
-    def quickest(self, start: Barcode, goal: Barcode) -> Route:
-        """Return a quickest route with its times. Raises NoRoute as ``route`` does."""
-        return self._timed(self.route(start, goal))
 
     def alternatives(self, start: Barcode, goal: Barcode, most: int) -> list[Route]:
         """Return the ``most`` quickest routes that pass no barcode twice, quickest first; fewer if there are no more.

@@ -1,13 +1,18 @@
 """Where vehicles wait, and where many come by: counted while they are recorded, kept by the five minutes for the map."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 HEAT_SECONDS = 300.0
 """What is counted in so many seconds is kept together. Our choice: a period is exact to that."""
 KEPT_EVERY = 60.0
 """What is counted at present is kept so often. Our choice: so much of it is lost with the process."""
+MOST_PERIODS = 288
+"""Of a stretch without any change so many periods are kept apart, and the rest as one. Our choice: a day."""
+WAITS = "waiting"
+"""The activity of a vehicle that stands for want of track."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +54,18 @@ class Counts:
         waiting = {barcode: round(seconds, 1) for barcode, seconds in self._waiting.items()}
         return Heat(self.begin, end, waiting, dict(self._traffic))
 
+    def over(self, at: float) -> Iterator[Heat]:
+        """Give what was counted in each period that is over at a moment, and count anew from there."""
+        for _ in range(MOST_PERIODS):
+            end = self.begin + HEAT_SECONDS
+            if at < end:
+                return
+            yield self.until(end)
+            self.begin_anew(end)
+        if at >= self.begin + HEAT_SECONDS:
+            yield self.until(at)
+            self.begin_anew(at)
+
     def begin_anew(self, begin: float) -> None:
         """Count from zero, with the vehicles where they are."""
         self.begin = begin
@@ -59,6 +76,23 @@ class Counts:
         barcode, waits, since = last
         if waits and at > since:
             self._waiting[barcode] += at - since
+
+
+def counted(
+    vehicles: Mapping[str, Mapping[str, Any]], changes: Iterable[Sequence[Any]], begin: float, end: float
+) -> Iterator[Heat]:
+    """Count anew what was recorded of a time: the vehicles at its begin, and changes of theirs (when, topic, id, what)."""
+    counts, now = Counts(begin), {name: dict(vehicle) for name, vehicle in vehicles.items()}
+    for name, vehicle in now.items():
+        counts.take(name, vehicle.get("barcode"), begin, waits=vehicle.get("activity") == WAITS)
+    for at, _, name, change in changes:
+        yield from counts.over(at)
+        vehicle = now.setdefault(name, {})
+        vehicle.update(change or {"barcode": None})
+        counts.take(name, vehicle.get("barcode"), at, waits=vehicle.get("activity") == WAITS)
+    yield from counts.over(end)
+    if end > counts.begin:
+        yield counts.until(end)
 
 
 def together(some: Iterable[Heat]) -> Heat | None:

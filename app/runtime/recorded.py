@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from app.domain.drive_requests import Word
@@ -18,6 +18,7 @@ from app.fleet.views import view_of_controller
 from app.planning.routing import Route, Router
 from app.planning.track import Track
 from app.protocols.itsc.session import LinkQuality
+from app.runtime.heat import counted
 from app.runtime.hub import Hub, ReadModel
 from app.runtime.incident import Incident
 from app.runtime.metrics import Figures
@@ -125,9 +126,13 @@ def _fill(incident: Incident, url: str) -> None:
     finally:
         ledger.close()
     store = PlaybackStore(url)
+    vehicles = incident.state.get(Topic.VEHICLES, {})
+    changes = (change for change in incident.changes if change[1] == Topic.VEHICLES)
     try:
         for pieces in _pieces(incident):
             store.append(pieces)
+        for heat in counted(vehicles, changes, incident.begin, incident.end):
+            store.keep_heat(heat.begin, heat.end, packed(asdict(heat)))
     finally:
         store.close()
 

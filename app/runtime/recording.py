@@ -18,7 +18,7 @@ from structlog.typing import FilteringBoundLogger
 from app.domain.errors import StoreError
 from app.domain.units import Timestamp
 from app.domain.view import DriveView, HoldView, LockoutView, Topic, Update, VehicleView
-from app.runtime.heat import HEAT_SECONDS, KEPT_EVERY, Counts
+from app.runtime.heat import KEPT_EVERY, WAITS, Counts
 from app.runtime.showing import encode, shown
 from app.store.playback import CHANGES, STATE, Piece, PlaybackStore
 
@@ -69,8 +69,6 @@ moment would have to read a great many of them. Our choice: a quarter more to ke
 WAITING = 30
 """So many pieces may wait for the disk; then only the newest of each object is kept. Our choice."""
 LEVEL = 1
-WAITS = "waiting"
-"""The activity of a vehicle that stands for want of track."""
 
 Change = tuple[float, str, str, Any]
 """When, topic, key, and the object; of a vehicle what has changed. None: it is gone."""
@@ -176,6 +174,8 @@ class _Writes:
         """Keep some updates as a piece of changes, with the whole state before them if it is time."""
         begin, end = some[0][0], some[-1][0]
         self._heat = self._heat or Counts(begin)
+        for heat in self._heat.over(begin):
+            self._store.keep_heat(heat.begin, heat.end, packed(asdict(heat)))
         made: list[Piece] = []
         whole = begin >= self._next_state or self._since > HEAVY * self._size
         if whole and self._state:
@@ -201,8 +201,6 @@ class _Writes:
             return
         self._next_heat = end + KEPT_EVERY
         self._store.keep_heat(counts.begin, end, packed(asdict(counts.until(end))))
-        if end >= counts.begin + HEAT_SECONDS:
-            counts.begin_anew(end)
 
     def _weigh(self, made: list[Piece]) -> None:
         for piece in made:

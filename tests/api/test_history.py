@@ -156,6 +156,8 @@ async def compare(client: httpx.AsyncClient, app: FastAPI) -> None:
             assert (await other.get(path)).json() == (await client.get(path)).json(), path
         assert (await client.get("/history/span")).json()["incident"] is None
         assert (await other.get("/history/span")).json()["incident"]["by"] == "kim"
+        heat = (await other.get("/history/heat")).json()
+        assert heat["from"] is not None, "it is counted anew from what was recorded"
         (event,) = (await other.get("/events")).json()["items"]
         assert (event["event"], event["vehicle"]) == ("VehicleDeparted", "V001")
         refused = await other.post("/controller/pause", json={"reason": "x"})

@@ -5,7 +5,7 @@ import random
 import statistics
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import cycle
 from typing import Any
@@ -16,8 +16,9 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 from app.domain.units import Barcode
+from app.planning.arcs import EdgeKey
 from app.planning.routing import Router
-from app.planning.tables import Tables, compute
+from app.planning.tables import Floats, Tables, compute
 from app.planning.track import Track
 from app.plant.fab import SIZES, generate
 from app.runtime.replanning import Replanner
@@ -40,7 +41,7 @@ def rows() -> Iterator[Row]:
 
 
 def _tables(size: str, track: Track, router: Router) -> Row:
-    router.reweigh(dict.fromkeys(list(track.graph.edges)[:100], 60.0))
+    router.slow(_slower(track, router, dict.fromkeys(list(track.graph.edges)[:100], 60.0)))
     task = router.replan()
     assert task is not None
     junctions = _junctions(track)
@@ -51,6 +52,14 @@ def _tables(size: str, track: Track, router: Router) -> Row:
         f"a closure takes effect, {size} fab, {forks:,} forks; floor: one scipy call over its merges and diverges",
         ours, floor, None, "ms CPU", 1.0,
     )  # fmt: skip
+
+
+def _slower(track: Track, router: Router, seconds: Mapping[EdgeKey, float]) -> Floats:
+    """Return how many times as long as on an empty track each edge takes, if these take so many seconds."""
+    factors = np.ones(len(router.edges))
+    for edge, took in seconds.items():
+        factors[router.edges[edge]] = took / track.graph.edges[edge]["time"]
+    return factors
 
 
 def _junctions(track: Track) -> csr_array:
@@ -94,10 +103,11 @@ async def _watched(track: Track, router: Router) -> tuple[float, float, int]:
     """Return the p99 of lateness with the planner off and on, in turn, in ms, and how many tables were adopted."""
     draw, made, on = random.Random(1), 0, False
     edges, barcodes = list(track.graph.edges), track.barcodes
-    weights = cycle([{edge: draw.uniform(1, 60) for edge in draw.sample(edges, 500)} for _ in range(20)])
+    drawn = ({edge: draw.uniform(1, 60) for edge in draw.sample(edges, 500)} for _ in range(20))
+    weights = cycle([_slower(track, router, seconds) for seconds in drawn])
 
     def want() -> None:
-        router.reweigh(next(weights))
+        router.slow(next(weights))
         task = router.replan()
         if task is not None:
             replanner.submit(task)

@@ -47,7 +47,7 @@ def test_a_sweep_tries_every_mode_and_finds_the_fleet_that_delivers_most(small: 
 
 
 def test_a_fleet_larger_than_the_peak_is_held_against_what_the_sweep_found_as_most(small: Report) -> None:
-    small.found["peak_per_hour"] = 1e6
+    small.found["peak_per_hour"], small.peak = 5.0, 1e6
     small.extent = replace(SMALL, peak=5, soak=1.0)
     (line,) = lines(small, "soak")
     assert line.startswith("7 vehicles for 1 h: ")

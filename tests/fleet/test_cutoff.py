@@ -1,5 +1,6 @@
 """What nobody can reach for what is closed is named; jobs to there wait and say why, and go on once it is open."""
 
+from app.domain.alarms import Alarm, AlarmKind
 from app.domain.job import Job, JobState
 from app.domain.requests import CreateJob
 from app.domain.units import Barcode
@@ -21,6 +22,12 @@ def broken(text: str = PLANT) -> Script:
     return script
 
 
+def alarms(script: Script) -> list[Alarm]:
+    """Return the alarms of what is cut off, as they are last kept."""
+    found = {alarm.number: alarm for alarm in script.kept(Alarm) if alarm.kind is AlarmKind.TRAFFIC}
+    return list(found.values())
+
+
 def reason(script: Script, job: str = "J1") -> str:
     return script.job(job).reason
 
@@ -36,6 +43,36 @@ def test_a_station_that_nobody_can_reach_is_an_alarm_with_its_name_and_cause_unt
         ("AlarmSet", "P2", f"P2 cannot be reached: {WHY}"),
         ("AlarmCleared", "P2", "P2 can be reached again"),
     ]
+    (alarm,) = alarms(script)
+    assert (alarm.source, alarm.code, alarm.cause) == ("P2", "cut-off", f"P2 cannot be reached: {WHY}")
+    assert (alarm.ended is not None, alarm.outcome) == (True, "they can be reached again")
+
+
+def test_stations_cut_off_for_one_cause_are_one_alarm_that_has_those_of_now() -> None:
+    script = branching()
+    books = script.fleet.books
+    script.accept(go("112", V1))
+    script.run(20)
+    books.closed.shut(WORKS, Barcode("106"))
+    script.run(6)
+    (alarm,) = alarms(script)
+    assert alarm.cause == "P2 cannot be reached: 106 is closed (the floor is cleaned)"
+    books.closed.shut(WORKS, Barcode("104"))
+    books.closed.lift(WORKS, Barcode("106"))
+    script.run(6)
+    first, second = alarms(script)
+    assert first.outcome == "they can be reached again"
+    assert "104 is closed (the floor is cleaned)" in second.cause
+    assert second.ended is None
+
+
+def test_what_is_cut_off_stays_so_while_nobody_is_heard_who_could_drive_there() -> None:
+    script = broken()
+    for toy in script.toys.values():
+        toy.cut()
+    script.wait(30)
+    assert controller(script).cut_off == (f"P2: {WHY}",)
+    assert [alarm.ended for alarm in alarms(script)] == [None]
 
 
 def test_a_job_to_there_is_accepted_waits_with_the_reason_and_is_done_once_the_way_is_open() -> None:

@@ -10,6 +10,7 @@ from app.fleet.closed import Reason
 from app.fleet.reroutes import AGAIN_AFTER, LEAST_GAIN
 from tests.fleet.branching import KIM, PLANT, V1, V2, branching, controller, driven, go
 from tests.fleet.script import Script
+from tests.planning.weights import weigh
 
 WORKS = Reason("works", "the floor is cleaned")
 SHORT = [Barcode(b) for b in ("104", "105", "106", "107", "110")]
@@ -29,7 +30,7 @@ def script() -> Script:
 def jam(script: Script, seconds: float) -> None:
     """Let each edge of the short branch take so long."""
     edges = pairwise(SHORT)
-    script.fleet.books.router.reweigh(dict.fromkeys(edges, seconds))
+    weigh(script.fleet.books.router, script.fleet.books.track, dict.fromkeys(edges, seconds))
 
 
 def test_a_closure_ahead_is_driven_round_without_stopping_before_it(script: Script) -> None:
@@ -84,12 +85,12 @@ def test_a_vehicle_does_not_change_its_mind_again_at_once(script: Script) -> Non
     script.run(2)
     assert "203" in vehicle.rest
     jam(script, 0.0)
-    books.router.reweigh({(Barcode("203"), Barcode("204")): 200.0})
+    weigh(books.router, books.track, {(Barcode("203"), Barcode("204")): 200.0})
     script.run(AGAIN_AFTER - 5)
     assert "203" in vehicle.rest
-    books.router.reweigh({(Barcode("203"), Barcode("204")): 201.0})
+    weigh(books.router, books.track, {(Barcode("203"), Barcode("204")): 201.0})
     script.run(8)
-    books.router.reweigh({(Barcode("203"), Barcode("204")): 202.0})
+    weigh(books.router, books.track, {(Barcode("203"), Barcode("204")): 202.0})
     script.run(2)
     assert "203" not in vehicle.rest
 

@@ -16,6 +16,7 @@ from app.planning.tables import Elimination, Task, compute, planned, seconds_to
 from app.planning.track import Track
 from app.planning.walking import walking
 from app.plant.fab import SIZES, generate
+from tests.planning.weights import weigh
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +31,7 @@ def test_routes_of_a_thousand_pairs_in_a_fab_cost_what_networkx_says(fab: Track)
     closed = draw.sample(fab.barcodes, 12)
     seconds = {edge: draw.uniform(0.1, 5.0) for edge in draw.sample(list(graph.edges), 3000)}
     router.close(*closed)
-    router.reweigh(seconds)
+    weigh(router, fab, seconds)
     task = router.replan()
     assert task is not None
     assert router.adopt(compute(task))

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from app.domain.units import Timestamp
 from app.domain.view import LinkView, Topic, Update, VehicleView
-from app.runtime.heat import HEAT_SECONDS, KEPT_EVERY, Counts, Heat, together
+from app.runtime.heat import HEAT_SECONDS, KEPT_EVERY, Counts, Heat, counted, together
 from app.runtime.playback import Playback
-from app.runtime.recording import Limits, Recorder
+from app.runtime.recording import Change, Limits, Recorder
 from app.runtime.telemetry import logger
 from tests.runtime.test_recording import Watched
 
@@ -64,9 +64,36 @@ def test_a_recorder_keeps_it_for_as_long_as_playback_and_finds_it_by_the_period(
     assert last.end == now
     assert set(last.waiting.values()) == {KEPT_EVERY}
     assert all(int(barcode) % 2 for barcode in last.waiting)
-    assert len(last.traffic) * KEPT_EVERY == last.end - last.begin
+    assert (len(last.traffic) - 1) * KEPT_EVERY == last.end - last.begin, "who came at its begin and its end counts"
     whole = playback.heat(0.0, now)
     assert whole is not None
     assert now - 6 * HEAT_SECONDS < whole.begin <= now - 4 * HEAT_SECONDS, "older ones are gone"
     assert playback.heat(now + 1.0, now + 2.0) is None
     playback.close()
+
+
+def test_a_stretch_without_any_change_is_kept_by_the_five_minutes_and_beyond_a_day_as_one() -> None:
+    counts = Counts(0.0)
+    counts.take("V1", "101", 0.0, waits=True)
+    assert list(counts.over(HEAT_SECONDS - 1)) == []
+    hour = list(counts.over(3600.0 + 1))
+    assert [(heat.begin, heat.end, heat.waiting) for heat in hour] == [
+        (n * HEAT_SECONDS, (n + 1) * HEAT_SECONDS, {"101": HEAT_SECONDS}) for n in range(12)
+    ]
+    whole = together([*hour, *counts.over(7 * 86400.0)])
+    assert whole is not None
+    assert (whole.end, whole.waiting) == (7 * 86400.0, {"101": 7 * 86400.0})
+
+
+def test_what_was_recorded_is_counted_as_it_was_while_it_was_recorded() -> None:
+    vehicles = {"V1": {"barcode": "101", "activity": "waiting"}, "V2": {"barcode": "201", "activity": "moving"}}
+    changes: list[Change] = [
+        (60.0, "vehicles", "V1", {"activity": "moving", "barcode": "102"}),
+        (90.0, "vehicles", "V2", {"activity": "waiting"}),
+        (HEAT_SECONDS + 50.0, "vehicles", "V2", None),
+        (HEAT_SECONDS + 60.0, "vehicles", "V3", {"activity": "waiting", "barcode": "103"}),
+    ]
+    assert list(counted(vehicles, changes, 0.0, HEAT_SECONDS + 100.0)) == [
+        Heat(0.0, HEAT_SECONDS, {"101": 60.0, "201": HEAT_SECONDS - 90.0}, {"102": 1}),
+        Heat(HEAT_SECONDS, HEAT_SECONDS + 100.0, {"201": 50.0, "103": 40.0}, {}),
+    ]

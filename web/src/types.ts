@@ -280,6 +280,8 @@ export interface Controller {
   /** Pieces of track that take twice as long as usual for the traffic on them; how often ways were weighed anew by that. */
   slow_track: number;
   weighed: number;
+  /** So many hoists may be on their way with jobs now; null: as many as there are. */
+  restrained_to?: number | null;
 }
 
 /** An audit walk: open, accepted or abandoned; of so many `places` so many are `entered`. */

@@ -61,6 +61,8 @@ class Report:
     extent: Extent
     found: dict[str, Any] = field(default_factory=dict)
     failed: list[str] = field(default_factory=list)
+    peak: float | None = None
+    """The most that a fleet delivers in an hour, if this run has tried fleets."""
 
     def begin(self, name: str) -> None:
         """Forget what a run before has found out about a part."""
@@ -135,7 +137,7 @@ def sweep(report: Report) -> Iterator[str]:
             yield f"{mode:13} {vehicles:5} vehicles: {per_hour:7,.0f}/h ({each}), {locked} locked up, {stalled} at a standstill"
     report.found["sweep"] = rows
     report.found["peak"] = max(extent.fleets, key=lambda vehicles: mean["all", vehicles])
-    report.found["peak_per_hour"] = mean["all", report.found["peak"]]
+    report.peak = report.found["peak_per_hour"] = mean["all", report.found["peak"]]
     ruled = [run for row in rows if row["mode"] != "no rule" for run in row["runs"]]
     locked = sum(run["locked"] > 0 for run in ruled)
     end = report.goal("sweep", locked == 0, "no lock-up", "runs with a rule that lock up", f"{locked} of {len(ruled)}")
@@ -150,7 +152,7 @@ def sweep(report: Report) -> Iterator[str]:
 @part("soak")
 def soak(report: Report) -> Iterator[str]:
     """Hours with a fleet larger than the one that delivers most."""
-    peak, usual = report.extent.peak, report.found.get("peak_per_hour")
+    peak, usual = report.extent.peak, report.peak
     if usual is None:
         usual = run(fab_of(FAB, peak, Plant(), 1), report.extent.minutes).per_hour
     vehicles, minutes = round(OVER * peak), round(report.extent.soak * 60)

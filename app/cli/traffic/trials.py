@@ -3,17 +3,20 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from itertools import groupby
+from itertools import chain, groupby
 from time import process_time
 
 import numpy as np
 
+from app.domain.ids import VehicleId
 from app.domain.layout import Plant as Layout
 from app.domain.units import Millimetres
+from app.planning.deadlock import deadlocks
 from app.planning.track import BOOK_VEHICLE, Track
 from app.plant.fab import Shape, generate, populate
 from app.sim.kinematic.drill import CYCLE, Drill
 from app.sim.kinematic.fab import Fab, Plant
+from app.sim.kinematic.load import NOBODY
 from app.sim.kinematic.network import Map, Real, draw
 from app.sim.kinematic.state import DELIVERED, EVENTS, PUSHED, STANDING
 
@@ -108,23 +111,39 @@ def run(fab: Fab, minutes: int) -> Outcome:
     )
 
 
-def locked(fab: Fab) -> list[int]:
-    """Return the vehicles that stand in a circle, each waiting for the barcode that the next one holds."""
+def locked(fab: Fab) -> tuple[VehicleId, ...]:
+    """Return the vehicles that stand in circles, each waiting until the next one goes first, by their numbers.
+
+    A circle of vehicles that have nothing to do holds up nobody, and does not count.
+    """
     s = fab.state
-    after = {
-        int(v): int(s.owner[s.waits_for[v]])
-        for v in np.flatnonzero((s.doing == STANDING) & (s.waits_for >= 0))
-        if s.owner[s.waits_for[v]] >= 0
-    }
-    found: set[int] = set()
-    for vehicle in after:
-        way: list[int] = []
-        while vehicle in after and vehicle not in found and vehicle not in way:
-            way.append(vehicle)
-            vehicle = after[vehicle]
-        if vehicle in way:
-            found.update(way[way.index(vehicle) :])
-    return sorted(found)
+    needs = {vehicle: _waits(fab, vehicle) for vehicle in np.flatnonzero(s.doing == STANDING).tolist()}
+    circles = deadlocks(
+        {_named(v): [[_named(other) for other in group] for group in groups] for v, groups in needs.items()}
+    )
+    return tuple(chain(*(circle for circle in circles if any(s.goal[int(name)] >= 0 for name in circle))))
+
+
+def _waits(fab: Fab, vehicle: int) -> list[list[int]]:
+    """Return of whom one must go first: who holds the barcode waited for, or the heads of the full buffers of a refusal.
+
+    Who waits for closed track waits for nobody. The head of a queue that has nothing to do goes on where any next one has room.
+    """
+    s, lines = fab.state, fab.state.lines
+    if (barcode := int(s.waits_for[vehicle])) >= 0:
+        return [[int(s.owner[barcode])]] if s.owner[barcode] >= 0 and not s.closed[barcode] else []
+    buffers = s.watches[vehicle, : s.watching[vehicle]].tolist()
+    if s.goal[vehicle] < 0 and lines.head[slot := lines.slot[vehicle]] == vehicle:
+        buffers = lines.outs[lines.out_at[slot] : lines.out_at[slot + 1]]
+        if any(lines.load[buffer] < lines.capacity[buffer] for buffer in buffers):
+            return []
+    heads = [int(lines.head[buffer]) for buffer in buffers]
+    others = [head for head in heads if head not in {NOBODY, vehicle}]
+    return [others] if others else []
+
+
+def _named(vehicle: int) -> VehicleId:
+    return VehicleId(str(vehicle))
 
 
 WINDOW = 300.0

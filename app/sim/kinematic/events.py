@@ -16,6 +16,7 @@ from app.sim.kinematic.state import (
     LOADED,
     MILLIMETRES,
     STANDING,
+    WATCHED,
     Rules,
     State,
 )
@@ -142,6 +143,14 @@ def think_again(s: State, vehicle: int) -> None:
     if s.since[vehicle] >= 0:
         s.planned[vehicle] = 0
         ask_again(s, vehicle)
+
+
+@compiled
+def remind(s: State) -> None:
+    """Ask those again that hang on more buffers than they can watch: nobody wakes them when another of these changes."""
+    for vehicle in range(len(s.watching)):
+        if s.watching[vehicle] == WATCHED:
+            ask_again(s, vehicle)
 
 
 @compiled

@@ -16,7 +16,7 @@ from app.planning.congestion import Congestion
 from app.planning.dispatch import Indices, Jobs, Rule, Times, Vehicles, at_random, dispatch, nearest_first_come
 from app.planning.dispatch import Plan as DispatchPlan
 from app.planning.restraint import Restraint
-from app.sim.kinematic.events import run, send_each, take_off
+from app.sim.kinematic.events import remind, run, send_each, take_off
 from app.sim.kinematic.load import NOBODY, Ports, Transfers, Work
 from app.sim.kinematic.network import Map, Real, Whole
 from app.sim.kinematic.state import BROKEN, DRIVING, DWELLING, FETCHING, IDLE, LOADED, STANDING, Rules, still
@@ -42,8 +42,7 @@ class Plant:
     ``admission``: the look-ahead of TRAFFIC section 3; without it the track itself is all that is asked for. ``reweigh``: how
     often ways are thought over by the traffic (``planning.congestion``; 0: never, static shortest ways). ``restraint``: no more
     vehicles set out than the track carries (``planning.restraint``), and the others park where ways keep off. ``dispatch``:
-    assignment, nearest or random; ``backlog`` transfers wait at any time. ``patience``: a soft meter is ignored after so long;
-    0: there are none.
+    assignment, nearest or random; ``backlog`` transfers wait at any time.
     """
 
     admission: bool = True
@@ -57,7 +56,6 @@ class Plant:
     reaction: float = 0.2
     hearing: float = 0.05
     more: float = 1000.0
-    patience: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +93,6 @@ class Fab:
             dwell=how.dwell,
             restart=how.restart,
             admission=how.admission,
-            patience=how.patience,
         )
         self.ports: Work = work or Ports([plan.number[b] for b in ports], Random(f"{seed}/ports"))
         self.transfers = Transfers(how.backlog + len(starts))
@@ -127,6 +124,7 @@ class Fab:
             self._weigh()
             self._dispatch()
             self._park()
+            remind(self.state)
             self.now = Seconds(min(end, self.now + TICK))
             done = run(self.net, self.state, self.rules, self.now)
             for code in self.state.finished[:done].tolist():
@@ -181,6 +179,8 @@ class Fab:
         else:
             self.ports.emptied(source)
             transfers.open[row] = False
+            if destination in self.cut_off:
+                take_off(self.net, self.state, vehicle)
 
     def _order(self) -> None:
         missing = self.how.backlog - self.transfers.waiting

@@ -11,7 +11,6 @@ from app.sim.kinematic.state import (
     CIRCLES,
     GRANTED,
     IDLE,
-    METERED,
     PLAN,
     PUSHED,
     REFUSED,
@@ -130,29 +129,11 @@ def obstacle(s: State, vehicle: int, n: int) -> int:
 
 
 @compiled
-def metered(s: State, rules: Rules, vehicle: int, buffer: int, now: float) -> bool:
-    """Return whether a meter keeps a vehicle that comes from outside from entering, for now."""
-    meter = s.meter[buffer]
-    if rules.patience <= 0 or meter < 0:
-        return False
-    home = s.lines.slot[vehicle]
-    if home >= 0 and s.meter[home] == meter:
-        return False
-    if s.meter_room[meter] > 0:
-        return False
-    return bool(s.since[vehicle] < 0 or now < s.since[vehicle] + rules.patience)
-
-
-@compiled
 def take_slot(net: Network, s: State, vehicle: int, buffer: int) -> None:
     """Give the vehicle a slot; whoever hangs on the one it leaves is asked again."""
     home = s.lines.slot[vehicle]
     if home == buffer:
         return
-    if home >= 0 and s.meter[home] >= 0:
-        s.meter_room[s.meter[home]] += 1
-    if s.meter[buffer] >= 0:
-        s.meter_room[s.meter[buffer]] -= 1
     enter(s.lines, vehicle, buffer, want_beyond(net, s, vehicle, buffer))
     s.planned[vehicle] = 0
     if home >= 0:
@@ -209,10 +190,6 @@ def extend(net: Network, s: State, rules: Rules, vehicle: int, now: float) -> No
 @compiled
 def may_enter(net: Network, s: State, rules: Rules, vehicle: int, buffer: int, now: float) -> bool:
     """Return whether the vehicle may have a slot of this buffer now; if not, it is asked again when that may have changed."""
-    if metered(s, rules, vehicle, buffer, now):
-        s.counts[METERED] += 1
-        watch(s, vehicle, buffer, now)
-        return False
     if not rules.admission:
         return True
     answer = admits(s.lines, vehicle, buffer, want_beyond(net, s, vehicle, buffer))
@@ -242,7 +219,7 @@ def commit_want(s: State, vehicle: int, buffer: int) -> bool:
 
 @compiled
 def hang_on(s: State, vehicle: int, now: float) -> None:
-    """Let the vehicle be asked again when something changes in the buffers that its refusal came by."""
+    """Let the vehicle be asked again when something changes in the buffers that its refusal came by (``events.remind``)."""
     s.counts[REFUSED] += 1
     for i in range(min(s.lines.seen[0], WATCHED)):
         watch(s, vehicle, s.lines.looked[i], now)

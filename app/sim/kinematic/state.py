@@ -15,7 +15,7 @@ WATCHED = 8
 """Buffers that a refused vehicle watches; if it hangs on more, it is asked again once a second."""
 IDLE, FETCHING, LOADED = 0, 1, 2
 STANDING, DRIVING, DWELLING, BROKEN = 0, 1, 2, 3
-DELIVERED, PUSHED, GRANTED, EVENTS, REFUSED, ASKED, MILLIMETRES, METERED, CIRCLES = range(9)
+DELIVERED, PUSHED, GRANTED, EVENTS, REFUSED, ASKED, MILLIMETRES, CIRCLES = range(8)
 """What ``counts`` counts."""
 
 
@@ -37,13 +37,11 @@ class Rules(NamedTuple):
     restart: float
     """From a grant to a vehicle that stands until it starts."""
     admission: bool
-    patience: float
-    """A meter is ignored after waiting so long; no meter at all if 0."""
 
 
 class State(NamedTuple):
     """Per barcode: who holds it, whether it is closed, who waits for it first. Per buffer: how many
-    have passed, who watches it first, its meter. Per vehicle: where it is, its goal (-1: none), what it is doing until when, its
+    have passed, who watches it first. Per vehicle: where it is, its goal (-1: none), what it is doing until when, its
     grant (``ahead`` barcodes with the way to each and the speed on it, ``granted`` of them, ``left`` mm), the buffers that it
     has decided to cross next (``plan``).
     """
@@ -53,8 +51,6 @@ class State(NamedTuple):
     waits_first: Whole
     passes: Whole
     watch_first: Whole
-    meter: Whole
-    meter_room: Whole
     park: Whole
     """Whether a buffer is kept free for idle vehicles."""
     at: Whole
@@ -112,7 +108,7 @@ def still(plan: Map, vehicles: int) -> State:
     return State(
         owner=row(barcodes, -1), closed=row(barcodes), waits_first=row(barcodes, -1),
         passes=row(buffers), watch_first=row(buffers, -1),
-        meter=row(buffers, -1), meter_room=row(1), park=row(buffers),
+        park=row(buffers),
         at=row(vehicles, -1), goal=row(vehicles, -1), pace=np.zeros(vehicles), began=np.zeros(vehicles),
         initial=np.zeros(vehicles),
         rest=np.zeros(vehicles), peak=np.zeros(vehicles), doing=row(vehicles), due=np.zeros(vehicles),
@@ -125,7 +121,7 @@ def still(plan: Map, vehicles: int) -> State:
         watch_next=row(vehicles * WATCHED, -1), watch_before=row(vehicles * WATCHED, -1),
         destination=row(vehicles, -1), finished=row(2 * vehicles), clock=np.zeros(1),
         queue=row(4 * vehicles + 8), queued=row(vehicles),
-        heap=row(vehicles + 1), place=row(vehicles, -1), size=row(3), counts=row(9), scratch=row(4 * AHEAD),
+        heap=row(vehicles + 1), place=row(vehicles, -1), size=row(3), counts=row(8), scratch=row(4 * AHEAD),
         hop=np.full((buffers, buffers), -1, dtype=np.int64),
         lines=Lines(*(np.array(r, dtype=np.int64) for r in arrays)),  # type: ignore[arg-type]
     )  # fmt: skip

@@ -358,8 +358,9 @@ class Controller(TypedDict):
     ``cut_off``: the stations that nobody can reach for that, with the reason. How many vehicles under way were led
     another way since the start: ``led_round`` what is closed, ``led_quicker`` because another way had become
     quicker. ``slow_track``: pieces of track that take twice as long as usual for the traffic on them; ``weighed``:
-    how often ways were weighed anew by that. ``pauses``: zones that are paused or stopped. ``recording``: a
-    recorded incident is replayed, and nothing can be asked of it.
+    how often ways were weighed anew by that. ``restrained_to``: so many hoists may be on their way with jobs now,
+    where the fleet may be larger than its track carries. ``pauses``: zones that are paused or stopped.
+    ``recording``: a recorded incident is replayed, and nothing can be asked of it.
     """
 
     plant: str
@@ -380,6 +381,7 @@ class Controller(TypedDict):
     led_quicker: int
     slow_track: int
     weighed: int
+    restrained_to: int | None
     pauses: list[Pause]
     recording: bool
 

@@ -51,7 +51,7 @@ def test_a_drill_names_the_ports_that_it_cuts_off_and_all_is_well_after_it() -> 
     before = int(s.counts[DELIVERED])
     fab.run(200)
     assert s.counts[DELIVERED] > before + 10
-    assert locked(fab) == []
+    assert locked(fab) == ()
 
 
 def test_no_transfer_is_begun_to_a_port_that_is_cut_off() -> None:
@@ -68,10 +68,10 @@ def test_vehicles_that_wait_for_each_others_barcodes_are_found_locked() -> None:
     fab = fab_of(FAB, 3, Plant(), 1)
     s = fab.state
     for vehicle, other in ((0, 1), (1, 2), (2, 0)):
-        s.doing[vehicle], s.waits_for[vehicle] = STANDING, s.at[other]
-    assert locked(fab) == [0, 1, 2]
+        s.doing[vehicle], s.waits_for[vehicle], s.goal[vehicle] = STANDING, s.at[other], s.at[other]
+    assert locked(fab) == ("0", "1", "2")
     s.waits_for[1] = -1
-    assert locked(fab) == []
+    assert locked(fab) == ()
 
 
 def test_events_come_in_storms_so_that_the_time_after_one_can_be_judged() -> None:

@@ -33,6 +33,7 @@ export function KeptList() {
     ...(now.led_quicker ? [t("led_quicker", now.led_quicker)] : []),
     ...(now.slow_track ? [t("slow_track", now.slow_track)] : []),
     ...(now.weighed ? [t("weighed", now.weighed)] : []),
+    ...(now.restrained_to != null ? [t("restrained_to", now.restrained_to)] : []),
   ];
   return (
     <>
