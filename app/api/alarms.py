@@ -10,8 +10,9 @@ from starlette.responses import Response
 from app.api.calls import Ctl, Person, answer_of, answer_view, ask, items, listing, missing, read
 from app.api.declared import gives
 from app.api.inputs import Limit, Older, QueryId, Strict, Text
-from app.api.periods import Begin, End, period
+from app.api.periods import Begin, End, Period, ordered, period
 from app.api.port import Controller
+from app.api.problems import Problem
 from app.api.teaching_inputs import Number
 from app.domain.alarms import AcknowledgeAlarm, AlarmKind, Reliability, reliability
 from app.domain.view import Topic
@@ -55,6 +56,7 @@ async def list_alarms(
     limit: Limit = 100,
 ) -> Response:
     """List alarms, ended or not, of a period or of all time; go on with ``after`` = ``next``."""
+    ordered(begin, end)
     rows = await read(
         controller.reader.alarms,
         kind=kind.value if kind else None,
@@ -94,8 +96,12 @@ async def count_alarms(
 
 @router.get("/reliability", **gives("Reliability[]", description="One row a vehicle, in the order of the plant file."))
 async def show_reliability(controller: Ctl, begin: Begin = None, end: End = None) -> Response:
-    """Show how vehicles held out in a period (by default the last 7 days): failures, MTBF, MTTR, availability."""
-    asked = period(begin, end, controller.utc())
+    """Show how vehicles held out in a period (by default the last 7 days), up to now: failures, MTBF, MTTR, availability."""
+    now = controller.utc()
+    asked = period(begin, end, now)
+    if asked.begin >= now:
+        raise Problem("invalid", "from lies in the future.", "Ask for a period that has begun.", "from")
+    asked = Period(asked.begin, min(asked.end, now))
     rows = await read(controller.reader.failures, asked.begin, asked.end)
     by_vehicle = {
         name: [(begun, ended) for _, begun, ended in group]

@@ -52,6 +52,7 @@ from app.api.guard import Guard
 from app.api.orders import PATH, Orders
 from app.api.policy import Policy
 from app.api.port import Controller
+from app.api.queries import Names, Queries
 from app.domain.view import Topic
 from app.settings import Settings
 
@@ -122,7 +123,7 @@ def described(settings: Settings) -> FastAPI:
         redirect_slashes=False,
         generate_unique_id_function=lambda route: route.name,
         default_response_class=Raw,
-        middleware=[Middleware(Guard, settings=settings, callers=callers)],
+        middleware=[Middleware(Guard, settings=settings, callers=callers), Middleware(Queries)],
     )
     app.state.settings = settings
     app.state.callers = callers
@@ -177,6 +178,7 @@ def described(settings: Settings) -> FastAPI:
     _serve_page(app)
     app.add_api_websocket_route("/{path:path}", problems.no_stream)
     callers.policy = Policy(app.routes, COMMANDS)
+    app.state.queries = Names(app.routes)
     return app
 
 

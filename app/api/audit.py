@@ -8,7 +8,7 @@ from starlette.responses import Response
 from app.api.calls import Ctl, answer_of, items, read
 from app.api.declared import gives
 from app.api.inputs import TEXT_PATTERN, After, Limit
-from app.api.periods import Begin, End
+from app.api.periods import Begin, End, ordered
 from app.runtime.showing import iso
 
 router = APIRouter(prefix="/audit", tags=["audit"])
@@ -32,6 +32,7 @@ async def list_audit(
     order: Annotated[Literal["oldest", "newest"], Query(description="Which come first.")] = "oldest",
 ) -> Response:
     """List what people and hosts asked for, refused or not: all oldest first, or what is looked for newest first."""
+    ordered(begin, end)
     wanted = {
         "actor": actor,
         "action": action,

@@ -5,11 +5,9 @@ from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.callers import SAFE, Callers
-from app.api.problems import Problem, language_in
+from app.api.problems import CLOSE, Problem, language_in
 from app.settings import Settings, is_loopback
 
-CLOSE = {"Connection": "close"}
-"""What comes after a refusal would be the rest of a body that nobody reads."""
 LAYOUTS = "/api/v1/layout/versions"
 """Where plant files are staged."""
 HOSTS_KEPT = 100

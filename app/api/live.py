@@ -18,10 +18,12 @@ from app.api.declared import gives
 from app.api.events import admit, replay_of
 from app.api.port import Controller
 from app.api.problems import Problem
+from app.api.queries import wrong
 from app.api.spoken import Order, Speaker, Spoken, Voice, error
 from app.api.streams import WIRE, WRITABLE
 from app.domain.view import Topic
 from app.runtime.hub import Subscription
+from app.texts import LANGUAGES, Language
 
 router = APIRouter(prefix="/live", tags=["live"])
 DEFAULT = frozenset(Topic) - {Topic.COMMANDS, Topic.OPERATIONS, Topic.PARAMETERS}
@@ -56,8 +58,23 @@ def topics_of(names: Iterable[str]) -> frozenset[Topic]:
     return frozenset(Topic(name) for name in wanted) or DEFAULT
 
 
+QUERY = dict.fromkeys(("topics", "after", "ticket", "language"), False)
+"""What may stand in the address, once each."""
+
+
+def _language(socket: WebSocket) -> Language:
+    """Return the language of refusals: English, unless the address says another (browsers cannot send headers here)."""
+    return next((known for known in LANGUAGES if known == socket.query_params.get("language")), "en")
+
+
 def _started(socket: WebSocket, controller: Controller) -> Subscription:
     admit(socket, controller)
+    if problem := wrong(socket.scope["query_string"], QUERY):
+        raise problem
+    if (language := socket.query_params.get("language")) not in {None, *LANGUAGES}:
+        raise Problem(
+            "invalid", f"There is no language {str(language)[:40]!r}.", f"There are {', '.join(LANGUAGES)}.", "language"
+        )
     topics = topics_of(socket.query_params.get("topics", "").split(","))
     text = socket.query_params.get("after")
     if text is not None and not (text.isascii() and text.isdigit() and len(text) <= 15):
@@ -72,7 +89,7 @@ async def live(socket: WebSocket, controller: Ctl) -> None:
     try:
         subscription = _started(socket, controller)
     except Problem as problem:
-        await socket.send_text(error(problem))
+        await socket.send_text(error(problem, language=_language(socket)))
         await socket.close(1008, problem.brief())
         return
     subscription.direct = socket.scope.get("extensions", {}).get(WIRE)
@@ -135,7 +152,7 @@ def _spoken(socket: WebSocket, controller: Controller, subscription: Subscriptio
     address = socket.client.host if socket.client else "unknown"
     speaker = Speaker(controller, f"live/{secrets.token_hex(8)}")
     voice = Voice(socket.app.state.callers, caller_of(socket.scope), socket.headers.get("x-actor"), address)
-    return Spoken(COMMANDS, speaker, voice, reply)
+    return Spoken(COMMANDS, speaker, voice, reply, _language(socket))
 
 
 async def _listen(socket: WebSocket, subscription: Subscription, spoken: Spoken) -> None:
@@ -145,7 +162,7 @@ async def _listen(socket: WebSocket, subscription: Subscription, spoken: Spoken)
             return
         problem, number = _heard(message.get("text") or message.get("bytes") or b"", subscription, spoken)
         if problem is not None:
-            await socket.send_text(error(problem, number))
+            await socket.send_text(error(problem, number, _language(socket)))
 
 
 def _heard(said: str | bytes, subscription: Subscription, spoken: Spoken) -> tuple[Problem | None, int | str | None]:

@@ -34,8 +34,9 @@ class Orders:
 
     @staticmethod
     def take(scope: Scope) -> bool:
-        """Return whether this is the call."""
-        return bool(scope["type"] == "http" and scope["path"] == PATH and scope["method"] == "POST")
+        """Return whether this is the call; with a query, which it does not have, the routes say so."""
+        whole = scope["type"] == "http" and scope["path"] == PATH and scope["method"] == "POST"
+        return bool(whole and not scope["query_string"])
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer an order."""

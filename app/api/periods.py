@@ -30,13 +30,19 @@ class Period:
         return self.end - self.begin
 
 
+def ordered(begin: AwareDatetime | None, end: AwareDatetime | None) -> None:
+    """Look whether the first moment is the earlier one, if both are said. Raises Problem."""
+    if begin is not None and end is not None and begin >= end:
+        raise Problem("invalid", "from does not lie before to.", "Exchange them.", "from")
+
+
 def period(begin: AwareDatetime | None, end: AwareDatetime | None, now: Timestamp, usual: float = 7 * DAY) -> Period:
     """Return what is asked about; without a begin so many seconds until its end. Raises Problem: it is none, or too long."""
+    ordered(begin, end)
     last = now if end is None else end.timestamp()
     first = last - usual if begin is None else begin.timestamp()
     if first >= last:
-        remedy = "Exchange them." if begin is not None and end is not None else "Say both, or neither."
-        raise Problem("invalid", "from does not lie before to.", remedy, "from")
+        raise Problem("invalid", "from does not lie before to.", "Say both, or neither.", "from")
     if last - first > LONGEST:
         raise Problem("invalid", f"At most {LONGEST / DAY:.0f} days at a time.", "Ask for less.", "from")
     return Period(first, last)

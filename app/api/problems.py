@@ -21,6 +21,9 @@ TYPE_PREFIX = "/api/v1/problems/"
 REASON_BYTES = 123
 METHODS = ("DELETE", "GET", "HEAD", "PATCH", "POST", "PUT")
 
+CLOSE = {"Connection": "close"}
+"""What comes after a refusal before a body is read would be the rest of that body."""
+
 CODES: dict[str, tuple[int, str]] = {
     "malformed": (400, "The request cannot be read"),
     "unauthorised": (401, "Nobody who is known here asks"),
@@ -172,7 +175,7 @@ async def no_stream(socket: WebSocket) -> None:
         "no-such-path", f"There is no stream at {socket.url.path}.", "The live stream is at /api/v1/live."
     )
     if "websocket.http.response" in socket.scope.get("extensions", {}):
-        await socket.send_denial_response(problem.response())
+        await socket.send_denial_response(problem.response(language_in(socket.scope)))
     else:
         await socket.close(1008, problem.brief())
 

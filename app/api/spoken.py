@@ -24,6 +24,7 @@ from app.domain.drive_requests import Word
 from app.domain.errors import HoistwayError
 from app.domain.ids import Actor
 from app.runtime.showing import encode
+from app.texts import Language
 from app.wire.names import nearest
 
 MOST_AT_ONCE = 16
@@ -126,7 +127,7 @@ class Voice:
 
 
 class Spoken:
-    """Carries out what one watcher says. ``reply`` sends a text to it."""
+    """Carries out what one watcher says. ``reply`` sends a text to it; ``language``: of refusals."""
 
     def __init__(
         self,
@@ -134,8 +135,10 @@ class Spoken:
         speaker: Speaker,
         voice: Voice,
         reply: Callable[[str], Awaitable[None]],
+        language: Language = "en",
     ) -> None:
         self._table, self._speaker, self._voice, self._reply = table, speaker, voice, reply
+        self._language = language
         self._tasks: set[asyncio.Task[None]] = set()
 
     def take(self, number: int | str | None, order: Order, actor: str | None) -> Problem | None:
@@ -170,6 +173,8 @@ class Spoken:
         given = voice.header if actor is None else actor.encode().decode("latin-1")
         if command.person and not is_person(voice.caller, given):
             raise Problem("invalid", "A named person has to decide this.", 'Send "actor": "NAME".', "actor")
+        if command.aimed and not order.target:
+            raise Problem("invalid", "This command is about one object.", 'Send its id as "target".', "command.target")
         who = actor_named(given, voice.address, voice.caller)
         return command, Said(self._speaker, who, order.target, _body(command, bytes(order.body)))
 
@@ -177,10 +182,10 @@ class Spoken:
         try:
             response = await command.carry_out(said)
         except Problem as problem:
-            await self._reply(error(problem, number))
+            await self._reply(error(problem, number, self._language))
             return
         except HoistwayError as wrong:
-            await self._reply(error(ours(wrong), number))
+            await self._reply(error(ours(wrong), number, self._language))
             return
         frame = {
             "type": "reply",
@@ -204,9 +209,9 @@ def _body(command: Command, raw: bytes) -> Any:
         raise problem_of(found, "application/json") from None
 
 
-def error(problem: Problem, number: int | str | None = None) -> str:
+def error(problem: Problem, number: int | str | None = None, language: Language = "en") -> str:
     """Return a problem as a frame; ``number`` is the command's that it answers."""
-    frame: dict[str, object] = {"type": "error", "problem": problem.body()}
+    frame: dict[str, object] = {"type": "error", "problem": problem.body(language)}
     if number is not None:
         frame["id"] = number
     return encode(frame).decode()

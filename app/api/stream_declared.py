@@ -16,6 +16,7 @@ from app.api.policy import COMMANDS as SCOPES
 from app.api.spoken import Command
 from app.domain.access import who_may
 from app.domain.view import SHOWN, Topic
+from app.texts import LANGUAGES
 
 Json = dict[str, Any]
 OBJECTS = "openapi.json#/components/schemas/"
@@ -39,6 +40,8 @@ DESCRIPTION = """One WebSocket gives the state of the plant and everything that 
   to be named, by log-in or as `actor`.
 * What is not understood is answered by an `error` frame; the stream goes on. A question that is wrong in the address
   gets an `error` frame, and is closed with 1008.
+* Words are English: so are reasons, causes and remedies in all objects, here and over REST. Refusals are in the language of
+  `?language=` (`en`, `ko`); the page tells all of them in its own by the catalogue that comes with it.
 * Events alone come as Server-Sent Events too: the channel `events`.
 """
 AFTER = """Give all events numbered above this first. Without it, or with a number that is no event's yet (another
@@ -75,7 +78,8 @@ def _channels() -> Json:
         "examples": ["vehicles,jobs,events"],
     }
     after = {"type": "integer", "minimum": 0, "description": AFTER}
-    query = {"topics": topics, "after": after, "ticket": {"type": "string"}}
+    language = {"enum": list(LANGUAGES), "default": "en", "description": "Of the words of refusals."}
+    query = {"topics": topics, "after": after, "ticket": {"type": "string"}, "language": language}
     return {
         "live": {
             "address": "/api/v1/live",

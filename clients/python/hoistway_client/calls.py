@@ -529,7 +529,9 @@ class Calls(Synchronous):
         return cast("m.Page[m.AlarmCount]", self._call("GET", "/api/v1/alarms/pareto", params={"by": by, "from": from_, "to": to, "limit": limit}))
 
     def show_reliability(self, *, from_: str | None = None, to: str | None = None) -> m.Page[m.Reliability]:
-        """Show how vehicles held out in a period (by default the last 7 days): failures, MTBF, MTTR, availability."""
+        """Show how vehicles held out in a period (by default the last 7 days), up to now: failures, MTBF, MTTR,
+        availability.
+        """
         return cast("m.Page[m.Reliability]", self._call("GET", "/api/v1/alarms/reliability", params={"from": from_, "to": to}))
 
     def get_alarm(self, alarm: int) -> m.Alarm:
@@ -1271,7 +1273,9 @@ class AsyncCalls(Asynchronous):
         return cast("m.Page[m.AlarmCount]", await self._call("GET", "/api/v1/alarms/pareto", params={"by": by, "from": from_, "to": to, "limit": limit}))
 
     async def show_reliability(self, *, from_: str | None = None, to: str | None = None) -> m.Page[m.Reliability]:
-        """Show how vehicles held out in a period (by default the last 7 days): failures, MTBF, MTTR, availability."""
+        """Show how vehicles held out in a period (by default the last 7 days), up to now: failures, MTBF, MTTR,
+        availability.
+        """
         return cast("m.Page[m.Reliability]", await self._call("GET", "/api/v1/alarms/reliability", params={"from": from_, "to": to}))
 
     async def get_alarm(self, alarm: int) -> m.Alarm:

@@ -1,0 +1,89 @@
+"""A query is refused where the route does not have it, or it says something twice: else a misspelt filter gives all."""
+
+import httpx
+import pytest
+
+from fastapi import FastAPI
+
+from app.api.application import application
+from app.api.queries import wrong
+from app.settings import Settings
+from tests.api.scripted import Scripted
+from tests.api.sockets import Socket
+
+pytestmark = pytest.mark.anyio
+
+
+@pytest.fixture
+def app(controller: Scripted) -> FastAPI:
+    return application(controller, Settings())
+
+
+@pytest.mark.parametrize(
+    ("path", "detail", "remedy"),
+    [
+        ("/jobs?stat=queued", "There is no parameter 'stat'.", "Did you mean state?"),
+        ("/alarms?form=2026-01-01T00:00:00Z", "There is no parameter 'form'.", "Did you mean from?"),
+        ("/vehicles?x=1", "There is no parameter 'x'.", "There are none here."),
+        ("/alarms?limit=1&limit=2", "limit is given more than once.", "Give it once."),
+    ],
+)
+async def test_a_query_that_the_route_does_not_have_is_refused_by_name(
+    client: httpx.AsyncClient, path: str, detail: str, remedy: str
+) -> None:
+    answer = await client.get(path)
+    assert (answer.status_code, answer.json()["detail"], answer.json()["remedy"]) == (422, detail, remedy)
+
+
+async def test_it_is_refused_for_an_order_too_and_nothing_is_done(client: httpx.AsyncClient) -> None:
+    order = {"source": "P1", "destination": "P2", "carrier": "FOUP0001"}
+    answer = await client.post("/jobs?dry_run=true", json=order)
+    assert (answer.status_code, answer.json()["field"]) == (422, "dry_run")
+    assert answer.headers["connection"] == "close"
+
+
+async def test_it_is_refused_in_the_callers_language(client: httpx.AsyncClient) -> None:
+    answer = await client.get("/vehicles?x=1", headers={"Accept-Language": "ko"})
+    assert answer.json()["detail"] == "매개변수 'x' 없음."
+
+
+@pytest.mark.parametrize("path", ["/alarms", "/audit", "/alarms/reliability"])
+async def test_a_period_that_ends_before_it_begins_is_refused(client: httpx.AsyncClient, path: str) -> None:
+    answer = await client.get(path, params={"from": "2026-01-02T00:00:00Z", "to": "2026-01-01T00:00:00Z"})
+    assert (answer.status_code, answer.json()["detail"]) == (422, "from does not lie before to.")
+
+
+async def test_how_vehicles_held_out_is_known_up_to_now_alone(client: httpx.AsyncClient) -> None:
+    answer = await client.get(
+        "/alarms/reliability", params={"from": "2030-01-01T00:00:00Z", "to": "2030-01-02T00:00:00Z"}
+    )
+    assert (answer.status_code, answer.json()["detail"]) == (422, "from lies in the future.")
+
+
+@pytest.mark.parametrize(
+    ("query", "detail"),
+    [
+        ("topic=jobs", "There is no parameter 'topic'."),
+        ("topics=jobs&topics=events", "topics is given more than once."),
+        ("language=de", "There is no language 'de'."),
+        ("language=ko&topics=x", "항목 'x' 없음."),
+    ],
+)
+async def test_the_live_stream_refuses_what_its_address_does_not_have(app: FastAPI, query: str, detail: str) -> None:
+    async with Socket(app, query=query) as socket:
+        await socket.accepted()
+        assert (await socket.frame())["problem"]["detail"] == detail
+
+
+async def test_refusals_over_the_live_stream_are_in_the_language_of_its_address(app: FastAPI) -> None:
+    async with Socket(app, query="language=ko") as socket:
+        await socket.accepted()
+        await socket.frame()
+        socket.say('{"id": 1, "command": {"name": "vehicle.hold", "body": {"reason": "look"}}, "actor": "kim"}')
+        problem = (await socket.frame())["problem"]
+        assert (problem["field"], problem["detail"]) == ("command.target", "이 명령은 대상 하나를 지정해야 합니다.")
+
+
+async def test_what_may_be_given_more_than_once_may() -> None:
+    assert wrong(b"a=1&a=2&b=", {"a": True, "b": False}) is None
+    assert wrong(b"a=1&%61=2", {"a": False}) is not None, "the same name, written another way"
