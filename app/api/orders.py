@@ -11,12 +11,12 @@ from starlette.types import Receive, Scope, Send
 
 from app.api.callers import CALLER
 from app.api.calls import actor_named
-from app.api.guard import CLOSE, Guard
+from app.api.guard import Guard
 from app.api.inputs import JobIn
 from app.api.jobs import Ordered, create
 from app.api.known_jobs import KnownJobs
 from app.api.port import Controller
-from app.api.problems import Problem, is_json, language_in, ours, problem_of
+from app.api.problems import CLOSE, Problem, is_json, language_in, ours, problem_of
 from app.domain.errors import HoistwayError
 
 PATH = "/api/v1/jobs"

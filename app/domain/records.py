@@ -165,6 +165,11 @@ class StationRecord:
     provenance: Provenance = Provenance.INFERRED
     at: Timestamp = Timestamp(0.0)
 
+    @property
+    def doubted(self) -> bool:
+        """Whether a pick-up failed there, and nobody has said since what stands there."""
+        return self.present is None and self.provenance is Provenance.INFERRED and self.at > 0
+
 
 class DoorPosition(StrEnum):
     """How a person keeps a door."""

@@ -26,7 +26,8 @@ class Choice:
 
     ``seconds`` is its time to the source; ``waited`` what the job's waiting was worth, ``switch`` what the change had to save
     besides, both in seconds of driving; ``hot``: a hot lot, served before all others. ``candidates`` are the nearest others.
-    ``before`` is the vehicle that had the job until then, ``saved`` the seconds by which this one is nearer than that.
+    ``before`` is the vehicle that had the job until then, ``saved`` the seconds by which this one is nearer than that; None: that
+    one could not get there any more.
     """
 
     at: Timestamp

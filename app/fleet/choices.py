@@ -40,7 +40,7 @@ class Choices:
         arrival = self._plan.arrival[:, self._column[column]]
         seconds = float(arrival[self._row[row]])
         before = self._holder(column)
-        saved = None if before is None else round(float(arrival[self._row[before]]) - seconds, 1)
+        gain = FAR if before is None else float(arrival[self._row[before]]) - seconds
         vehicle = self._asked.prospects[row].vehicle
         changes = before is not None or vehicle.job is not None
         age = self._asked.waiting.age[column : column + 1]
@@ -54,7 +54,7 @@ class Choices:
             switch=RULES.switch if changes else 0.0,
             candidates=tuple(self._near(arrival, row, seconds)) + tuple(self._others(job)),
             before=None if before is None else self._asked.prospects[before].vehicle.id,
-            saved=saved,
+            saved=round(gain, 1) if gain < FAR else None,
         )
 
     def named(self, column: int) -> str:

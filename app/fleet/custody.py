@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from app.domain.ids import JobId, StationId
+from app.domain.ids import CarrierId, JobId, StationId
 from app.domain.job import Job, JobEvent
 from app.domain.records import Provenance, StationRecord
 from app.fleet.books import Books
@@ -22,7 +22,7 @@ def carrier_moved(books: Books, vehicle: VehicleNow, station: StationId, job: Jo
 def _taken(books: Books, vehicle: VehicleNow, record: StationRecord, job: Job | None) -> None:
     carrier = (job.carrier if job else None) or record.carrier
     if record.carrier and record.carrier != carrier:
-        books.put_carrier(record.carrier, None, Provenance.INFERRED)
+        _lose(books, record.carrier, f"{vehicle.id} took {carrier} from {record.station} instead")
     _save(books, replace(record, present=False, carrier=None, provenance=Provenance.PICKED, at=books.utc))
     books.save_vehicle(vehicle, carrier=carrier, believed_loaded=True)
     if carrier:
@@ -35,7 +35,7 @@ def _taken(books: Books, vehicle: VehicleNow, record: StationRecord, job: Job | 
 def _put(books: Books, vehicle: VehicleNow, record: StationRecord, job: Job | None) -> None:
     carrier = vehicle.record.carrier
     if record.carrier and record.carrier != carrier:
-        books.put_carrier(record.carrier, None, Provenance.INFERRED)
+        _lose(books, record.carrier, f"{vehicle.id} put {carrier or 'a carrier'} down at {record.station}")
     _save(
         books,
         replace(record, present=True, carrier=carrier, reserved="", provenance=Provenance.PLACED, at=books.utc),
@@ -44,6 +44,12 @@ def _put(books: Books, vehicle: VehicleNow, record: StationRecord, job: Job | No
     if carrier:
         books.put_carrier(carrier, record.station, Provenance.PLACED)
     books.event(JobEvent.CARRIER_REMOVED, job=job, vehicle=vehicle.id, carrier=carrier, destination=record.station)
+
+
+def _lose(books: Books, carrier: CarrierId, why: str) -> None:
+    """A carrier cannot be where it was believed to be: nobody knows where it is, and that is told."""
+    books.put_carrier(carrier, None, Provenance.INFERRED)
+    books.event(JobEvent.CARRIER_MOVED, carrier=carrier, detail=f"nobody knows where it is: {why}")
 
 
 def _save(books: Books, record: StationRecord) -> None:

@@ -347,10 +347,12 @@ class Missions:
             self._go_on_with(vehicle, self._books.save_job(replace(job, leg=leg)))
 
     def _forget_presence(self, station: StationId) -> None:
-        """A pick-up failed there: what we believed of the station counts no more."""
-        record = self._books.stations.get(station)
+        """A pick-up failed there: what we believed of the station counts no more, and nothing is put down there."""
+        books, record = self._books, self._books.stations.get(station)
         if record:
-            self._books.save_station(replace(record, present=None, provenance=Provenance.INFERRED, at=self._books.utc))
+            books.save_station(replace(record, present=None, provenance=Provenance.INFERRED, at=books.utc))
+            detail = "not known: a pick-up failed there"
+            books.event(JobEvent.PORT_CHANGED, destination=station, carrier=record.carrier, detail=detail)
 
     # -- ends ---------------------------------------------------------------------------------------------------------
 

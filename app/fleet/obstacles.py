@@ -123,6 +123,9 @@ def against_putting_down(books: Books, station: StationId, job: JobId | None) ->
         return f"{station} is occupied: its buffer reports a cart"
     if record.present and not _expired(books, record):
         return f"{station} is occupied by {record.carrier or 'a carrier'}"
+    if record.doubted:
+        what = record.carrier or "a carrier"
+        return f"{what} may stand at {station}, where a pick-up failed: look, then PATCH /api/v1/stations/{station} with present"
     return ""
 
 

@@ -92,10 +92,13 @@ def carry_out(connection: sa.Connection, sql: str, rows: Sequence[Row]) -> None:
 
 def _rows(kind: type, records: Sequence[Record]) -> list[Row]:
     make = ROW_OF[kind]
-    try:
-        return [*map(make, records)]
-    except (TypeError, ValueError) as cause:
-        raise StoreRefused(f"a record cannot be kept: {cause}: {str(list(records))[:500]}") from cause
+    made: list[Row] = []
+    for record in records:
+        try:
+            made.append(make(record))
+        except (TypeError, ValueError) as cause:
+            raise StoreRefused(f"a record cannot be kept: {cause}: {str(record)[:2000]}") from cause
+    return made
 
 
 def _settle_carriers(found: dict[type, list[Record]], batch: Sequence[Record]) -> None:

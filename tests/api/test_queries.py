@@ -2,7 +2,6 @@
 
 import httpx
 import pytest
-
 from fastapi import FastAPI
 
 from app.api.application import application

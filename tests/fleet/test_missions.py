@@ -9,7 +9,7 @@ from app.domain.errors import NoRoute
 from app.domain.ids import Actor, CarrierId, JobId, StationId
 from app.domain.job import JobState
 from app.domain.layout import PulseSet, StopAction
-from app.domain.records import ControllerState, IntentState
+from app.domain.records import ControllerState, IntentState, Provenance
 from app.domain.requests import (
     AbortJob,
     Accepted,
@@ -568,3 +568,33 @@ def test_every_request_about_a_job_is_carried_out_or_refused_in_every_state(leg:
                 script.run(12)
                 assert script.job("J1").state is JobState.PAUSED
             assert isinstance(script.ask(request), Accepted) is allowed, (leg, paused, request)
+
+
+def test_nothing_is_put_down_where_a_pick_up_failed_until_somebody_has_said_what_stands_there(ready: Script) -> None:
+    ready.order(vehicle=V1)
+    ready.run_to("to_source")
+    ready.toys[V1].reject_handling = True
+    ready.run_until("J1")
+    (told,) = [event for event in ready.history() if event.event == "PortStateChanged"]
+    assert (told.destination, told.carrier, told.detail) == (P1, FOUP1, "not known: a pick-up failed there")
+    ready.toys[V1].reject_handling = False
+    ready.order("B1", "P1", job="J2")
+    ready.run(60)
+    why = "FOUP0001 may stand at P1, where a pick-up failed: look, then PATCH /api/v1/stations/P1 with present"
+    assert (ready.job("J2").state, ready.job("J2").reason) == (JobState.QUEUED, why)
+    ready.accept(WriteStation(HOST, P1, present=False))
+    del ready.world[P1]
+    ready.run_until("J2")
+    assert ready.station(P1).carrier == FOUP2
+
+
+def test_a_carrier_that_cannot_be_where_it_was_believed_to_be_is_told_of(ready: Script) -> None:
+    ready.order("P1", "P3", job="J1")
+    ready.run_to("depositing")
+    books = ready.fleet.books
+    books.put_carrier(CarrierId("LOT9"), StationId("P3"), Provenance.HOST)
+    ready.run_until("J1")
+    (told,) = [event for event in ready.history() if event.event == "CarrierLocationChanged"]
+    vehicle = ready.job("J1").vehicle
+    assert (told.carrier, told.detail) == ("LOT9", f"nobody knows where it is: {vehicle} put FOUP0001 down at P3")
+    assert books.carriers[CarrierId("LOT9")].place is None

@@ -1,13 +1,18 @@
 """Why a lot was late: kept with its job, bounded, and after a restart too (DOMAIN section 6)."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+
+import numpy as np
+import pytest
 
 from app.domain.ids import JobId, VehicleId
 from app.domain.requests import HoldVehicle, MoveVehicle, ReleaseVehicle, Verdict
 from app.domain.units import Barcode, Timestamp
 from app.domain.why import MOST_CHOICES, MOST_WAITS, Choice, Why
-from app.planning.dispatch import RULES
-from tests.fleet.script import HOST, V1, V2, Script
+from app.planning.dispatch import RULES, Floats
+from tests.fleet.branching import branching, go_on, hold
+from tests.fleet.script import FOUP1, HOST, P2, V1, V2, Script
 
 
 def why(script: Script, job: str = "J1") -> Why:
@@ -112,3 +117,28 @@ def test_what_is_kept_is_bounded_and_has_the_first_and_the_latest() -> None:
     assert one.left_out == 50 - MOST_CHOICES + 50 - MOST_WAITS
     assert one.waiting("reason 49", Timestamp(99.0)) is one
     assert one.waiting("", Timestamp(60.0)).waits[-1].until == 60.0
+
+
+def test_that_the_earlier_vehicle_could_not_get_there_any_more_is_no_number_and_is_kept(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    script = branching()
+    script.fill(P2, FOUP1)
+    script.accept(hold())
+    script.order("P2", "P3")
+    script.run(1)
+    router, times = script.fleet.books.router, script.fleet.books.router.table
+
+    def cut_off(starts: Sequence[Barcode], goals: Sequence[Barcode]) -> Floats:
+        """Let nobody but V001 come anywhere: dispatch thinks before the vehicles that are cut off give their jobs back."""
+        found = times(starts, goals)
+        found[[start != script.vehicle(V1).barcode for start in starts]] = np.inf
+        return found
+
+    assert script.job("J1").vehicle == V2
+    monkeypatch.setattr(router, "table", cut_off)
+    script.accept(go_on())
+    script.run(4)
+    assert script.job("J1").vehicle == V1
+    last = why(script).choices[-1]
+    assert (last.vehicle, last.before, last.saved) == (V1, V2, None)
