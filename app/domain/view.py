@@ -101,7 +101,7 @@ class AgvView:
 @dataclass(frozen=True, slots=True)
 class VehicleView:
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting, settling,
-    absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may drive,
+    absent, held ...); ``waiting`` the sentence that explains a wait, ``waits_for`` the vehicle that has to go first; ``granted`` the track ahead it may drive,
     ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS. An
     AGV (``kind``) has ``agv`` in place of status words, SEQ and code. ``parked``: it is idle at a parking place.
     """
@@ -129,6 +129,7 @@ class VehicleView:
     job: str | None = None
     goal: str | None = None
     waiting: str = ""
+    waits_for: str | None = None
     granted: tuple[str, ...] = ()
     covered: tuple[str, ...] = ()
     hold: HoldView | None = None

@@ -39,6 +39,7 @@ class Courtesy:
             if not vehicle.waiting:
                 vehicle.waiting_since = self._books.now
             vehicle.waiting = reason
+            vehicle.waits_for = blocked.by if blocked else None
             self._books.touch(vehicle)
 
     def _barrier(self, vehicle: VehicleNow) -> str:

@@ -193,6 +193,8 @@ class VehicleNow:
     teaching: int | None = None
     unfit_since: Seconds | None = None
     waiting: str = ""
+    waits_for: VehicleId | None = None
+    """Who has to go first, while it waits."""
     waiting_since: Seconds = Seconds(0.0)
     toward: Barcode | None = None
     kept: str = ""

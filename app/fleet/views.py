@@ -341,7 +341,8 @@ def view_of_vehicle(
         bits=bits_of(condition) if condition else (),
         job=vehicle.job,
         goal=goal_of(vehicle.errand, job),
-        waiting=vehicle.waiting or vehicle.barred,
+        waiting=vehicle.waiting or vehicle.barred or _teaches(vehicle),
+        waits_for=vehicle.waits_for if vehicle.waiting else None,
         granted=tuple(vehicle.ahead),
         covered=tuple(vehicle.trail),
         hold=hold,
@@ -351,6 +352,10 @@ def view_of_vehicle(
         agv=_view_of_agv(vehicle),
         parked=vehicle.barcode in parking and vehicle.available and vehicle.errand is None and vehicle.at_rest,
     )
+
+
+def _teaches(vehicle: VehicleNow) -> str:
+    return "" if vehicle.teaching is None else f"used for teaching (session {vehicle.teaching})"
 
 
 def _charges(vehicle: VehicleNow) -> bool:

@@ -1,4 +1,4 @@
-"""What ways cost by the traffic on them (TRAFFIC section 4): by how full track has been of late, not by how full it is now."""
+"""What ways cost by the traffic on them (TRAFFIC section 4): by how full track is."""
 
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -14,17 +14,18 @@ Whole: TypeAlias = "NDArray[np.int64]"
 class Costs:
     """How fullness is turned into seconds; all values are our choice, from runs on the fab of TRAFFIC section 1.
 
-    ``over``: fullness is the mean over about so many seconds: with less, ways follow every platoon and swing from lane to lane.
-    A piece of track costs its free-flow time, and ``weight`` times that where it is full, less by ``power`` where it is not.
+    ``over``: fullness is the mean over about so many seconds: at most one means as it is at the last look. What it was minutes ago
+    says where the jam was, not where it is (docs/traffic.md). A piece of track costs its free-flow time, and ``weight`` times that
+    where it is full, less by ``power`` where it is not.
     """
 
-    over: float = 120.0
-    weight: float = 3.0
+    over: float = 1.0
+    weight: float = 6.0
     power: float = 6.0
 
 
 class Congestion:
-    """How full each piece of track has been of late, and what it costs therefore.
+    """How full each piece of track is, and what it costs therefore.
 
     ``free``: seconds of each piece at free flow; ``capacity``: vehicles it has room for. Both are rows, a place for each piece.
     """

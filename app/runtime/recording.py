@@ -52,8 +52,8 @@ _SEEN = (
     "hold",
     "lockout",
 )
-VEHICLE_FIELDS = (*_SEEN, "waiting", "granted")
-"""What is recorded of a vehicle. A change of the last two alone is no change: they follow the others."""
+VEHICLE_FIELDS = (*_SEEN, "waiting", "waits_for", "granted")
+"""What is recorded of a vehicle. A change of the last three alone is no change: they follow the others."""
 _COMPARED: dict[type, Callable[[Any], tuple[object, ...]]] = {
     VehicleView: attrgetter(*_SEEN),
     DriveView: attrgetter("online", "mode", "code", "error", "reason", "moving", "operation", "lockout"),

@@ -15,9 +15,12 @@ function isRoom(name: string): name is Room {
   return (ROOMS as readonly string[]).includes(name);
 }
 
+/** What people write by hand. */
+const ALSO: Record<string, Room> = { layout: "layouts", users: "access", keys: "access", closure: "closures", carriers: "stations", history: "playback" };
+
 function read(): void {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-  room.value = isRoom(path) ? path : "map";
+  room.value = isRoom(path) ? path : (ALSO[path] ?? "map");
   const asked = new URLSearchParams(query);
   momentAsked.value = room.value === "playback" ? asked.get("at") : null;
   const [kind, id] = [...asked].find(([name]) => KINDS.has(name)) ?? [];

@@ -67,6 +67,8 @@ export interface Vehicle {
   job: string | null;
   goal: string | null;
   waiting: string;
+  /** The vehicle that it waits for. */
+  waits_for?: string | null;
   granted: string[];
   covered: string[];
   hold: Hold | null;

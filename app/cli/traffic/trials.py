@@ -27,13 +27,13 @@ FULL = 0.5
 STALLED = 5
 """A fleet that delivers nothing for so many minutes is at a standstill. Our choice."""
 MODES: dict[str, Plant] = {
-    "no rule": Plant(admission=False, restraint=False),
-    "admission": Plant(restraint=False),
-    "+ congestion": Plant(reweigh=20.0, restraint=False),
+    "no rule": Plant(admission=False, restraint=False, reweigh=0.0),
+    "admission": Plant(restraint=False, reweigh=0.0),
+    "+ congestion": Plant(restraint=False),
     "all": Plant(),
 }
-"""What is switched on: nothing but the track itself; look-ahead; ways by the traffic too; look-ahead and no more vehicles than
-the track carries. Ways by the traffic are not in the last one: with vehicles kept back they do harm (docs/traffic.md).
+"""What is switched on: nothing but the track itself; look-ahead; ways by the traffic too; and besides no more vehicles on their
+way than the track carries.
 """
 
 

@@ -46,7 +46,7 @@ class Plant:
     """
 
     admission: bool = True
-    reweigh: float = 0.0
+    reweigh: float = 10.0
     restraint: bool = True
     dispatch: str = "assignment"
     backlog: int = 200

@@ -15,7 +15,9 @@ class Ways(NamedTuple):
     """Per buffer: ``weight``, seconds from its first barcode to a next one's; ``before_at`` (one longer) into ``before``, the
     buffers that lead to it; ``made``, the version of its row. ``far`` has a row per goal: seconds from each buffer's first
     barcode to the goal's first. ``version`` of the weights. ``reach``: seconds to a barcode from its buffer's first.
-    ``order``: for each goal its buffers by how far they were when its row was grown, ``known`` of them.
+    ``order``: for each goal the forks (buffers that lead to several) by how far they were when its row was grown, ``known`` of
+    them. A buffer that is no fork leads to one: on to ``fork``, the first fork on its way (itself, if it is one; -1: it comes to
+    none), in ``lead`` seconds by the weights of version ``led``; ``outward``: buffers by how many others lie between.
     """
 
     weight: Real
@@ -29,6 +31,10 @@ class Ways(NamedTuple):
     place: Whole
     order: Whole
     known: Whole
+    fork: Whole
+    outward: Whole
+    lead: Real
+    led: Whole
     extra: Real
     """Seconds that a buffer costs besides, unless one stands in it: it is kept free for idle vehicles."""
 
@@ -45,6 +51,7 @@ def survey(net: Network) -> Ways:
     for b in range(1, len(reach)):
         if net.buffer[b] == net.buffer[b - 1]:
             reach[b] = reach[b - 1] + net.gap[b - 1] / net.speed[b - 1]
+    fork, steps = _forks(net)
     return Ways(
         weight=free_flow(net),
         before_at=at.astype(np.int64),
@@ -57,8 +64,28 @@ def survey(net: Network) -> Ways:
         place=np.zeros(size, dtype=np.int64),
         order=np.zeros((size, size), dtype=np.int32),
         known=np.zeros(size, dtype=np.int64),
+        fork=fork,
+        outward=np.argsort(steps, kind="stable").astype(np.int64),
+        lead=np.zeros(size),
+        led=np.full(1, -1, dtype=np.int64),
         extra=np.zeros(size),
     )
+
+
+def _forks(net: Network) -> tuple[Whole, Whole]:
+    """Return the first fork on the way of each buffer, and over how many others it comes there."""
+    size = len(net.first)
+    fork, steps = np.full(size, -1, dtype=np.int64), np.zeros(size, dtype=np.int64)
+    for start in range(size):
+        here = start
+        while steps[start] <= size:
+            count = net.next_at[here + 1] - net.next_at[here]
+            if count != 1:
+                fork[start] = here if count > 1 else -1
+                break
+            here = int(net.next_to[net.next_at[here]])
+            steps[start] += 1
+    return fork, steps
 
 
 def free_flow(net: Network) -> Real:
@@ -113,8 +140,9 @@ def grow(ways: Ways, goal: int, hop: Whole) -> None:
     far[goal], heap[0], place[goal], size, around, known = 0.0, goal, 0, 1, np.inf, 0
     while size > 0:
         here = heap[0]
-        ways.order[goal, known] = here
-        known += 1
+        if ways.fork[here] == here and here != goal:
+            ways.order[goal, known] = here
+            known += 1
         size -= 1
         if size > 0:
             _sink(far, heap, place, size)
@@ -136,27 +164,60 @@ def grow(ways: Ways, goal: int, hop: Whole) -> None:
 
 
 @compiled
+def lead(ways: Ways, net: Network) -> None:
+    """Add up how far it is from each buffer to the first fork on its way."""
+    for here in ways.outward:
+        on = ways.fork[here] >= 0 and ways.fork[here] != here
+        ways.lead[here] = ways.weight[here] + ways.lead[net.next_to[net.next_at[here]]] if on else 0.0
+    ways.led[0] = ways.version[0]
+
+
+@compiled
+def _beyond(ways: Ways, far: Real, here: int) -> float:
+    """Return how far it is from a buffer to the goal of a row: as far as it is written, or over the first fork on its way."""
+    if far[here] < np.inf or ways.fork[here] < 0:
+        return float(far[here])
+    return float(ways.lead[here] + far[ways.fork[here]])
+
+
+@compiled
+def _relax(ways: Ways, net: Network, goal: int, hop: Whole) -> bool:
+    """Let forks come nearer to the goal by a next buffer that is; return whether one did."""
+    far, nearer = ways.far[goal], False
+    for i in range(ways.known[goal]):
+        here = ways.order[goal, i]
+        for c in range(net.next_at[here], net.next_at[here + 1]):
+            time = _beyond(ways, far, net.next_to[c]) + ways.weight[here]
+            if time < far[here]:
+                far[here], hop[here], nearer = time, net.next_to[c], True
+    return nearer
+
+
+@compiled
 def renew(ways: Ways, net: Network, goal: int, hop: Whole) -> bool:
     """Make the row of a goal anew by the order of its old one, which weights of now change little; return whether that did.
 
-    Rows are gone through in that order until nothing gets nearer any more: by then they are as exact as grown ones.
+    Forks are gone through in that order until none gets nearer any more: by then they are as exact as grown ones. Whatever
+    comes to the goal without a fork is that far; from all other buffers there is one way, on to the next fork.
     """
-    far, order, known = ways.far[goal], ways.order[goal], ways.known[goal]
+    far, heap = ways.far[goal], ways.heap
     far[:] = np.inf
-    hop[:] = -1
-    far[goal], changed = 0.0, True
-    for _ in range(PASSES):
-        changed = False
-        for i in range(1, known):
-            here = order[i]
-            for c in range(net.next_at[here], net.next_at[here + 1]):
-                time = far[net.next_to[c]] + ways.weight[here]
-                if time < far[here]:
-                    far[here], hop[here], changed = time, net.next_to[c], True
-        if not changed:
-            break
-    if changed:
-        return False
+    far[goal], heap[0], size, passes = 0.0, goal, 1, 0
+    while size > 0:
+        size -= 1
+        here = heap[size]
+        for i in range(ways.before_at[here], ways.before_at[here + 1]):
+            other = ways.before[i]
+            if ways.fork[other] != other and far[other] == np.inf:
+                far[other] = far[here] + ways.weight[other]
+                heap[size] = other
+                size += 1
+    while _relax(ways, net, goal, hop):
+        passes += 1
+        if passes > PASSES:
+            return False
+    for here in range(len(far)):
+        far[here] = _beyond(ways, far, here)
     around = np.inf
     for c in range(net.next_at[goal], net.next_at[goal + 1]):
         after = net.next_to[c]
@@ -170,6 +231,8 @@ def renew(ways: Ways, net: Network, goal: int, hop: Whole) -> bool:
 def refresh(ways: Ways, net: Network, hops: Whole, goals: Whole) -> int:
     """Make the rows of these goals where they are older than the weights; return how many were made."""
     made = 0
+    if ways.led[0] != ways.version[0]:
+        lead(ways, net)
     for goal in goals:
         if ways.made[goal] != ways.version[0]:
             if ways.made[goal] < 0 or not renew(ways, net, goal, hops[goal]):

@@ -1406,10 +1406,10 @@ class UserIn(TypedDict):
 
 class Vehicle(TypedDict):
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting,
-    settling, absent, held ...); ``waiting`` the sentence that explains a wait; ``granted`` the track ahead it may
-    drive, ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its
-    first STATUS. An AGV (``kind``) has ``agv`` in place of status words, SEQ and code. ``parked``: it is idle at a
-    parking place.
+    settling, absent, held ...); ``waiting`` the sentence that explains a wait, ``waits_for`` the vehicle that has
+    to go first; ``granted`` the track ahead it may drive, ``covered`` what it holds at and behind its place. Mode
+    and everything from STATUS is None before its first STATUS. An AGV (``kind``) has ``agv`` in place of status
+    words, SEQ and code. ``parked``: it is idle at a parking place.
     """
 
     id: str
@@ -1435,6 +1435,7 @@ class Vehicle(TypedDict):
     job: str | None
     goal: str | None
     waiting: str
+    waits_for: str | None
     granted: list[str]
     covered: list[str]
     hold: Hold | None

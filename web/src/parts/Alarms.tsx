@@ -12,6 +12,7 @@ import { useRead } from "./asking";
 import { Name } from "./Name";
 import { Reasoned } from "./Reasoned";
 import { Reliability } from "./Reliability";
+import { Recover } from "./VehicleCommands";
 
 type Tab = "now" | "history" | "pareto" | "reliability";
 const TABS: Tab[] = ["now", "history", "pareto", "reliability"];
@@ -83,6 +84,7 @@ function Line({ alarm }: { alarm: Alarm }) {
       </span>
       {alarm.remedy && <p class="remedy">{tell(alarm.remedy)}</p>}
       <div class="wide">
+        {alarm.kind === "vehicle" && vehicles.get(alarm.source)?.oper === "alarm" && <Recover vehicle={alarm.source} />}
         {alarm.acknowledged ? (
           <small class="good">
             ✓ {t("known_to", alarm.acknowledged_by ?? "", clock(alarm.acknowledged))} {alarm.note}

@@ -4,7 +4,7 @@ import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
 import { Account } from "./Account";
 import { KeptOff } from "./Kept";
-import { Master } from "./Master";
+import { Master, StopAll } from "./Master";
 import { language, said, speak, t, tell, type Word } from "../texts";
 import { choose, theme } from "../theme";
 
@@ -22,6 +22,7 @@ export function Header() {
       <ControllerState />
       <KeptOff />
       {!inPast.value && <Master />}
+      {!inPast.value && <StopAll />}
       <span class="grow" />
       <Counts />
       <Account />

@@ -61,7 +61,7 @@ export function JobRoom() {
         keyOf={(job) => job.id}
         pick={({ id }) => (selected.value = { kind: "job", id })}
         chosen={selected.value?.kind === "job" ? selected.value.id : null}
-        none={t("no_jobs")}
+        none={t(all.length ? "no_match" : "no_jobs")}
         columns={[
           {
             name: t("job"),

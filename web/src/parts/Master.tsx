@@ -3,9 +3,23 @@ import { useSignal } from "@preact/signals";
 import { post } from "../api";
 import { controller } from "../store";
 import { t, tell } from "../texts";
+import { Told, useAsking } from "./asking";
 import { Reasoned } from "./Reasoned";
+import { Sure } from "./Sure";
 
 const FIRES = ["fire", "earthquake"] as const;
+
+/** Everything stops, pressed twice and without a word: whoever sees something go wrong has no time to write why. */
+export function StopAll() {
+  const asking = useAsking();
+  if (!controller.value) return null;
+  return (
+    <span class="stop-all">
+      <Sure class="grave" needs="POST /controller/stop" label={t("stop_all")} does={() => void asking.ask(() => post("/controller/stop", { reason: t("stopped_here") }))} />
+      <Told asking={asking} />
+    </span>
+  );
+}
 
 export function Master() {
   const open = useSignal(false);
@@ -24,6 +38,7 @@ export function Master() {
               {tell(words)}
             </p>
           ))}
+          <p class="calm">{t("reason_first")}</p>
           <Reasoned
             decisions={[
               { label: t("pause"), needs: "POST /controller/pause", does: (reason) => post("/controller/pause", { reason }) },
@@ -34,7 +49,7 @@ export function Master() {
                 grave: true,
                 does: (reason: string) => post("/controller/emergency", { kind, reason }),
               })),
-              { label: t("resume"), needs: "POST /controller/resume", bare: true, does: () => post("/controller/resume") },
+              { label: t("resume"), needs: "POST /controller/resume", bare: true, idle: now.state === "auto", does: () => post("/controller/resume") },
               ...emergencies.map((kind) => ({
                 label: t(`release_${kind}`),
                 needs: "POST /controller/emergency/release" as const,

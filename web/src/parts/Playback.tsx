@@ -78,7 +78,7 @@ export function PastEvents() {
         {t("events_of_note")} <small class="calm">{list.length}</small>
       </h2>
       <ol class="scroll" reversed tabIndex={0} aria-label={t("events_of_note")}>
-        {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
+        {list.length === 0 && <li class="nothing">{t("no_marks")}</li>}
         {list.map((event, i) => (
           <Line key={event.seq} event={event} past={i >= ahead} />
         ))}

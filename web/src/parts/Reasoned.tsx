@@ -14,6 +14,8 @@ export interface Decision {
   bare?: boolean;
   /** A note may be written all the same. */
   noted?: boolean;
+  /** There is nothing to decide just now. */
+  idle?: boolean;
   /** Pressed twice, since it is hard to undo. */
   grave?: boolean;
 }
@@ -40,11 +42,12 @@ export function Reasoned({ decisions, title, asking, hint }: { decisions: Decisi
       )}
       <div class="acts-row">
         {decisions.map((one) => {
-          const idle = busy.value || (!one.bare && !reason.value.trim());
+          const lacks = !one.bare && !reason.value.trim();
+          const idle = busy.value || lacks || one.idle === true;
           return one.grave ? (
-            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} does={() => void send(one)} />
+            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} title={lacks ? t("reason_first") : ""} does={() => void send(one)} />
           ) : (
-            <Button key={one.label} needs={one.needs} disabled={idle} onClick={() => void send(one)}>
+            <Button key={one.label} needs={one.needs} disabled={idle} title={lacks ? t("reason_first") : ""} onClick={() => void send(one)}>
               {one.label}
             </Button>
           );

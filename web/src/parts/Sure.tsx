@@ -7,7 +7,7 @@ import { Button } from "./Button";
 
 const PATIENCE = 3500;
 
-export function Sure(props: { label: string; needs: Call; does: () => void; class?: string; disabled?: boolean }) {
+export function Sure(props: { label: string; needs: Call; does: () => void; class?: string; disabled?: boolean; title?: string }) {
   const armed = useSignal(false);
   useEffect(() => {
     if (!armed.value) return undefined;
@@ -23,9 +23,10 @@ export function Sure(props: { label: string; needs: Call; does: () => void; clas
       needs={props.needs}
       class={`sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`}
       disabled={props.disabled ?? false}
+      title={props.title ?? ""}
       onClick={press}
     >
-      {armed.value ? t("sure") : props.label}
+      {armed.value ? `${t("sure")} ${props.label}` : props.label}
     </Button>
   );
 }

@@ -38,7 +38,6 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
     <details class="part acts">
       <summary>{t("commands")}</summary>
       <div class="stack">
-        {vehicle.oper === "alarm" && <Recover path={path} />}
         <div class="acts-row" data-commands={vehicle.id}>
           {plain.map((command) => (
             <Sure needs="POST /vehicles/{vehicle}/commands" key={command} label={t((agv && AGV_WORDS[command]) || (`vc_${command}` as Word))} does={() => send({ command })} />
@@ -65,13 +64,15 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
 }
 
 /** Out of an alarm, step by step as far as each is safe; homing only when somebody has looked. */
-function Recover({ path }: { path: string }) {
+export function Recover({ vehicle }: { vehicle: string }) {
+  const path = `/vehicles/${encodeURIComponent(vehicle)}`;
   const asking = useAsking();
   const looked = useSignal(false);
   return (
     <div class="stack">
-      <label>
-        <input type="checkbox" checked={looked.value} onChange={(event) => (looked.value = event.currentTarget.checked)} /> {t("homing_safe")}
+      <label class="tick">
+        <input type="checkbox" checked={looked.value} onChange={(event) => (looked.value = event.currentTarget.checked)} />{" "}
+        <span>{t("homing_safe")}</span>
       </label>
       <div class="acts-row">
         <Sure needs="POST /vehicles/{vehicle}/recover" label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} />

@@ -3,7 +3,8 @@ import { useSignal } from "@preact/signals";
 import { namesItself } from "../access";
 import { actor, post, serverNow } from "../api";
 import { clock, LOOKS, lookOf, span } from "../shows";
-import { layout, selected, tick, vehicleNow } from "../store";
+import { layout, selected, tick, vehicleList, vehicleNow } from "../store";
+import { rootOf } from "../waiting";
 import { said, t, tell, type Word } from "../texts";
 import type { Agv, Vehicle } from "../types";
 import { Button } from "./Button";
@@ -12,7 +13,7 @@ import { Name } from "./Name";
 import { Fact, Panel } from "./Panel";
 import { Problem } from "./Problem";
 import { Taught } from "./Taught";
-import { VehicleCommands } from "./VehicleCommands";
+import { Recover, VehicleCommands } from "./VehicleCommands";
 import { doing } from "./Vehicles";
 
 export function VehiclePanel({ id }: { id: string }) {
@@ -23,6 +24,7 @@ export function VehiclePanel({ id }: { id: string }) {
   return (
     <Panel title={now.id} tag={doing(now)} colour={LOOKS[lookOf(now)]}>
       <Notes vehicle={now} />
+      {now.oper === "alarm" && <Recover vehicle={id} />}
       <dl>
         <Fact name={t("state")}>
           {said(now.state)} · {said(now.service)}
@@ -81,6 +83,23 @@ export function Notes({ vehicle }: { vehicle: Vehicle }) {
           <b>{t("waits")}</b> {tell(vehicle.waiting)}
         </p>
       )}
+      <Behind vehicle={vehicle} />
+    </>
+  );
+}
+
+/** Who is behind a chain of waits, and how many wait because of this one. */
+function Behind({ vehicle }: { vehicle: Vehicle }) {
+  const root = rootOf(vehicle, vehicleNow);
+  const others = vehicleList.value.filter((other) => other.id !== vehicle.id && rootOf(other, vehicleNow)?.id === vehicle.id).length;
+  return (
+    <>
+      {root && root.id !== vehicle.waits_for && (
+        <p class="note waits" data-root={root.id}>
+          <b>{t("behind_it")}</b> <Name id={root.id} /> {tell(root.hold?.reason ?? root.waiting)}
+        </p>
+      )}
+      {others > 0 && <p class="note waits">{t("wait_for_it", others)}</p>}
     </>
   );
 }

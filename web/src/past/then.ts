@@ -26,6 +26,7 @@ const BLANK: Vehicle = {
   job: null,
   goal: null,
   waiting: "",
+  waits_for: null,
   granted: [],
   covered: [],
   hold: null,
