@@ -43,7 +43,13 @@ def admit(connection: HTTPConnection, controller: Controller) -> None:
 async def list_events(
     controller: Ctl, after: After = 0, limit: Limit = 100, job: QueryId = None, vehicle: QueryId = None
 ) -> Response:
-    """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all."""
+    """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all.
+
+    A number that no event has yet is refused: it is of another database, and nothing would come for a long time.
+    """
+    if after > (newest := controller.model.last_event):
+        remedy = "If the database is another one than before, begin with after=0."
+        raise Problem("conflict", f"There is no event {after} yet: the newest is {newest}.", remedy, "after")
     events = await read(controller.reader.events, after, limit, job=job, vehicle=vehicle)
     last = events[-1].seq if len(events) == limit else None
     return items((shown(view_of_event(event)) for event in events), last)

@@ -22,7 +22,11 @@ router = APIRouter(prefix="/statistics", tags=["statistics"])
 MOST_EVENTS = 3_000_000
 """So many events may lie in a period: some seconds of the database's time. Our choice."""
 ALARMS_NAMED = 30
-Every = Annotated[int, Query(ge=60, le=31 * 86_400, description="Seconds of an interval.")]
+Every = Annotated[
+    int | None,
+    Query(ge=60, le=31 * 86_400, description="Seconds of an interval; by default an hour, for long periods a day."),
+]
+HOUR = 3600
 FILES = {"csv": ("text/csv; charset=utf-8", as_csv), "parquet": ("application/vnd.apache.parquet", as_parquet)}
 HTML: dict[int | str, dict[str, Any]] = {200: {"description": "A page to print.", "content": {"text/html": {}}}}
 FILE: dict[int | str, dict[str, Any]] = {
@@ -31,10 +35,10 @@ FILE: dict[int | str, dict[str, Any]] = {
 
 
 @router.get("", **gives("Statistics"))
-async def show_statistics(controller: Ctl, begin: Begin = None, end: End = None, interval: Every = 3600) -> Response:
+async def show_statistics(controller: Ctl, begin: Begin = None, end: End = None, interval: Every = None) -> Response:
     """Show what a period came to (by default the last day): delivery times by phase, throughput, queue, vehicles, waits."""
-    asked = await _asked(controller, begin, end, interval)
-    _, found = await read(_found, controller, asked, interval)
+    asked, every = await _asked(controller, begin, end, interval)
+    _, found = await read(_found, controller, asked, every)
     return answer_of(_shown(found))
 
 
@@ -43,12 +47,12 @@ async def print_report(
     controller: Ctl,
     begin: Begin = None,
     end: End = None,
-    interval: Every = 3600,
+    interval: Every = None,
     lang: Annotated[Literal["en", "ko"], Query()] = "en",
 ) -> Response:
     """Give the report of a shift as a page to print (by default the last 8 hours)."""
-    asked = await _asked(controller, begin, end, interval, usual=8 * 3600.0)
-    _, found = await read(_found, controller, asked, interval)
+    asked, every = await _asked(controller, begin, end, interval, usual=8 * 3600.0)
+    _, found = await read(_found, controller, asked, every)
     columns = ("kind", "source", "code")
     alarms = await read(controller.reader.alarm_counts, columns, asked.begin, asked.end, ALARMS_NAMED)
     page = await read(report, controller.plant.name, found, alarms, controller.utc(), lang)
@@ -63,24 +67,28 @@ async def export_statistics(
     controller: Ctl,
     begin: Begin = None,
     end: End = None,
-    interval: Every = 3600,
+    interval: Every = None,
 ) -> Response:
     """Give one table as a file: durations in seconds, moments in ISO 8601. Parquet needs the extra `parquet`."""
-    asked = await _asked(controller, begin, end, interval)
-    transfers, found = await read(_found, controller, asked, interval)
+    asked, every = await _asked(controller, begin, end, interval)
+    transfers, found = await read(_found, controller, asked, every)
     media, write = FILES[kind]
     body = await read(lambda: write(table_of(table, found, transfers)))
     name = f'attachment; filename="{table}-{iso(asked.begin)[:10]}.{kind}"'
     return Response(body, headers={"Content-Disposition": name}, media_type=media)
 
 
-async def _asked(controller: Controller, begin: Any, end: Any, interval: int, usual: float = DAY) -> Period:
+async def _asked(
+    controller: Controller, begin: Any, end: Any, interval: int | None, usual: float = DAY
+) -> tuple[Period, int]:
+    """Return the period that is asked about, and the seconds of an interval. Raises Problem: it is too much."""
     asked = period(begin, end, controller.utc(), usual)
-    if asked.seconds / interval > MOST_INTERVALS:
+    every = interval or (HOUR if asked.seconds / HOUR <= MOST_INTERVALS else int(DAY))
+    if asked.seconds / every > MOST_INTERVALS:
         raise Problem("invalid", f"More than {MOST_INTERVALS} intervals.", "Ask for longer ones.", "interval")
     if await read(controller.reader.event_count, asked.begin, asked.end) > MOST_EVENTS:
         raise Problem("invalid", f"More than {MOST_EVENTS:,} events in this period.", "Ask for a shorter one.", "from")
-    return asked
+    return asked, every
 
 
 def _found(controller: Controller, asked: Period, interval: float) -> tuple[Any, Statistics]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import getpass
 import json as jsons
 import os
+import re
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import closing, contextmanager
@@ -138,6 +139,8 @@ def versions(url: Url = HERE, *, json: Json = False) -> None:
             who = one["activated_by"] or one["actor"]
             why = one["why"] or one["reason"]
             print(f"{one['number']:>5}  {one['state']:<9}{since[:16].replace('T', ' ')}Z  {who:<20}  {why}")
+            if one["why"] and one["why"] != one["reason"]:
+                print(f"       staged by {one['actor']} at {one['at'][:16].replace('T', ' ')}Z: {one['reason']}")
             if one["note"]:
                 print(f"       {one['note']}")
 
@@ -247,8 +250,16 @@ def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_o
     made = server.ask("POST", f"{VERSIONS}/{number}/activate", json=body).json()
     for one in made["in_the_way"]:
         print(f"waits for {one['what']} {one['name']}: {one['text']}")
-    while (found := server.version(number))["state"] == "awaited":
-        time.sleep(PAUSE)
+    kept = f"version {number} stays awaited, and becomes active once nothing is in its way"
+    withdraw = f"hoistway layout reject {number} --reason WHY withdraws it"
+    if made["in_the_way"]:
+        print(f"{kept}, also after Ctrl-C: {withdraw}", flush=True)
+    try:
+        while (found := server.version(number))["state"] == "awaited":
+            time.sleep(PAUSE)
+    except KeyboardInterrupt:
+        print(f"\n{kept}: {withdraw}", flush=True)
+        raise typer.Exit(130) from None
     if found["state"] != "active":
         refuse(f"version {number} is {found['state']}: {found['note']}")
     print(f"version {number} is active")
@@ -276,7 +287,21 @@ def _refused(answer: httpx.Response) -> Refused:
     told = {error.get("remedy") for error in errors}
     remedy = problem.get("remedy", "")
     lines = [said, *(_line(error) for error in errors)]
-    return Refused("\n  ".join(lines), remedy="" if remedy in told else remedy)
+    return Refused(_typed("\n  ".join(lines)), remedy="" if remedy in told else _typed(remedy))
+
+
+_TYPED = (
+    (re.compile(r"POST /api/v1/layout/versions/(\d+)/reject"), r"hoistway layout reject \1 --reason WHY"),
+    (re.compile(r"GET /api/v1/layout/versions\b"), "hoistway layout versions"),
+    (re.compile(r"send wait: true"), "use --wait"),
+)
+"""What a refusal says over REST, and what one types here."""
+
+
+def _typed(words: str) -> str:
+    for said, typed in _TYPED:
+        words = said.sub(typed, words)
+    return words
 
 
 def _line(error: Mapping[str, Any]) -> str:

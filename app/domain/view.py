@@ -101,7 +101,8 @@ class AgvView:
 @dataclass(frozen=True, slots=True)
 class VehicleView:
     """A vehicle as it is now. ``state`` in E82's words; ``activity`` one word more for people (idle, moving, waiting, settling,
-    absent, held ...); ``waiting`` the sentence that explains a wait, ``waits_for`` the vehicle that has to go first; ``granted`` the track ahead it may drive,
+    absent, held ...); ``waiting`` the sentence that explains a wait, ``waits_for`` the vehicle that has to go first; ``granted``
+    the track ahead it may drive,
     ``covered`` what it holds at and behind its place. Mode and everything from STATUS is None before its first STATUS. An
     AGV (``kind``) has ``agv`` in place of status words, SEQ and code. ``parked``: it is idle at a parking place.
     """

@@ -14,9 +14,9 @@ Whole: TypeAlias = "NDArray[np.int64]"
 class Costs:
     """How fullness is turned into seconds; all values are our choice, from runs on the fab of TRAFFIC section 1.
 
-    ``over``: fullness is the mean over about so many seconds: at most one means as it is at the last look. What it was minutes ago
-    says where the jam was, not where it is (docs/traffic.md). A piece of track costs its free-flow time, and ``weight`` times that
-    where it is full, less by ``power`` where it is not.
+    ``over``: fullness is the mean over about so many seconds; with one or less, as it is at the last look. What it was minutes
+    ago says where the jam was, not where it is (docs/traffic.md). A piece of track costs its free-flow time, and ``weight`` times
+    that where it is full, less by ``power`` where it is not.
     """
 
     over: float = 1.0

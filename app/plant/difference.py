@@ -12,6 +12,7 @@ from app.plant.connections import graph_of, reachable
 NEAR = 1.0
 """A mark that disappears where another appears, within so many mm, has got another name."""
 FIRST_ONLY = "its dest counts only where a database is made: teach it, or PUT /api/v1/stations/ID/dest"
+CARRIERS_ONCE = "counts only where a database is made: PUT /api/v1/carriers/ID with its place"
 SECTIONS = ("zones", "vehicles", "links", "doors", "buffers", "chargers", "drives")
 RULES = (
     "name",
@@ -19,6 +20,9 @@ RULES = (
     "listen",
     "charging",
     "restrain",
+    "congestion",
+    "reference_vehicles",
+    "carriers",
     "idle",
     "dialects",
     "process_codes",
@@ -195,7 +199,8 @@ def _rules(old: Plant, new: Plant) -> Iterator[Change]:
     for name in RULES:
         a, b = getattr(old, name), getattr(new, name)
         if a != b:
-            yield Change("plant", "changed", name, f"{_short(a)} → {_short(b)}", shown(a), shown(b))
+            text = f"{_short(a)} → {_short(b)}" + (f"; {CARRIERS_ONCE}" if name == "carriers" else "")
+            yield Change("plant", "changed", name, text, shown(a), shown(b))
 
 
 def _catalogues(old: Plant, new: Plant) -> Iterator[Change]:

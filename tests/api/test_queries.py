@@ -86,3 +86,13 @@ async def test_refusals_over_the_live_stream_are_in_the_language_of_its_address(
 async def test_what_may_be_given_more_than_once_may() -> None:
     assert wrong(b"a=1&a=2&b=", {"a": True, "b": False}) is None
     assert wrong(b"a=1&%61=2", {"a": False}) is not None, "the same name, written another way"
+
+
+async def test_a_number_that_no_event_has_yet_is_refused_not_waited_for(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    controller.happen("VehicleDeparted", vehicle="V001")
+    assert (await client.get("/events", params={"after": 1})).json()["items"] == []
+    answer = await client.get("/events", params={"after": 99})
+    assert (answer.status_code, answer.json()["field"]) == (409, "after")
+    assert answer.json()["detail"] == "There is no event 99 yet: the newest is 1."

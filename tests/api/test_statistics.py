@@ -100,3 +100,11 @@ async def test_what_would_take_too_long_is_refused(client: httpx.AsyncClient, co
     controller.reader.events_between = 4_000_000
     assert (await client.get("/statistics")).json()["field"] == "from"
     assert (await client.get("/statistics/other.csv")).status_code == 422
+
+
+async def test_a_long_period_is_counted_by_the_day_unless_an_interval_is_asked_for(client: httpx.AsyncClient) -> None:
+    half_a_year = {"from": "2025-07-01T00:00:00Z", "to": "2026-01-01T00:00:00Z"}
+    found = (await client.get("/statistics", params=half_a_year)).json()
+    assert len(found["intervals"]) == 184
+    refused = await client.get("/statistics", params={**half_a_year, "interval": "3600"})
+    assert (refused.status_code, refused.json()["field"]) == (422, "interval")

@@ -1,12 +1,14 @@
 """What differs between two plants, and what it breaks."""
 
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
 
+from app.domain.ids import VehicleId
 from app.domain.layout import Plant
 from app.plant import read
-from app.plant.difference import Difference, difference
+from app.plant.difference import RULES, SECTIONS, Difference, difference
 
 SMALL = (Path(__file__).parents[2] / "plants" / "small.yaml").read_text(encoding="utf-8")
 
@@ -28,6 +30,18 @@ def broken(made: Difference) -> dict[str, str]:
 
 def test_a_plant_does_not_differ_from_itself() -> None:
     assert difference(plant(), plant()) == Difference([], [])
+
+
+def test_every_field_of_a_plant_is_compared() -> None:
+    track = {"points", "edges", "stations", "catalogues"}
+    assert {field.name for field in fields(Plant)} == track | set(SECTIONS) | set(RULES)
+
+
+def test_a_reference_vehicle_and_what_carriers_are_for_are_told() -> None:
+    was = plant()
+    made = difference(was, replace(was, reference_vehicles=frozenset({VehicleId("V001")}), carriers=was.carriers[:1]))
+    assert told(made)[0] == "plant reference_vehicles changed: [] → ['V001']"
+    assert told(made)[1].endswith("; counts only where a database is made: PUT /api/v1/carriers/ID with its place")
 
 
 def test_a_moved_barcode_is_told_with_its_way() -> None:

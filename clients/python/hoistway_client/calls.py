@@ -40,7 +40,9 @@ class Calls(Synchronous):
         return cast("m.Job", self._call("POST", f"/api/v1/jobs/{path(job)}/abort"))
 
     def list_events(self, *, after: int | None = None, limit: int | None = None, job: str | None = None, vehicle: str | None = None) -> m.Page[m.Event]:
-        """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all."""
+        """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all. A number
+        that no event has yet is refused: it is of another database, and nothing would come for a long time.
+        """
         return cast("m.Page[m.Event]", self._call("GET", "/api/v1/events", params={"after": after, "limit": limit, "job": job, "vehicle": vehicle}))
 
     def list_vehicles(self) -> m.Page[m.Vehicle]:
@@ -784,7 +786,9 @@ class AsyncCalls(Asynchronous):
         return cast("m.Job", await self._call("POST", f"/api/v1/jobs/{path(job)}/abort"))
 
     async def list_events(self, *, after: int | None = None, limit: int | None = None, job: str | None = None, vehicle: str | None = None) -> m.Page[m.Event]:
-        """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all."""
+        """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all. A number
+        that no event has yet is refused: it is of another database, and nothing would come for a long time.
+        """
         return cast("m.Page[m.Event]", await self._call("GET", "/api/v1/events", params={"after": after, "limit": limit, "job": job, "vehicle": vehicle}))
 
     async def list_vehicles(self) -> m.Page[m.Vehicle]:
