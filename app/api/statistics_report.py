@@ -1,12 +1,14 @@
 """The printable report of a shift: one HTML page that needs nothing else, in English or Korean."""
 
+import re
 from collections.abc import Mapping, Sequence
+from datetime import datetime
 from html import escape
 
-from app.api.statistics_tables import Cell, Table, table_of
+from app.api.statistics_tables import MOMENTS, Cell, Table, table_of
 from app.domain.alarms import AlarmCount
 from app.fleet.statistics import Statistics
-from app.runtime.showing import iso
+from app.texts import Language, catalogue, told
 
 WORDS: Mapping[str, Mapping[str, str]] = {
     "en": {
@@ -21,6 +23,34 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "waits_of": "of the newest {} jobs that waited or were assigned",
         "none": "none",
         "made": "made",
+        "phase": "phase",
+        "count": "count",
+        "mean": "mean, s",
+        "p50": "half within, s",
+        "p95": "95 % within, s",
+        "longest": "longest, s",
+        "begin": "from",
+        "ordered": "ordered",
+        "completed": "completed",
+        "unfinished": "ended otherwise",
+        "queue": "queue",
+        "vehicle": "vehicle",
+        "fetching": "to the source, s",
+        "acquiring": "picking up, s",
+        "carrying": "carrying, s",
+        "depositing": "putting down, s",
+        "busy": "at work",
+        "failures": "failures",
+        "down": "down, min",
+        "mtbf": "MTBF, min",
+        "mttr": "MTTR, min",
+        "cause": "cause",
+        "times": "times",
+        "seconds": "seconds",
+        "kind": "of",
+        "source": "machine",
+        "code": "code",
+        "minutes": "minutes",
     },
     "ko": {
         "title": "교대 보고서",
@@ -34,6 +64,34 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "waits_of": "대기했거나 배차된 최근 작업 {}건 기준",
         "none": "없음",
         "made": "작성",
+        "phase": "단계",
+        "count": "건수",
+        "mean": "평균(초)",
+        "p50": "중앙값(초)",
+        "p95": "95 %(초)",
+        "longest": "최장(초)",
+        "begin": "시작",
+        "ordered": "접수",
+        "completed": "완료",
+        "unfinished": "미완료 종료",
+        "queue": "대기열",
+        "vehicle": "차량",
+        "fetching": "출발지 이동(초)",
+        "acquiring": "적재(초)",
+        "carrying": "운반(초)",
+        "depositing": "하역(초)",
+        "busy": "가동률",
+        "failures": "고장",
+        "down": "정지(분)",
+        "mtbf": "MTBF(분)",
+        "mttr": "MTTR(분)",
+        "cause": "원인",
+        "times": "횟수",
+        "seconds": "초",
+        "kind": "구분",
+        "source": "설비",
+        "code": "코드",
+        "minutes": "분",
     },
 }
 STYLE = (
@@ -44,8 +102,14 @@ STYLE = (
 )
 
 
-def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: float, lang: str) -> bytes:
-    """Return the report as HTML."""
+MINUTES = frozenset({"down", "mtbf", "mttr"})
+"""Columns of seconds that are shown in minutes."""
+NAMED = frozenset({"phase", "kind"})
+"""Columns whose cells are words of the page's catalogue."""
+
+
+def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: float, lang: Language) -> bytes:
+    """Return the report as HTML. Moments are in the time zone of this machine."""
     words = WORDS[lang]
     empty = words["none"] if found.empty is None else f"{found.empty:.1%}"
     summary = Table(tuple(found.states), [tuple(found.states.values())])
@@ -58,27 +122,56 @@ def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: fl
     )
     parts = [
         f"<h1>{escape(words['title'])}: {escape(plant)}</h1>",
-        f"<p>{iso(found.begin)} – {iso(found.end)} ({words['made']} {iso(made)})</p>",
-        _section(words["summary"], summary, words),
+        f"<p>{_local(found.begin)} – {_local(found.end, zone=True)} ({words['made']} {_local(made)})</p>",
+        _section(words["summary"], summary, words, lang),
         f"<p>{escape(words['empty'])}: {empty}</p>",
-        *(_section(words[name], table_of(name, found, ()), words) for name in ("phases", "intervals", "vehicles")),
-        _section(words["waits"], table_of("waits", found, ()), words),
+        *(
+            _section(words[name], table_of(name, found, ()), words, lang)
+            for name in ("phases", "intervals", "vehicles")
+        ),
+        _section(words["waits"], table_of("waits", found, ()), words, lang),
         f"<p>{escape(words['waits_of'].format(found.waits_of))}</p>",
-        _section(words["alarms"], counted, words),
+        _section(words["alarms"], counted, words, lang),
     ]
     head = f'<meta charset="utf-8"><title>{escape(words["title"])}: {escape(plant)}</title><style>{STYLE}</style>'
     return f'<!doctype html><html lang="{lang}"><head>{head}</head><body>{"".join(parts)}</body></html>'.encode()
 
 
-def _section(title: str, table: Table, words: Mapping[str, str]) -> str:
+def said(word: str, lang: Language) -> str:
+    """Return a word of the page's catalogue; as it is, if it has none."""
+    return catalogue(lang)["page"].get(word, word)
+
+
+def _local(moment: float, *, zone: bool = False) -> str:
+    there = datetime.fromtimestamp(moment).astimezone()
+    return there.strftime("%Y-%m-%d %H:%M" + (" %Z" if zone else ""))
+
+
+def _section(title: str, table: Table, words: Mapping[str, str], lang: Language) -> str:
     if not table.rows:
         return f"<h2>{escape(title)}</h2><p>{escape(words['none'])}</p>"
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
-    rows = "".join("<tr>" + "".join(f"<td>{_cell(cell)}</td>" for cell in row) + "</tr>" for row in table.rows)
+    head = "".join(f"<th>{escape(words.get(column) or said(column, lang))}</th>" for column in table.columns)
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{_cell(*cell, lang)}</td>" for cell in zip(table.columns, row, strict=True)) + "</tr>"
+        for row in table.rows
+    )
     return f"<h2>{escape(title)}</h2><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 
 
-def _cell(cell: Cell) -> str:
+def _cell(column: str, cell: Cell, lang: Language) -> str:
+    """Return a cell as people read it. A cause has ``-`` for the names it was counted without."""
     if cell is None:
         return ""
+    if isinstance(cell, str):
+        if column in MOMENTS:
+            return _local(datetime.fromisoformat(cell).timestamp())
+        if column in NAMED:
+            return escape(said(f"phase_{cell}" if column == "phase" else cell, lang))
+        return escape(
+            re.sub(r"(?<![^\s(])-(?![^\s.,:;)이은에을가(])", "…", told(cell, lang)) if column == "cause" else cell
+        )
+    if column == "busy":
+        return f"{cell:.1%}"
+    if column in MINUTES:
+        return f"{cell / 60:,.1f}"
     return f"{cell:,.1f}" if isinstance(cell, float) else escape(str(cell))

@@ -289,7 +289,7 @@ async def test_a_problem_is_told_in_the_callers_language_and_its_code_stays(clie
     asked = {"source": "P1", "destination": "P1", "job_id": "L/1"}
     for path, body, title in (
         ("/jobs/none/why", None, "그런 대상이 없습니다"),
-        ("/jobs", asked, "있을 수 없는 내용이 요청에 있습니다"),
+        ("/jobs", asked, "요청 값이 올바르지 않습니다"),
     ):
         method = "POST" if body else "GET"
         korean = await client.request(method, path, json=body, headers={"Accept-Language": "ko-KR,ko;q=0.9,en;q=0.8"})

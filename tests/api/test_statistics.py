@@ -9,6 +9,7 @@ from importlib.util import find_spec
 import httpx
 import pytest
 
+from app.api.statistics_report import WORDS, _cell
 from app.api.statistics_tables import COUNTS, MOMENTS, NAMES, TEXTS
 from app.domain.statistics import Transfer
 from tests.api.scripted import NOW, Scripted
@@ -108,3 +109,12 @@ async def test_a_long_period_is_counted_by_the_day_unless_an_interval_is_asked_f
     assert len(found["intervals"]) == 184
     refused = await client.get("/statistics", params={**half_a_year, "interval": "3600"})
     assert (refused.status_code, refused.json()["field"]) == (422, "interval")
+
+
+async def test_the_report_of_a_shift_has_words_and_units_for_its_columns_and_its_causes_in_its_language() -> None:
+    found = _cell("cause", "- is occupied by -", "en"), _cell("cause", "- is occupied by -", "ko")
+    assert found == ("… is occupied by …", "…에 …이(가) 있음")
+    assert _cell("busy", 0.125, "ko") == "12.5%"
+    assert _cell("mtbf", 90.0, "en") == "1.5"
+    assert _cell("phase", "depositing", "ko") == "하역"
+    assert WORDS["en"].keys() == WORDS["ko"].keys()
