@@ -5,6 +5,12 @@ set -euo pipefail
 : "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
 from=${1:?from when?} to=${2:?to when?} file=${3:?into which file?}
 
-curl -sS --fail-with-body -G --data-urlencode "from=$from" --data-urlencode "to=$to" -H "X-Actor: $ACTOR" \
-  -o "$file" "$HOISTWAY/api/v1/history/export"
+made=$(mktemp)
+trap 'rm -f "$made"' EXIT
+if ! curl -sS --fail-with-body -G --data-urlencode "from=$from" --data-urlencode "to=$to" -H "X-Actor: $ACTOR" \
+  -o "$made" "$HOISTWAY/api/v1/history/export"; then
+  cat "$made" >&2 # why not
+  exit 1
+fi
+cat "$made" >"$file"
 echo "{\"file\": \"$file\"}"

@@ -98,7 +98,7 @@ def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     assert "in MANT" in shift.run("bring-vehicle.sh")
     assert "proposal 1 is ready" in shift.run("teach-station.sh")
     changes = shift.run("approve.sh")
-    assert re.search(r"^P1 V001 shft None -> -?\d+ rota None -> -?\d+ lift None -> \d+", changes, re.MULTILINE)
+    assert re.search(r"^P1 V001 shft - -> -?\d+ rota - -> -?\d+ lift - -> \d+", changes, re.MULTILINE)
     assert "proposal 1 is approved as version 1" in changes
     raw = shift.get("/teaching/proposals/1")
     assert isinstance(raw, dict)

@@ -59,6 +59,8 @@ def crew(
     usual = _usual(kind, machines, top)
     starts = _starts(plant, machines, barcodes, usual.length, report)
     specs = [_spec(names[m.name], m, usual, start) for m, start in zip(machines, starts, strict=True)]
+    if machines:
+        _note_distances(plant, usual, report)
     plant = _linked(plant, specs, report) if agvs else _addressed(plant, machines, specs, report, text=text)
     _note_needs(plant, kind, report)
     return plant
@@ -91,6 +93,18 @@ def _spec(name: str, machine: Machine, usual: VehicleSpec, start: Barcode | None
         speed = Millimetres(max(1, min(100_000, round(machine.velocity))))
         spec = replace(spec, max_speed=speed, curve_speed=Millimetres(min(spec.curve_speed, speed)))
     return spec
+
+
+def _note_distances(plant: Plant, usual: VehicleSpec, report: Report) -> None:
+    """Say by which figures vehicles are kept apart where the file has none: nobody is to find that out on the rail."""
+    what = (
+        f"vehicles are {usual.length} mm long, drive up to {usual.max_speed} mm/s and brake with {usual.braking} mm/s²"
+    )
+    report.assumed("", f"{what} where the file does not say", "write what is true under vehicle_defaults")
+    if not plant.clearance:
+        report.assumed(
+            "", "clearance is 0: tracks side by side do not exclude each other", "write it, in mm, as clearance"
+        )
 
 
 # -- where they begin -------------------------------------------------------------------------------------------------
