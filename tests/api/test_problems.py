@@ -288,7 +288,7 @@ async def test_a_websocket_where_there_is_none_is_a_404_problem(served: FastAPI)
 async def test_a_problem_is_told_in_the_callers_language_and_its_code_stays(client: httpx.AsyncClient) -> None:
     asked = {"source": "P1", "destination": "P1", "job_id": "L/1"}
     for path, body, title in (
-        ("/jobs/none/why", None, "그런 대상이 없습니다"),
+        ("/jobs/none/why", None, "대상을 찾을 수 없습니다"),
         ("/jobs", asked, "요청 값이 올바르지 않습니다"),
     ):
         method = "POST" if body else "GET"

@@ -1,5 +1,6 @@
 """What people look up on the page without changing anything: a model's catalogue, backups, what failed, figures of a period."""
 
+import time
 from collections.abc import Iterator
 
 import pytest
@@ -42,8 +43,10 @@ def test_a_drives_model_and_what_its_backups_have_can_be_read(plant: Staffed) ->
         expect(kept.locator("tr", has_text="1C")).to_contain_text("Acceleration")
 
 
-def test_how_vehicles_held_out_leads_to_what_failed(plant: Staffed) -> None:
-    wrong = plant.server.controller.reader.wrong
+def test_how_vehicles_held_out_leads_to_what_failed(plant: Staffed, monkeypatch: pytest.MonkeyPatch) -> None:
+    controller = plant.server.controller
+    monkeypatch.setattr(controller, "utc", lambda: Timestamp(time.time()))  # the page asks by its own clock
+    wrong = controller.reader.wrong
     for number, source in ((1, "V001"), (2, "V002")):
         begun, ended = Timestamp(NOW - 3600), Timestamp(NOW - 1800)
         wrong[number] = Alarm(number, AlarmKind.VEHICLE, source, "101", "bumper", "look", begun, ended=ended)

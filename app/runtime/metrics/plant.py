@@ -39,8 +39,8 @@ def controller(model: ReadModel, trouble: str) -> Iterator[Metric]:
         yield counter("circles_resolved", "Circles that are over.", view.circles_resolved)
         yield gauge("closed_places", "Barcodes and edges that ways keep off.", view.closed_places)
         yield gauge("stations_cut_off", "Stations that nobody can reach for what is closed.", len(view.cut_off))
-        if view.restrained_to is not None:
-            yield gauge("restrained_to", "Hoists that may be on their way with jobs at once now.", view.restrained_to)
+        most = -1 if view.restrained_to is None else view.restrained_to
+        yield gauge("restrained_to", "Hoists that may be on their way with jobs at once now; -1: all.", most)
         yield gauge("slow_track", "Pieces of track that take twice as long as usual.", view.slow_track)
         led = {("closed",): float(view.led_round), ("quicker",): float(view.led_quicker)}
         yield counters("led_another_way", "Vehicles under way that were led another way.", ["why"], led)
