@@ -47,7 +47,9 @@ async def list_events(
 
     A number that no event has yet is refused: it is of another database, and nothing would come for a long time.
     """
-    if after > (newest := controller.model.last_event):
+    newest = controller.model.last_event
+    # What was just kept may have been read before it is published.
+    if after > newest and not await read(controller.reader.events, after - 1, 1):
         remedy = "If the database is another one than before, begin with after=0."
         raise Problem("conflict", f"There is no event {after} yet: the newest is {newest}.", remedy, "after")
     events = await read(controller.reader.events, after, limit, job=job, vehicle=vehicle)

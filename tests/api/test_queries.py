@@ -96,3 +96,5 @@ async def test_a_number_that_no_event_has_yet_is_refused_not_waited_for(
     answer = await client.get("/events", params={"after": 99})
     assert (answer.status_code, answer.json()["field"]) == (409, "after")
     assert answer.json()["detail"] == "There is no event 99 yet: the newest is 1."
+    controller.model.last_event = 0  # it is kept, and not published yet
+    assert (await client.get("/events", params={"after": 1})).json()["items"] == []
