@@ -9,7 +9,9 @@ from app.domain.units import Timestamp
 
 
 class AlarmKind(StrEnum):
-    """What an alarm is about. ``link``: nothing is heard of a vehicle; ``hold``: we do not believe what it says, or gave up."""
+    """What an alarm is about. ``link``: nothing is heard of a vehicle; ``hold``: we do not believe what it says, or gave up;
+    ``job``: one waits for what no driving puts right.
+    """
 
     VEHICLE = "vehicle"
     HOLD = "hold"
@@ -17,6 +19,7 @@ class AlarmKind(StrEnum):
     DEVICE = "device"
     DRIVE = "drive"
     TRAFFIC = "traffic"
+    JOB = "job"
     PLANT = "plant"
 
 

@@ -52,6 +52,10 @@ class Axis(StrEnum):
     LIFT = "lift"
 
 
+OVERDUE = Seconds(600.0)
+"""What ``Plant.overdue`` is where a plant does not say. Our choice."""
+
+
 @dataclass(frozen=True, slots=True)
 class Point:
     """A barcode and where it lies on the plan; ``park`` marks a place where an idle vehicle may wait."""
@@ -356,6 +360,8 @@ class Plant:
     congestion: bool | None = None
     """Whether routes keep off track that is slow by the traffic on it; None: unless the fleet is kept back (docs/traffic.md)."""
     idle: IdleRules = IdleRules()
+    overdue: Seconds = OVERDUE
+    """A job that waits so long for what no driving puts right is an alarm; 0: never."""
     drives: tuple[DriveUnit, ...] = ()
     catalogues: tuple[Catalogue, ...] = ()
     reference_vehicles: frozenset[VehicleId] = frozenset()

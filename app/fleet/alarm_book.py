@@ -87,6 +87,10 @@ class AlarmBook:
         """Return whether there is an alarm of this kind about a machine."""
         return (kind, source) in self._by_source
 
+    def codes(self, kind: AlarmKind, source: str) -> set[str]:
+        """Return what the alarms of this kind about a machine are counted by."""
+        return {code for _, _, code in self._by_source.get((kind, source), ())}
+
     def acknowledge(self, request: AcknowledgeAlarm) -> Reply:
         """Write down who knows of an alarm; the first one stays."""
         alarm = self.live.get(request.alarm) or self._ended.get(request.alarm) or request.known

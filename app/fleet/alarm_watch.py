@@ -44,7 +44,7 @@ class AlarmWatch:
         for alarm in list(books.alarms.live.values()):
             if alarm.kind is AlarmKind.TRAFFIC or (alarm.kind is AlarmKind.PLANT and alarm.code == STRANGER):
                 books.alarms.end_one(alarm.kind, alarm.source, alarm.code, "the controller was started again")
-            elif alarm.kind is not AlarmKind.PLANT and alarm.source not in known[alarm.kind]:
+            elif alarm.kind in known and alarm.source not in known[alarm.kind]:
                 books.alarms.end_one(alarm.kind, alarm.source, alarm.code, "it is not in the plant any more")
 
     def tick(self) -> None:

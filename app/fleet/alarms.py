@@ -111,7 +111,6 @@ class Alarms:
             self._stop(vehicle, failure, f"mend the cause, then POST /api/v1/vehicles/{vehicle.id}/recover again")
             self._recovery.begin(vehicle)
             return
-        self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=f"recovered by {recovery.actor}")
         if vehicle.doubt:
             self._recovery.hold(vehicle, vehicle.doubt, LOOK)
         elif _is_ours(vehicle):

@@ -15,6 +15,7 @@ from app.fleet.obstacles import (
     brought_first,
     in_line,
 )
+from app.fleet.overdue import Overdue
 from app.fleet.prospects import Prospects
 from app.fleet.reasons import Reasons
 
@@ -34,7 +35,14 @@ class Look:
     being brought.
     """
 
-    def __init__(self, books: Books, reasons: Reasons, prospects: Prospects, say: Callable[[Job, str], None]) -> None:
+    def __init__(
+        self,
+        books: Books,
+        reasons: Reasons,
+        prospects: Prospects,
+        overdue: Overdue,
+        say: Callable[[Job, str], None],
+    ) -> None:
         self.ready: list[Job] = []
         self.coming: dict[JobId, float] = {}
         self.seen = 0
@@ -42,6 +50,7 @@ class Look:
         self._books = books
         self._reasons = reasons
         self._prospects = prospects
+        self._overdue = overdue
         self._say = say
         active = books.backlog.under_way.values()
         self._sources: set[str] = {job.source for job in active if job.leg in {Leg.TO_SOURCE, Leg.ACQUIRING}}
@@ -69,7 +78,8 @@ class Look:
             if job.id in self._looked_at:
                 continue
             self._looked_at.add(job.id)
-            why, expected = self._against(job)
+            why, expected, lasting = self._against(job)
+            self._overdue.note(job, lasting=lasting)
             if why:
                 self._say(job, why)
                 continue
@@ -79,17 +89,20 @@ class Look:
             self._destinations[job.destination] = job
             self.ready.append(job)
 
-    def _against(self, job: Job) -> tuple[str, float | None]:
-        """Return why a job cannot begin, or in how many seconds its carrier is there, if it is being brought."""
+    def _against(self, job: Job) -> tuple[str, float | None, bool]:
+        """Return why a job cannot begin, or in how many seconds its carrier is there, if it is being brought.
+
+        Besides, whether what keeps it is none of the jobs and vehicles, but something that people or the host must mend.
+        """
         books = self._books
         first = "" if job.source in books.vehicles else brought_first(books, job.source, job.order)
         expected = self._expected(job) if first and job.source in self._served else None
-        why = first if first and expected is None else self._taken(job)
-        if not why and expected is None:
-            why = against_picking_up(books, job)
-        elif not why:
-            why = against_fetching(books, job)
-        return why or self._blocked(job) or self._reasons.hopeless(job) or against_driving(books, job), expected
+        others = first if first and expected is None else self._taken(job)
+        if others:
+            return others, expected, False
+        why = against_picking_up(books, job) if expected is None else against_fetching(books, job)
+        why = why or self._blocked(job) or self._reasons.hopeless(job)
+        return why or against_driving(books, job), expected, bool(why)
 
     def _taken(self, job: Job) -> str:
         """Return which other job comes first at one of its ends."""

@@ -216,6 +216,7 @@ class Fleet:
         self._flow.before_dispatch()
         self._closures.tick()
         self.watch.tick()
+        self._dispatch.overdue.tick()
         self._dispatch.run()
         self._flow.after_dispatch()
         self._go_on(all_devices=True)

@@ -20,6 +20,7 @@ from app.fleet.books import Books
 from app.fleet.choices import Choices
 from app.fleet.missions import Missions
 from app.fleet.obstacles import bringer
+from app.fleet.overdue import Overdue
 from app.fleet.prospects import Asked, Prospect, Prospects
 from app.fleet.reasons import Reasons
 from app.fleet.restraint import KeptBack
@@ -54,6 +55,7 @@ class Dispatch:
         self._names = tuple(books.vehicles)
         self._rows = {name: row for row, name in enumerate(books.vehicles)}
         self._reasons = Reasons(books, self._servants, self._rows)
+        self.overdue = Overdue(books)
         self._kept_back = KeptBack(books)
         self._held: set[JobId] = set()
         self._rethink_at = books.now
@@ -111,7 +113,7 @@ class Dispatch:
     def _think(self) -> Iterator[None]:
         """Look at jobs and vehicles, weigh, assign, explain; give after each slice."""
         books = self._books
-        look = Look(books, self._reasons, self._prospects, self._say)
+        look = Look(books, self._reasons, self._prospects, self.overdue, self._say)
         if books.controller.state is not ControllerState.AUTO:
             for job in books.backlog.urgent(0, IN_TURN):
                 self._say(job, f"the controller is {books.controller.state.value}")

@@ -110,24 +110,27 @@ class Hearing:
             self._recovery.begin(vehicle)
 
     def _mind_alarm(self, vehicle: VehicleNow, status: VehicleStatus) -> None:
-        """Keep what alarm it has; one from before a restart may be over."""
+        """Keep what alarm it has; one from before a restart may be over. Each that begins is told, and that it ended."""
         alarms, condition = self._books.alarms, status.condition
+        if condition.oper is not Oper.ALARM and not alarms.about(AlarmKind.VEHICLE, vehicle.id):
+            return
+        before = alarms.codes(AlarmKind.VEHICLE, vehicle.id)
         if condition.oper is Oper.ALARM:
             remedy = f"clear the cause, then POST /api/v1/vehicles/{vehicle.id}/recover"
             cause = f"alarm {self._books.named_alarm(condition.code)}"
             alarms.begin_only(AlarmKind.VEHICLE, vehicle.id, str(condition.code), cause, remedy, vehicle.job)
-        elif alarms.about(AlarmKind.VEHICLE, vehicle.id):
+        else:
             alarms.end(AlarmKind.VEHICLE, vehicle.id, "it reports no alarm any more")
+        after = alarms.codes(AlarmKind.VEHICLE, vehicle.id)
+        for name, codes in ((JobEvent.ALARM_CLEARED, before - after), (JobEvent.ALARM_SET, after - before)):
+            for code in codes:
+                self._books.event(name, vehicle=vehicle.id, detail=self._books.named_alarm(int(code)))
 
     def _note_changes(self, vehicle: VehicleNow, before: VehicleStatus | None, now: VehicleStatus) -> None:
-        """Alarms become events; leaving AUTO means that the vehicle may be moved without us."""
+        """Leaving AUTO means that the vehicle may be moved without us."""
         if before is None:
             return
         was, is_ = before.condition, now.condition
-        if is_.oper is Oper.ALARM and (was.oper is not Oper.ALARM or was.code != is_.code):
-            self._books.event(JobEvent.ALARM_SET, vehicle=vehicle.id, detail=self._books.named_alarm(is_.code))
-        elif was.oper is Oper.ALARM and is_.oper is not Oper.ALARM:
-            self._books.event(JobEvent.ALARM_CLEARED, vehicle=vehicle.id, detail=str(was.code))
         if was.mode is Mode.AUTO and is_.mode is not Mode.AUTO and vehicle.accounted:
             self._recovery.widen(vehicle)
         if vehicle.stage is Stage.READY and was.mode is not is_.mode and not vehicle.recovery:

@@ -56,6 +56,7 @@ def build(document: Document, file: file_format.PlantFile, name: str) -> tuple[P
         restrain=file.traffic.restrain,
         congestion=file.traffic.congestion if isinstance(file.traffic.congestion, bool) else None,
         idle=IdleRules(file.idle.park, Seconds(file.idle.after), Seconds(file.idle.farthest)),
+        overdue=Seconds(file.jobs.overdue),
         drives=tuple(drives(document, file, links)),
         reference_vehicles=frozenset(VehicleId(v) for v, given in file.vehicles.items() if given.reference),
     )

@@ -24,6 +24,7 @@ RULES = (
     "reference_vehicles",
     "carriers",
     "idle",
+    "overdue",
     "dialects",
     "process_codes",
     "alarm_codes",

@@ -223,6 +223,16 @@ class Idle(Strict, frozen=True):
     farthest: Time = 60
 
 
+class Jobs(Strict, frozen=True):
+    """What holds for transfer jobs.
+
+    One that waits `overdue` seconds for what no driving puts right is an alarm: its source is empty or holds another carrier, its
+    destination is occupied, a port is out of service, no vehicle can serve both. 0: never, where hosts order hours ahead.
+    """
+
+    overdue: Time = 600
+
+
 class Drive(Strict, frozen=True):
     """An axis drive on an HI line; `model` names its catalogue of parameters, without which only raw access is possible."""
 
@@ -298,6 +308,7 @@ class PlantFile(Strict, frozen=True):
     chargers: dict[str, Charger] = {}
     charging: Charging = Charging()
     traffic: Traffic = Traffic()
+    jobs: Jobs = Jobs()
     idle: Idle = Idle()
     drives: dict[str, Drive] = {}
     vehicle_defaults: VehicleDefaults = VehicleDefaults()

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import hypot
 from typing import TypeAlias
 
-from app.domain.layout import Edge, Plant, Point, PulseSet, Station, Zone
+from app.domain.layout import OVERDUE, Edge, Plant, Point, PulseSet, Station, Zone
 from app.domain.units import Barcode
 from app.plant.writing_machines import equipment, vehicles
 from app.plant.written import Value, address, entries, flow, mark, quoted, word
@@ -67,6 +67,8 @@ def _rules(plant: Plant) -> list[str]:
     lines = [f"traffic: {{{', '.join(traffic)}}}"] if traffic else []
     if idle.park:
         lines.append(f"idle: {{park: true, after: {idle.after:.0f}, farthest: {idle.farthest:.0f}}}")
+    if plant.overdue != OVERDUE:
+        lines.append(f"jobs: {{overdue: {plant.overdue:.0f}}}")
     return lines
 
 

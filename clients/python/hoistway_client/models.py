@@ -137,7 +137,7 @@ class AlarmCount(TypedDict):
     newest: str
 
 
-AlarmKind: TypeAlias = "Literal['vehicle', 'hold', 'link', 'device', 'drive', 'traffic', 'plant']"
+AlarmKind: TypeAlias = "Literal['vehicle', 'hold', 'link', 'device', 'drive', 'traffic', 'job', 'plant']"
 
 
 class ApproveIn(TypedDict):
