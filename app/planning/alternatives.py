@@ -55,8 +55,7 @@ def by_table(view: View, goal: Barcode, cuts: Cuts) -> Aim:
 def by_present(view: View, goal: Barcode, cuts: Cuts) -> Aim:
     """Return the search for a goal with the view's times over all that is open now, whatever its version had closed."""
     arcs, reach = view.arcs, view.reach(goal, cuts)
-    whole = view.at[arcs.begins[1 : arcs.approaches + 1] - 1]
-    whole[[arc for arc in cuts if arc < arcs.approaches]] = inf
+    whole = arcs.plan.whole(view.tables.at, cuts)
     times = [inf] * arcs.plan.size
     if reach:
         rows = seconds_to(arcs.plan, whole, [fork for fork, _ in reach])

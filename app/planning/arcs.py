@@ -2,17 +2,17 @@
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TypeAlias
 
-import numpy as np
-
 from app.domain.units import Barcode
-from app.planning.tables import Elimination, Floats, Ints, Plan, planned
+from app.planning.tables import Elimination, Plan, planned
 from app.planning.track import Track
 
 EdgeKey: TypeAlias = tuple[Barcode, Barcode]
+Step: TypeAlias = tuple[tuple[Barcode, ...], int, int]
+"""A pair's way without its first barcode, where the row of the fork that it leads to begins, and that fork's first pair."""
 Spot: TypeAlias = tuple[int, int]
 """An arc, and an index in its path (of the barcode, or of the one that an edge leads to)."""
 
@@ -27,8 +27,7 @@ class Arcs:
     dead end; ``first[f]`` is the first arc of a fork. ``spots`` has, for every barcode that is no fork, where arcs lead over
     it; from all of them the way on is the same.
 
-    ``edges`` numbers all edges. Arc ``a`` has the numbers ``over[begins[a] : begins[a + 1]]``, one per barcode of its path, of
-    the edge that leads there (the first: ``len(edges)``).
+    ``edges`` numbers all edges, for ``plan.over``: one per barcode of each arc's path, the edge that leads there.
     """
 
     forks: dict[Barcode, int]
@@ -40,13 +39,14 @@ class Arcs:
     approaches: int
     spots: dict[Barcode, tuple[Spot, ...]]
     edges: dict[EdgeKey, int]
-    over: Ints
-    begins: Ints
     plan: Plan
     starts: tuple[int, ...]
-    """``begins`` for plain Python; so are the next two of the plan."""
+    """The plan's ``begins`` for plain Python, as the next two are."""
     pair_first: tuple[int, ...]
     pair_heads: tuple[int, ...]
+    joined: dict[tuple[int, int], tuple[Step, Step, Step]] = field(default_factory=dict)
+    """Steps made of two, by the ids of the two: all three, so that no other gets an id of theirs; by an arc and -1 the step
+    along it."""
 
     def on(self, edge: EdgeKey) -> Iterator[Spot]:
         """Give every arc that leads over an edge, and the index of the edge's end in its path."""
@@ -59,13 +59,6 @@ class Arcs:
         for arc in range(self.first[fork], self.first[fork + 1]):
             if self.paths[arc][1] == end:
                 yield arc, 1
-
-    def at(self, seconds: Floats) -> Floats:
-        """Return, aligned with ``over``, the time from the beginning of its arc to each barcode, given each edge's seconds."""
-        times: Floats = np.append(seconds, 0.0).take(self.over)
-        np.cumsum(times, out=times)
-        times -= np.repeat(times[self.begins[:-1]], np.diff(self.begins))
-        return times
 
 
 def contract(track: Track) -> Arcs:
@@ -80,32 +73,29 @@ def contract(track: Track) -> Arcs:
     order = sorted(range(len(ways)), key=lambda arc: number[ends[arc][0]])
     paths = [ways[arc][1] for arc in order]
     arcs = [(number[ends[arc][0]], number[ends[arc][1]]) for arc in order]
-    plan = planned(arcs, elimination)
+    edges = {edge: number for number, edge in enumerate(track.graph.edges)}
+    between = tuple(arcs)
     for path in _approaches(track, known, paths):
         paths.append(path)
         arcs.append((-1, number[known.get(path[-1], -1)]))
-    return _assembled(track, {found[fork]: place for fork, place in number.items() if fork >= 0}, paths, arcs, plan)
+    over = [[len(edges), *(edges[edge] for edge in pairwise(path))] for path in paths]
+    plan = planned(between, elimination, over)
+    return _assembled({found[fork]: place for fork, place in number.items() if fork >= 0}, paths, arcs, edges, plan)
 
 
 def _assembled(
-    track: Track,
     forks: dict[Barcode, int],
     paths: Sequence[tuple[Barcode, ...]],
     arcs: Sequence[tuple[int, int]],
+    edges: dict[EdgeKey, int],
     plan: Plan,
 ) -> Arcs:
-    edges = {edge: number for number, edge in enumerate(track.graph.edges)}
     spots: dict[Barcode, tuple[Spot, ...]] = {}
-    over: list[int] = []
-    begins = [0]
     tails = [tail for tail, _ in arcs if tail >= 0]
     for arc, path in enumerate(paths):
         for index, barcode in enumerate(path):
             if barcode not in forks:
                 spots[barcode] = (*spots.get(barcode, ()), (arc, index))
-        over.append(len(edges))
-        over += [edges[edge] for edge in pairwise(path)]
-        begins.append(len(over))
     return Arcs(
         forks=forks,
         paths=tuple(paths),
@@ -116,10 +106,8 @@ def _assembled(
         approaches=len(tails),
         spots=spots,
         edges=edges,
-        over=np.array(over, dtype=np.int32),
-        begins=np.array(begins, dtype=np.int32),
         plan=plan,
-        starts=tuple(begins),
+        starts=tuple(plan.begins.tolist()),
         pair_first=tuple(plan.first.tolist()),
         pair_heads=tuple(plan.heads.tolist()),
     )

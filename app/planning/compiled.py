@@ -8,14 +8,14 @@ from typing import TypeAlias, cast
 import numpy as np
 
 from app.domain.units import Barcode
-from app.planning.arcs import Arcs
+from app.planning.arcs import Arcs, Step
 from app.planning.tables import Floats, Tables
 
 Cuts: TypeAlias = Mapping[int, Sequence[int]]
 """For each arc that a closed edge lies on, the indices in its path that cannot be reached from the one before."""
 NO_CUTS: Cuts = {}
-Step: TypeAlias = tuple[tuple[Barcode, ...], int, int]
-"""A pair's way without its first barcode, where the row of the fork that it leads to begins, and that fork's first pair."""
+MOST_JOINED = 4
+"""So many steps a pair are kept for later versions, before they are forgotten. Our choice."""
 
 
 def is_open(cuts: Cuts, arc: int, start: int, end: int) -> bool:
@@ -30,11 +30,11 @@ class View:
     given to methods are those of now: they count on the stretches before the first fork and behind the last one.
     """
 
-    def __init__(self, arcs: Arcs, seconds: Floats, at: Floats, shut: Mapping[int, object], tables: Tables) -> None:
-        self.arcs, self.seconds, self.at, self.tables = arcs, seconds, at, tables
+    def __init__(self, arcs: Arcs, seconds: Floats, shut: Mapping[int, object], tables: Tables) -> None:
+        self.arcs, self.seconds, self.tables = arcs, seconds, tables
         self.shut = frozenset(shut)
         self._size = arcs.plan.size
-        self._at = cast("memoryview[float]", at.data)
+        self._at = cast("memoryview[float]", tables.at.data)
         self._begins = arcs.starts
         self._times = cast("memoryview[float]", tables.seconds.reshape(-1).data)
         self._hop = tables.hop.reshape(-1).data
@@ -117,13 +117,36 @@ class View:
     def _step(self, pair: int) -> Step:
         """Return the step of a pair; kept for the next time."""
         one, other = self.tables.parts[pair].tolist()
-        leg = self.arcs.rest[one] if other < 0 else self._way(one) + self._way(other)
-        head = self.arcs.pair_heads[pair]
-        step = self._steps[pair] = leg, head * self._size, self.arcs.pair_first[head]
+        if other < 0:
+            step = self._leaf(one, pair)
+        else:
+            step = self._joined(self._steps[one] or self._step(one), self._steps[other] or self._step(other))
+        self._steps[pair] = step
         return step
 
-    def _way(self, pair: int) -> tuple[Barcode, ...]:
-        return (self._steps[pair] or self._step(pair))[0]
+    def _leaf(self, arc: int, pair: int) -> Step:
+        """Return the step along one arc, the quickest of a pair: the same object in all versions, as most are."""
+        found = self.arcs.joined.get((arc, -1))
+        if found is None:
+            head = self.arcs.pair_heads[pair]
+            step = self.arcs.rest[arc], head * self._size, self.arcs.pair_first[head]
+            found = self._kept((arc, -1), (step, step, step))
+        return found[2]
+
+    def _joined(self, one: Step, other: Step) -> Step:
+        """Return both steps as one: the same object in all versions, as most are."""
+        names = id(one), id(other)
+        found = self.arcs.joined.get(names)
+        if found is None:
+            found = self._kept(names, (one, other, (one[0] + other[0], *other[1:])))
+        return found[2]
+
+    def _kept(self, names: tuple[int, int], steps: tuple[Step, Step, Step]) -> tuple[Step, Step, Step]:
+        known = self.arcs.joined
+        if len(known) > MOST_JOINED * len(self._steps):
+            known.clear()
+        known[names] = steps
+        return steps
 
     def time(self, start: Barcode, goal: Barcode, cuts: Cuts) -> float:
         """Return the seconds of the quickest way; infinite if there is none."""

@@ -38,7 +38,6 @@ class _Asked:
 
     version: int
     seconds: Floats
-    at: Floats
     shut: Cuts
 
 
@@ -55,6 +54,7 @@ class Router:
         self._track = track
         self._arcs = contract(track)
         self._free: Floats = np.array([track.graph.edges[edge]["time"] for edge in self._arcs.edges], dtype=np.float64)
+        self._most: Floats = np.maximum(LONGEST, self._free)
         self._seconds = self._free
         self._closed: dict[Barcode | EdgeKey, None] = {}
         self._cuts: Cuts = {}
@@ -106,7 +106,9 @@ class Router:
 
         Nor more than ``LONGEST``, unless the empty track takes more; what is no number counts as the empty track.
         """
-        values = np.minimum(np.fmax(factors, 1.0) * self._free, np.maximum(LONGEST, self._free))
+        values: Floats = np.fmax(factors, 1.0)
+        values *= self._free
+        np.minimum(values, self._most, out=values)
         if not np.array_equal(values, self._seconds):
             self._seconds = values
             self._change()
@@ -141,19 +143,15 @@ class Router:
         return True
 
     def _ask(self) -> Task:
-        at = self._arcs.at(self._seconds)
-        self._asked = _Asked(self._version, self._seconds, at, self._cuts)
-        ends = self._arcs.begins[1 : self._arcs.approaches + 1] - 1
-        whole = at[ends]
-        whole[[arc for arc in self._cuts if arc < self._arcs.approaches]] = inf
-        return Task(self._version, self._arcs.plan, whole)
+        self._asked = _Asked(self._version, self._seconds, self._cuts)
+        return Task(self._version, self._arcs.plan, self._seconds, tuple(self._cuts))
 
     def _view(self, result: Task | Tables) -> View:
         asked = self._asked
         assert asked is not None
         self._asked = None
         tables = compute(result) if isinstance(result, Task) else result
-        return View(self._arcs, asked.seconds, asked.at, asked.shut, tables)
+        return View(self._arcs, asked.seconds, asked.shut, tables)
 
     def _recut(self) -> None:
         cuts: dict[int, list[int]] = {}

@@ -8,9 +8,10 @@ faster than a search from each node. What is too interwoven to be eliminated (th
 Nothing here knows barcodes; tasks and tables are arrays only, so that any process may compute them.
 """
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
+from itertools import chain
 from math import inf
 from typing import TypeAlias
 
@@ -38,6 +39,9 @@ class Plan:
     by what elimination adds; pairs rise by tail, and ``first[f]`` is the first one of a fork (``size`` + 1 of them). ``pair`` is
     each arc's, -1 if it leads nowhere new. ``through`` has rows (pair in, pair out, pair made), in order. ``ahead`` and
     ``behind`` have rows (fork, neighbour of it that is eliminated later, their pair).
+
+    Arc ``a`` leads over the edges ``over[begins[a] : begins[a + 1]]``, one per barcode of its path (the first: the number of
+    edges). Arcs beyond those that have a ``pair`` begin at no fork.
     """
 
     size: int
@@ -49,15 +53,31 @@ class Plan:
     through: Ints
     ahead: Ints
     behind: Ints
+    over: Ints
+    begins: Ints
+
+    def at(self, seconds: Floats) -> Floats:
+        """Return, aligned with ``over``, the time from the beginning of its arc to each barcode, given each edge's seconds."""
+        times: Floats = np.append(seconds, 0.0).take(self.over)
+        np.cumsum(times, out=times)
+        times -= np.repeat(times[self.begins[:-1]], np.diff(self.begins))
+        return times
+
+    def whole(self, at: Floats, shut: Iterable[int] = ()) -> Floats:
+        """Return the seconds of each arc that begins at a fork, infinite for those that are shut."""
+        seconds = at[self.begins[1 : len(self.pair) + 1] - 1]
+        seconds[[arc for arc in shut if arc < len(self.pair)]] = inf
+        return seconds
 
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """Tables wanted for these seconds of each arc (infinite: closed). May be pickled and computed anywhere."""
+    """Tables wanted for these seconds of each edge, with these arcs shut. May be pickled and computed anywhere."""
 
     version: int
     plan: Plan
     seconds: Floats
+    shut: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,13 +87,14 @@ class Tables:
     ``seconds`` is the time of the quickest way, 0 on the diagonal, infinite where there is none. ``hop`` tells which pair out of
     the first fork to follow, counted from the fork's first; it means nothing where the time is 0 or infinite. It is the longest
     one on a quickest way, so that a route has few. ``parts`` has a row for each pair: the two that it is made of, or its arc
-    and -1; (-1, -1): it has no way.
+    and -1; (-1, -1): it has no way. ``at`` is what ``Plan.at`` gives.
     """
 
     version: int
     seconds: Floats
     hop: Hops
     parts: Ints
+    at: Floats
 
 
 class Elimination:
@@ -123,8 +144,11 @@ class Elimination:
         return sorted(before | after)
 
 
-def planned(arcs: Sequence[tuple[int, int]], elimination: Elimination) -> Plan:
-    """Return the plan for arcs (tail, head) between forks that are numbered by this elimination. A head of -1 is a dead end."""
+def planned(arcs: Sequence[tuple[int, int]], elimination: Elimination, over: Sequence[Sequence[int]]) -> Plan:
+    """Return the plan for arcs (tail, head) between forks that are numbered by this elimination. A head of -1 is a dead end.
+
+    ``over`` has the edges that each arc leads over, also of those that begin at no fork, after the others.
+    """
     number = {fork: place for place, fork in enumerate(elimination.order)}
     links = [([number[f] for f in before], [number[f] for f in after]) for before, after in elimination.links]
     known = dict.fromkeys(arc for arc in arcs if arc[1] not in (-1, arc[0]))
@@ -150,6 +174,8 @@ def planned(arcs: Sequence[tuple[int, int]], elimination: Elimination) -> Plan:
         through=_rows(through),
         ahead=_rows(ahead),
         behind=_rows(behind),
+        over=np.fromiter(chain.from_iterable(over), dtype=np.int32),
+        begins=np.cumsum([0, *(len(edges) for edges in over)], dtype=np.int32),
     )
 
 
@@ -171,7 +197,8 @@ def compute(task: Task) -> Tables:
 def computing(task: Task) -> Generator[None, None, Tables]:
     """Compute the tables in small steps, for who has no other process to do it in; the generator returns them."""
     plan = task.plan
-    direct, parts = _direct(plan, task.seconds)
+    at = plan.at(task.seconds)
+    direct, parts = _direct(plan, plan.whole(at, task.shut))
     table = np.empty((plan.size, plan.size))
     yield
     for begin in range(0, plan.size, SLICE):
@@ -192,7 +219,7 @@ def computing(task: Task) -> Generator[None, None, Tables]:
     few = int(np.diff(plan.first).max(initial=0)) <= np.iinfo(np.int8).max
     hop: Hops = np.zeros((plan.size, plan.size), dtype=np.int8 if few else np.int16)
     yield from _choose(plan, way, table, hop)
-    return Tables(task.version, table, hop, parts)
+    return Tables(task.version, table, hop, parts, at)
 
 
 def seconds_to(plan: Plan, seconds: Floats, forks: Sequence[int]) -> Floats:

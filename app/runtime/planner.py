@@ -1,5 +1,7 @@
 """The process that computes routing tables: pickled tasks in, and for each a file with the tables out.
 
+The plan comes with the first task only, since it stays the same as long as the track does.
+
 It ends when its standard input does, so that it never outlives the controller. Tables go through a file in shared memory (or on
 disk, where that is too small) that the controller maps and unlinks: a table of many megabytes is copied by nobody.
 """
@@ -33,6 +35,22 @@ def packed(message: object) -> bytes:
     return LENGTH.pack(len(body)) + body
 
 
+def told(task: Task, before: Task | None) -> bytes:
+    """Return a task as the process takes it that had another one ``before``: without the plan, if it is the same."""
+    plan = None if before is not None and task.plan is before.plan else task.plan
+    return packed((plan, task.version, task.seconds, task.shut))
+
+
+def heard(body: bytes, before: Task | None) -> Task:
+    """Return the task that ``told`` has packed. Raises ValueError: it is without a plan, and there was none before."""
+    plan, version, seconds, shut = pickle.loads(body)  # noqa: S301 (from the process that started this one)
+    if plan is None:
+        if before is None:
+            raise ValueError("the first task has a plan")
+        plan = before.plan
+    return Task(version, plan, seconds, shut)
+
+
 def clear(process: int) -> None:
     """Remove what a planner process that has ended left behind."""
     for folder in (SHARED_MEMORY, Path(tempfile.gettempdir())):
@@ -42,7 +60,7 @@ def clear(process: int) -> None:
 
 def written(tables: Tables) -> tuple[str, int, list[Array]]:
     """Write tables into a new file. Returns its name, their version, and where each array is."""
-    arrays = [np.ascontiguousarray(array) for array in (tables.seconds, tables.hop, tables.parts)]
+    arrays = [np.ascontiguousarray(array) for array in (tables.seconds, tables.hop, tables.parts, tables.at)]
     places: list[Array] = []
     end = 0
     for array in arrays:
@@ -80,17 +98,18 @@ def read(name: str, version: int, places: list[Array]) -> Tables:
     with path.open("rb") as file:
         memory = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     path.unlink()
-    seconds, hop, parts = (
+    seconds, hop, parts, at = (
         np.frombuffer(memory, dtype, int(np.prod(shape)), offset).reshape(shape) for shape, dtype, offset in places
     )
-    return Tables(version, seconds, hop, parts)
+    return Tables(version, seconds, hop, parts, at)
 
 
 def serve(tasks: BinaryIO, answers: BinaryIO) -> None:
     """Compute task after task until there are no more."""
+    task: Task | None = None
     while len(head := tasks.read(LENGTH.size)) == LENGTH.size:
         body = tasks.read(LENGTH.unpack(head)[0])
-        task: Task = pickle.loads(body)  # noqa: S301 (from the process that started this one)
+        task = heard(body, task)
         answers.write(packed(written(compute(task))))
         answers.flush()
 

@@ -2,16 +2,19 @@
 
 import asyncio
 import contextlib
+import os
 import pickle
 import sys
 from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from threading import get_native_id
 from typing import Protocol
 
 from structlog.typing import FilteringBoundLogger
 
 from app.planning.tables import Tables, Task, computing
-from app.runtime.planner import LENGTH, clear, packed, read
+from app.runtime.planner import LENGTH, NICE, clear, read, told
 from app.runtime.telemetry import logger
 
 COMMAND = (sys.executable, "-m", "app.runtime.planner")
@@ -23,6 +26,12 @@ LEAVE_WITHIN = 2.0
 """Seconds for the process to end by itself when the controller stops. Our choice."""
 SLICE_PAUSE = 0.001
 """Seconds that the loop has for others between two slices. Our choice."""
+
+
+def less_urgent() -> None:
+    """Let the calling thread have a processor when nobody else wants it, where threads have an urgency of their own."""
+    if sys.platform == "linux":
+        os.setpriority(os.PRIO_PROCESS, get_native_id(), NICE)
 
 
 class Seen(Protocol):
@@ -58,6 +67,9 @@ class Replanner:
         self._command = command
         self._log: FilteringBoundLogger = logger(part="planner")
         self._process: Process | None = None
+        self._aside = ThreadPoolExecutor(1, "hoistway-tables", initializer=less_urgent)
+        self._told: Task | None = None
+        """What the process was given last."""
         self._tasks: asyncio.Queue[Task] = asyncio.Queue()
         self._running: asyncio.Task[None] | None = None
 
@@ -83,6 +95,7 @@ class Replanner:
 
     async def _run(self) -> None:
         used: list[Tables] = []
+        loop = asyncio.get_running_loop()
         while True:
             task = await self._tasks.get()
             began = asyncio.get_running_loop().time()
@@ -91,7 +104,7 @@ class Replanner:
                 self._figures.table_seconds.see(asyncio.get_running_loop().time() - began)
             self._deliver(tables)
             # The last to hold the tables before these is a thread: unmapping 60 MB takes some 8 ms, but not the GIL.
-            await asyncio.to_thread(used.clear)
+            await loop.run_in_executor(self._aside, used.clear)
             used.append(tables)
 
     async def _computed(self, task: Task) -> Tables:
@@ -115,10 +128,12 @@ class Replanner:
         stdin, stdout = self._process.stdin, self._process.stdout
         assert stdin is not None
         assert stdout is not None
-        stdin.write(packed(task))
+        stdin.write(told(task, self._told))
+        self._told = task
         await stdin.drain()
         (length,) = LENGTH.unpack(await stdout.readexactly(LENGTH.size))
-        return read(*pickle.loads(await stdout.readexactly(length)))  # noqa: S301 (from our own child)
+        found = pickle.loads(await stdout.readexactly(length))  # noqa: S301 (from our own child)
+        return await asyncio.get_running_loop().run_in_executor(self._aside, read, *found)
 
     async def _here(self, task: Task) -> Tables:
         steps = computing(task)
@@ -131,7 +146,7 @@ class Replanner:
             await asyncio.sleep(SLICE_PAUSE)
 
     async def _end(self) -> None:
-        process, self._process = self._process, None
+        process, self._process, self._told = self._process, None, None
         if process is None:
             return
         if process.stdin is not None:

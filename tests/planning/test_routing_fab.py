@@ -58,16 +58,19 @@ def test_elimination_and_dijkstra_make_the_same_tables(fab: Track, monkeypatch: 
     arcs = contract(fab)
     ends = list(zip(arcs.tails, arcs.heads, strict=True))[: arcs.approaches]
     draw = np.random.default_rng(3)
-    seconds = draw.uniform(1, 60, len(ends))
-    seconds[draw.integers(0, len(ends), 20)] = np.inf
     size = len(arcs.forks)
     assert arcs.plan.core == size
     monkeypatch.setattr(tables, "MOST_THROUGH", 6)
     few = Elimination(size, ends)
     number = {fork: place for place, fork in enumerate(few.order)}
-    plan = planned([(number[tail], number[head]) for tail, head in ends], few)
+    begins = arcs.plan.begins.tolist()
+    over = [arcs.plan.over[begin:end].tolist() for begin, end in pairwise(begins)]
+    plan = planned([(number[tail], number[head]) for tail, head in ends], few, over)
     assert 0 < plan.core < size
-    whole, half = compute(Task(1, arcs.plan, seconds)), compute(Task(1, plan, seconds))
+    edges = draw.uniform(0.1, 60, len(arcs.edges))
+    shut = tuple(draw.integers(0, len(ends), 20).tolist())
+    seconds = arcs.plan.whole(arcs.plan.at(edges), shut)
+    whole, half = (compute(Task(1, way, edges, shut)) for way in (arcs.plan, plan))
     order = np.array([number[fork] for fork in range(size)])
     assert np.allclose(whole.seconds, half.seconds[np.ix_(order, order)], rtol=1e-12)
     graph = tables._graph(arcs.plan, tables._direct(arcs.plan, seconds)[0])

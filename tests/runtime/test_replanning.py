@@ -5,6 +5,7 @@ import signal
 import sys
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from itertools import chain, pairwise
 
 import numpy as np
@@ -15,7 +16,7 @@ from app.domain.units import Barcode, Millimetres
 from app.planning.routing import Router
 from app.planning.tables import Tables, Task, compute
 from app.planning.track import Track
-from app.runtime.planner import SHARED_MEMORY
+from app.runtime.planner import SHARED_MEMORY, told
 from app.runtime.replanning import COMMAND, Replanner
 from tests.runtime.peers import run, until
 
@@ -40,6 +41,7 @@ def same(found: Tables, task: Task) -> bool:
         and np.array_equal(found.seconds, expected.seconds)
         and np.array_equal(found.hop, expected.hop)
         and np.array_equal(found.parts, expected.parts)
+        and np.array_equal(found.at, expected.at)
     )
 
 
@@ -70,6 +72,21 @@ def test_a_process_gives_the_very_tables_that_this_one_would_even_after_it_was_k
         assert not list(SHARED_MEMORY.glob(f"hoistway-{second}-*"))
         with pytest.raises(ProcessLookupError):
             os.kill(second, 0)
+
+    run(scenario)
+
+
+def test_a_process_is_given_a_plan_once_and_another_one_when_the_track_changes() -> None:
+    async def scenario() -> None:
+        task, found = wanted(), list[Tables]()
+        slower = replace(task, version=task.version + 1, seconds=task.seconds * 2, shut=())
+        tasks = [task, slower, wanted(), task]
+        assert len(told(slower, task)) < len(told(slower, None))
+        async with replanning(found) as replanner:
+            for one in tasks:
+                replanner.submit(one)
+            await until(lambda: len(found) == len(tasks))
+        assert all(same(tables, one) for tables, one in zip(found, tasks, strict=True))
 
     run(scenario)
 
