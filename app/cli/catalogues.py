@@ -7,7 +7,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.cli.plainly import CannotStart, text_of
+from app.cli.plainly import FileInError, text_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -70,5 +70,5 @@ def equipped(plant: Plant, plant_file: Path) -> Plant:
     plant, findings, usable = with_catalogues(plant, plant_file)
     if not usable:
         file, finding = next((file, finding) for file, finding in findings if finding.is_error)
-        raise CannotStart(f"the catalogue {file} has errors: {finding}", remedy=f"see: hoistway check {plant_file}")
+        raise FileInError(f"the catalogue {file} has errors: {finding}", remedy=f"see: hoistway check {plant_file}")
     return plant

@@ -13,7 +13,7 @@ from typing import Self
 from structlog.typing import FilteringBoundLogger
 
 from app.cli.catalogues import catalogue_texts
-from app.cli.plainly import CannotStart, text_of
+from app.cli.plainly import CannotStart, FileInError, text_of
 from app.cli.running import reader_of
 from app.domain.errors import HoistwayError, PlantHeld, Refusal, StoreError
 from app.domain.ids import Actor
@@ -25,7 +25,7 @@ from app.plant.touched import listens_at, touched
 from app.runtime.telemetry import logger
 from app.runtime.versions import Versions, said
 from app.store.lease import Lease
-from app.store.opening import held
+from app.store.opening import held, revision
 from app.store.standing import standing
 from app.store.versions import VersionStore
 
@@ -122,6 +122,30 @@ class Changes:
                 remedy=f"hoistway layout versions; write the active one over it: hoistway layout get {active.number}",
             )
             return running
+
+    def instead(self, wrong: FileInError) -> Plant:
+        """Return the active version to start with, since the plant file has errors: a slip in it must not keep a plant down.
+
+        Raises what is ``wrong``: there is none, or it cannot be read; PlantHeld, StoreError.
+        """
+        active = None if revision(self._database) is None else self._store.active()
+        if active is None:
+            raise wrong
+        try:
+            running = self._plant_of(active)
+            with held(self._database, running.name, holder(), self._utc()) as lease:
+                active = self._on_trial(active, lease)
+            running = self._plant_of(active)
+        except CannotStart:
+            raise wrong from None
+        self.number = active.number
+        logger(plant=running.name).error(
+            NOT_TAKEN,
+            reason=wrong.message,
+            goes_on=f"version {active.number} ({active.why})",
+            remedy=f"{wrong.remedy}; mend it and start again, or write what runs over it: hoistway layout get {active.number}",
+        )
+        return running
 
     def _on_trial(self, active: PlantVersion, lease: Lease) -> PlantVersion:
         """Return the version to start with: the active one, or the one before it if that never came to run, try after try.

@@ -22,6 +22,10 @@ class CannotStart(HoistwayError):
     code = "cannot-start"
 
 
+class FileInError(CannotStart):
+    """The plant file, or a catalogue beside it, is there and has errors."""
+
+
 TEXT_LIMIT = 64 << 20
 """Largest text that a person wrote, bytes: what is larger is another file. Our choice."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from app.cli.catalogues import catalogue_texts, equipped, with_texts
-from app.cli.plainly import CannotStart, said, text_of
+from app.cli.plainly import CannotStart, FileInError, said, text_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -40,7 +40,7 @@ def plant_and_text_of(file: Path) -> tuple[Plant, str]:
         plant, _ = read(text, str(file))
     except UnusablePlant as unusable:
         errors = sum(finding.severity.value == "error" for finding in unusable.findings)
-        raise CannotStart(f"the plant file {file} has errors: {errors}", remedy=f"See: hoistway check {file}") from None
+        raise FileInError(f"the plant file {file} has errors: {errors}", remedy=f"See: hoistway check {file}") from None
     return equipped(plant, file), text
 
 

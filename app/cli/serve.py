@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly, refuse
+from app.cli.plainly import FileInError, plainly, refuse
 from app.cli.running import bound, on_again, on_loop, plant_and_text_of, stop_signal, uncollected
 from app.cli.tongue import say
 
 if TYPE_CHECKING:
+    from app.domain.layout import Plant
     from app.runtime.controller import Controller
     from app.settings import Settings
 
@@ -37,11 +38,19 @@ def serve(
     raise typer.Exit(code)
 
 
+def _read(file: Path) -> tuple[Plant, str] | FileInError:
+    """Return the plant and the text of its file, or what is wrong with that. Raises CannotStart: it cannot be read at all."""
+    try:
+        return plant_and_text_of(file)
+    except FileInError as wrong:
+        return wrong
+
+
 def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
     from app.runtime.telemetry import set_up
 
     set_up(as_json=settings.log_format == "json", level=settings.log_level)
-    plant, text = plant_and_text_of(file)
+    found = _read(file)
     listening = bound(settings.host, settings.port)
     with uncollected():
         from app.cli import hosting  # heavy: a wrong plant file and a port in use are told before
@@ -50,7 +59,7 @@ def _serve(settings: Settings, file: Path, *, restored: bool) -> int:
         from app.runtime.notify import Notifier
 
     with Changes(file, settings.database, Clock().utc) as changes:
-        plant = changes.begin(plant, text)
+        plant = changes.instead(found) if isinstance(found, FileInError) else changes.begin(*found)
         said = ""
 
         def seen(controller: Controller) -> None:

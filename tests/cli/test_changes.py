@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from app.cli import app
 from app.cli.changes import Changes
-from app.cli.plainly import CannotStart
+from app.cli.plainly import CannotStart, FileInError
 from app.cli.running import plant_and_text_of
 from app.domain.errors import Refusal, StoreError
 from app.domain.ids import Actor, StationId
@@ -127,6 +127,37 @@ def test_an_edited_file_that_breaks_something_under_way_stays_staged_until_it_br
     plant, changes = start(WITHOUT_P2)
     assert "P2" in stations(plant)
     assert (changes.number, states(changes)) == (1, {1: "active", 2: "staged"})
+
+
+def test_a_plant_file_with_errors_does_not_keep_down_a_plant_that_ran(
+    start: Start, tmp_path: Path, url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, before = start(TEXT)
+    activated(before, WITH_P9)
+    file = tmp_path / "small.yaml"
+    file.write_text(TEXT.replace("track:", "trakc:"), encoding="utf-8")
+    with pytest.raises(FileInError) as wrong:
+        plant_and_text_of(file)
+    with Changes(file, url, lambda: NOW) as changes:
+        plant = changes.instead(wrong.value)
+        assert "P9" in stations(plant)
+        assert changes.number == 2
+    told = capsys.readouterr()
+    assert "the plant file is not taken" in told.out + told.err
+    assert "hoistway layout get 2" in told.out + told.err
+    plant, changes = start(WITHOUT_P2)  # mended, it counts as edited
+    assert "P2" not in stations(plant)
+    assert changes.number == 3
+
+
+def test_a_plant_file_with_errors_is_refused_where_nothing_ran_yet(tmp_path: Path, url: str) -> None:
+    file = tmp_path / "small.yaml"
+    file.write_text("name: small\n", encoding="utf-8")
+    with pytest.raises(FileInError) as wrong:
+        plant_and_text_of(file)
+    with Changes(file, url, lambda: NOW) as changes, pytest.raises(FileInError, match="has errors"):
+        changes.instead(wrong.value)
+    assert not (tmp_path / "plant.db").exists()
 
 
 def test_words_that_change_nothing_make_no_version(start: Start) -> None:
