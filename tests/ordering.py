@@ -40,7 +40,7 @@ LONG = {
     "tests/e2e/test_webhooks.py::test_no_event": 8,
     "tests/e2e/test_command_line.py::test_the_demo": 15,
     "tests/sim/test_whole_plant.py::test_a_controller_killed": 8,
-    "tests/sim/test_agreement.py::test_both_plants": 15,
+    "tests/sim/test_agreement.py::test_both_plants": 40,  # with all that runs the fast plant
     "tests/sim/kinematic/test_drill.py::test_a_whole_drill": 8,
     "tests/sim/kinematic/test_drill.py::test_a_drill_names": 6,
     "tests/e2e/test_command_line.py::test_a_killed_demo": 5,
@@ -55,7 +55,6 @@ TOGETHER = (
     "tests/e2e/test_room_scripts.py",
     "tests/plant/fab/test_fab.py",
     "tests/planning/test_routing_fab.py",
-    "tests/sim/kinematic/test_fab.py",
     "tests/store/test_roundtrip.py",
     "tests/test_site.py",
     "tests/web/test_access.py",
@@ -66,6 +65,13 @@ TOGETHER = (
     "tests/web/test_walks.py",
 )
 """Files whose tests share what takes a while to make (a plant under way, a browser, a fab): one worker runs all of a file."""
+COMPILED = (
+    "tests/cli/test_traffic.py",
+    "tests/sim/kinematic/test_drill.py",
+    "tests/sim/kinematic/test_fab.py",
+    "tests/sim/test_agreement.py",
+)
+"""Files whose tests run the fast plant: one worker runs them all, since each that does has to compile it (some 35 s)."""
 
 
 def weight(nodeid: str) -> int:
@@ -74,8 +80,10 @@ def weight(nodeid: str) -> int:
 
 
 def together(nodeid: str) -> str:
-    """Return what a test is part of that one worker runs whole: its file, or nothing but itself."""
+    """Return what a test is part of that one worker runs whole: its file, what is compiled for all of them, or itself."""
     file = nodeid.partition("::")[0]
+    if file in COMPILED:
+        return "compiled"
     return file if file in TOGETHER else nodeid
 
 
