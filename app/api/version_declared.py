@@ -93,6 +93,10 @@ VERSIONS: Json = {
             "lost": list_of(
                 ref("PlantBreak"), "What was learnt of the plant and serves nobody any more; no hindrance."
             ),
+            "lacking": list_of(
+                ref("PlantBreak"),
+                "New ports and hoists whose pulses are not known: to be taught afterwards; no hindrance.",
+            ),
         }
     ),
     "PlantActivation": record(

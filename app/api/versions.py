@@ -141,9 +141,9 @@ async def compare_version(version: VersionPath, controller: Ctl, against: Agains
 
 @router.get("/{version}/impact", **gives("PlantImpact"))
 async def weigh_version(version: VersionPath, controller: Ctl) -> Response:
-    """Show what would stand in the way of a version if it became active now, and what would be lost."""
+    """Show what would stand in the way of a version if it became active now, what would be lost, and what has to be taught."""
     impact = await _of(controller).impact(controller.plant, await _plant(controller, version))
-    ways = {"in_the_way": _broken(impact.in_the_way), "lost": _broken(impact.lost)}
+    ways = {name: _broken(getattr(impact, name)) for name in ("in_the_way", "lost", "lacking")}
     return answer_of({"version": version, "ready": not impact.in_the_way, **ways})
 
 

@@ -268,7 +268,8 @@ def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_o
 def _show_change(change: Mapping[str, Any], impact: Mapping[str, Any]) -> None:
     for one in change["changes"]:
         print(f"{one['what']} {one['name']} {one['how']}" + (f": {one['text']}" if one["text"] else ""))
-    for word, found in (("in the way", impact["in_the_way"]), ("lost", impact["lost"])):
+    ways = (("in the way", "in_the_way"), ("lost", "lost"), ("to be taught", "lacking"))
+    for word, found in ((word, impact.get(name, ())) for word, name in ways):
         for one in found:
             print(f"{word}: {one['what']} {one['name']}: {one['text']}")
             if one["remedy"]:

@@ -12,6 +12,7 @@ from app.domain.units import Timestamp
 from app.domain.versions import Leaving, Origin, PlantVersion, Source
 from app.plant import Finding
 from app.plant.difference import Broken, Difference, difference, obstruction
+from app.plant.lacking import lacking
 from app.plant.lost import lost
 from app.plant.touched import leaving, touched
 from app.plant.understood import Understood
@@ -35,10 +36,13 @@ class Staged:
 
 @dataclass(frozen=True, slots=True)
 class Impact:
-    """What a version would meet if it became active now: ``in_the_way`` keeps it back, ``lost`` does not."""
+    """What a version would meet if it became active now: ``in_the_way`` keeps it back; what is ``lost``, or is to be taught
+    afterwards (``lacking``), does not.
+    """
 
     in_the_way: Sequence[Broken]
     lost: Sequence[Broken]
+    lacking: Sequence[Broken]
 
 
 class Versions:
@@ -102,7 +106,7 @@ class Versions:
 
         def look() -> Impact:
             kept = standing(self._database)
-            return Impact(touched(running, new, kept), lost(new, kept))
+            return Impact(touched(running, new, kept), lost(new, kept), lacking(running, new, kept))
 
         return await asyncio.to_thread(look)
 

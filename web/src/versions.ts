@@ -44,6 +44,7 @@ export interface Impact {
   ready: boolean;
   in_the_way: Break[];
   lost: Break[];
+  lacking: Break[];
 }
 
 export interface Finding {

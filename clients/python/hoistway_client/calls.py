@@ -611,7 +611,9 @@ class Calls(Synchronous):
         return cast("m.PlantDifference", self._call("GET", f"/api/v1/layout/versions/{path(version)}/diff", params={"against": against}))
 
     def weigh_version(self, version: int) -> m.PlantImpact:
-        """Show what would stand in the way of a version if it became active now, and what would be lost."""
+        """Show what would stand in the way of a version if it became active now, what would be lost, and what has to be
+        taught.
+        """
         return cast("m.PlantImpact", self._call("GET", f"/api/v1/layout/versions/{path(version)}/impact"))
 
     def activate_version(self, version: int, body: m.ActivateIn) -> m.PlantActivation:
@@ -1357,7 +1359,9 @@ class AsyncCalls(Asynchronous):
         return cast("m.PlantDifference", await self._call("GET", f"/api/v1/layout/versions/{path(version)}/diff", params={"against": against}))
 
     async def weigh_version(self, version: int) -> m.PlantImpact:
-        """Show what would stand in the way of a version if it became active now, and what would be lost."""
+        """Show what would stand in the way of a version if it became active now, what would be lost, and what has to be
+        taught.
+        """
         return cast("m.PlantImpact", await self._call("GET", f"/api/v1/layout/versions/{path(version)}/impact"))
 
     async def activate_version(self, version: int, body: m.ActivateIn) -> m.PlantActivation:

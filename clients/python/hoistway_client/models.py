@@ -908,6 +908,7 @@ class PlantImpact(TypedDict):
     ready: bool
     in_the_way: list[PlantBreak]
     lost: list[PlantBreak]
+    lacking: list[PlantBreak]
 
 
 class PlantVersion(TypedDict):

@@ -180,6 +180,8 @@ function Weighed({ impact, error }: { impact: Impact | null; error: unknown }) {
       {impact.ready ? <p class="good">{t("nothing_in_the_way")}</p> : <Breaks list={impact.in_the_way} tone="bad" />}
       {impact.lost.length > 0 && <h3>{t("lost_with_it")}</h3>}
       <Breaks list={impact.lost} tone="wait" />
+      {impact.lacking.length > 0 && <h3>{t("lacking_with_it")}</h3>}
+      <Breaks list={impact.lacking} tone="wait" />
     </>
   );
 }
