@@ -174,7 +174,7 @@ def test_every_refusal_in_the_code_has_its_korean() -> None:
             "no vehicle is free: V001 is on job J7, and V002 is not ready",
             "가용 차량 없음: V001 작업 J7 수행 중, V002 is not ready",
         ),
-        ("P2 is occupied by F7", "P2에 F7이(가) 있음"),
+        ("P2 is occupied by F7", "P2에 F7이 있음"),
         ("does HW-2", "HW-2 수행 중"),
         (
             "not connected yet; look where it stands; release it with verdict go_on if the barcode is right",

@@ -3,7 +3,8 @@
 ``en.json`` and ``ko.json`` have the same sections and keys. ``page`` are words and sentences with ``{0}``, ``{1}`` … for what is
 filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
 of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
-since what is kept in a plant's database does not depend on who reads it.
+since what is kept in a plant's database does not depend on who reads it. A particle after a slot is written 이(가), 을(를),
+(으)로 …: the one that fits is chosen when the slot is filled (:mod:`app.texts.particles`).
 
 ``terminal.en.json`` and ``terminal.ko.json`` are what the command line says: explanations of commands and options, and messages,
 as patterns too (:func:`said`). They lie beside the others, since the page is not built from them.
@@ -15,6 +16,8 @@ from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Literal, get_args
+
+from app.texts.particles import settled
 
 Language = Literal["en", "ko"]
 Section = Literal["page", "problems", "remedies", "sayings", "events"]
@@ -69,7 +72,7 @@ def text(section: Section, key: str, language: Language = "en", *values: object)
     sentence = catalogue(language)[section][key]
     for number, value in enumerate(values):
         sentence = sentence.replace(f"{{{number}}}", str(value))
-    return sentence
+    return settled(sentence) if language == "ko" else sentence
 
 
 def language_of(accepted: str) -> Language:
@@ -112,7 +115,8 @@ def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int
         found = parts.get(f"s{slot[0][1]}", slot[0])
         return _retold(found, language, depth - 1) if depth and " " in found else found
 
-    return _SLOT.sub(part, other)
+    whole = _SLOT.sub(part, other)
+    return settled(whole) if language == "ko" else whole
 
 
 @lru_cache

@@ -144,11 +144,11 @@ def test_help_is_korean_from_its_head_to_its_remarks() -> None:
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [
-        (["serv"], 2, ("오류: 'serv' 이라는 명령은 없습니다.", "도움말: 'hoistway --help'.")),
+        (["serv"], 2, ("오류: 'serv'라는 명령은 없습니다.", "도움말: 'hoistway --help'.")),
         (["serve", "--prot", "1"], 2, ("그런 옵션은 없습니다: --prot",)),
-        (["users", "add"], 2, ("인수 'name' 이(가) 필요합니다.",)),
+        (["users", "add"], 2, ("인수 'name'이(가) 필요합니다.",)),
         (["serve"], 1, ("hoistway: 어느 플랜트입니까? --plant 파일을 쓰거나 HOISTWAY_PLANT를 정하십시오.",)),
-        (["serve", "--plant", "no.yaml"], 1, ("no.yaml 을(를) 읽을 수 없습니다",)),
+        (["serve", "--plant", "no.yaml"], 1, ("no.yaml을 읽을 수 없습니다",)),
         (["decode", "itsc", "zz"], 2, ()),
     ],
 )
@@ -171,7 +171,7 @@ def test_a_language_that_there_is_not_is_refused() -> None:
 
 def test_a_sentence_with_something_filled_in_is_told_in_korean_and_an_unknown_one_as_it_is() -> None:
     assert said("hoistway controls demo: http://127.0.0.1:8080", "ko") == (
-        "hoistway가 demo 을(를) 제어합니다: http://127.0.0.1:8080"
+        "hoistway가 demo를 제어합니다: http://127.0.0.1:8080"
     )
     assert said("nobody ever said this", "ko") == "nobody ever said this"
     assert said("hoistway controls demo: http://127.0.0.1:8080", "en").startswith("hoistway controls")
