@@ -65,7 +65,7 @@ RUNS = 3
 """A clause that is put together from words stands in the code in so many pieces at most."""
 
 
-def _runs(clause: str, code: str) -> int:
+def runs_in(clause: str, code: str) -> int:
     """Return in how many runs of words a clause stands in the code, taken as long as they go."""
     words, runs = clause.split(), 0
     while words:
@@ -105,7 +105,7 @@ def test_every_saying_is_still_said_somewhere() -> None:
         for key, sentence in catalogue("en")["sayings"].items()
         for clause in CLAUSES.split(sentence)
         if len(clause.strip()) > 9 and not OF_PYDANTIC.search(clause) and " or " not in clause
-        if _runs(clause, code) > RUNS
+        if runs_in(clause, code) > RUNS
     }
     assert not unsaid, "the code says this otherwise now: change or drop the saying"
 

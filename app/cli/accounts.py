@@ -96,7 +96,7 @@ def _password(name: str, *, stdin: bool) -> str:
     if stdin:
         password = sys.stdin.readline().rstrip("\r\n")
     else:
-        password = typer.prompt(f"Password for {name}", hide_input=True, confirmation_prompt=True)
+        password = typer.prompt(told_here(f"Password for {name}"), hide_input=True, confirmation_prompt=True)
     if trouble := trouble_with(password, name):
         refuse(trouble, "Choose another one.")
     return Passwords().hashed(password)
@@ -124,7 +124,8 @@ def list_users(database: Database = None, config: Config = None) -> None:
     with _opened(database, config) as store:
         for user in store.load().users:
             roles = ",".join(sorted(user.roles))
-            print(f"{user.name:<32} {'disabled' if user.disabled else roles:<32} {_date(user.logged_in, 'never')}")
+            may = told_here("disabled") if user.disabled else roles
+            print(f"{user.name:<32} {may:<32} {_date(user.logged_in, told_here('never'))}")
 
 
 @users.command("change")
@@ -174,7 +175,7 @@ def add_key(
         if refusal is not None:
             refuse(refusal.reason, refusal.remedy)
         print(shown)
-        say(f"This is shown once; good until {_date(expires, 'it is revoked')}.\n{SEEN}", wrong=True)
+        say(f"This is shown once; good until {_date(expires, told_here('it is revoked'))}.\n{SEEN}", wrong=True)
 
 
 @keys.command("list")
@@ -182,8 +183,9 @@ def list_keys(database: Database = None, config: Config = None) -> None:
     """Show all keys: name, roles, until when they are good, when they were last used."""
     with _opened(database, config) as store:
         for key in store.load().keys:
-            until = "revoked" if key.revoked is not None else _date(key.expires, "for ever")
-            print(f"{key.name:<32} {','.join(sorted(key.roles)):<32} {until:<18} {_date(key.used, 'never used')}")
+            until = told_here("revoked") if key.revoked is not None else _date(key.expires, told_here("for ever"))
+            used = _date(key.used, told_here("never used"))
+            print(f"{key.name:<32} {','.join(sorted(key.roles)):<32} {until:<18} {used}")
 
 
 @keys.command("revoke")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, positive, refuse
+from app.cli.tongue import say, told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -161,7 +162,7 @@ def agree(
         ran = run(found_plant, seed, work, backlog, until)
         rates.append(ran.per_hour(min(120.0, until / 2), until))
         used = process_time() - begun
-        print(f"{name:12} {len(ran.delivered):6} delivered, {rates[-1]:8,.1f}/h, {used:6.1f} s CPU", flush=True)
+        say(f"{told_here(name)}: {len(ran.delivered)} delivered, {rates[-1]:,.1f}/h, {used:.1f} s CPU")
         if len(ran.delivered) + vehicles > len(work):
             refuse(
                 f"its {len(work)} transfers were used up before the end",
@@ -170,7 +171,7 @@ def agree(
     if not rates[0]:
         refuse("nothing was delivered in the time that counts", "Say more minutes.")
     off = rates[1] / rates[0] - 1
-    print(f"the fast plant delivers {off:+.1%} (goal: within 3 %)")
+    say(f"the fast plant delivers {off:+.1%} (goal: within 3 %)")
     raise typer.Exit(0 if abs(off) <= 0.03 else 1)
 
 

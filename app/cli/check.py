@@ -11,7 +11,7 @@ import typer
 
 from app.cli.catalogues import with_catalogues
 from app.cli.plainly import CannotStart, text_of
-from app.cli.tongue import told_here
+from app.cli.tongue import counted_here, told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -31,7 +31,7 @@ def check(
     try:
         text = text_of(plant)
     except CannotStart as wrong:
-        print(wrong.message)
+        print(told_here(wrong.message))
         raise typer.Exit(2) from None
     found: Plant | None = None
     try:
@@ -43,7 +43,7 @@ def check(
         try:
             found, others, usable = with_catalogues(found, plant)
         except CannotStart as wrong:
-            print(wrong.message)
+            print(told_here(wrong.message))
             raise typer.Exit(2) from None
     if json:
         listed = [{**asdict(finding), "severity": finding.severity.value} for finding in findings]
@@ -77,21 +77,16 @@ def _show(file: Path, plant: Plant | None, findings: list[tuple[Path, Finding]])
 
     console = Console(highlight=False, soft_wrap=True)
     for where, finding in findings:
-        severity = (finding.severity.value, _COLOURS[finding.severity])
+        severity = (told_here(finding.severity.value), _COLOURS[finding.severity])
         place = (f"{where}:{finding.line}:{finding.column}: ", "bold")
         console.print(Text.assemble(place, severity, f": {told_here(finding.message)}"))
         if finding.remedy:
             console.print(Text(f"    {told_here(finding.remedy)}", style="dim"))
     errors = sum(finding.is_error for _, finding in findings)
-    console.print(Text(f"{file}: {_counted(errors, 'error')}, {_counted(len(findings) - errors, 'warning')}"))
+    others = counted_here(len(findings) - errors, "warnings")
+    console.print(Text(f"{file}: {counted_here(errors, 'errors')}, {others}"))
     if plant is not None:
         summary = counts(plant)
         name, kilometres = summary.pop("name"), summary.pop("kilometres")
-        console.print(
-            Text(f"{name}: " + ", ".join(_counted(value, what[:-1]) for what, value in summary.items())), end=""
-        )
-        console.print(Text(f"; {kilometres} km of track"))
-
-
-def _counted(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"
+        counted = ", ".join(counted_here(value, what) for what, value in summary.items())
+        console.print(Text(f"{name}: {counted}; {told_here(f'{kilometres} km of track')}"))

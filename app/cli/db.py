@@ -36,10 +36,10 @@ def current(url: Url) -> None:
     from app.store.schema import newest
 
     try:
-        found = revision(url) or "empty"
+        found = revision(url) or told_here("empty")
     except StoreError as error:
         _fail(error)
-    print(found if found == newest() else f"{found} (newest: {newest()})")
+    print(found if found == newest() else f"{found} ({told_here(f'newest: {newest()}')})")
 
 
 @commands.command()
@@ -99,5 +99,5 @@ def _told(stock: Stock) -> str:
 
 
 def _fail(error: HoistwayError) -> NoReturn:
-    typer.echo(f"{error.message}. {error.remedy}".rstrip(), err=True)
+    typer.echo(f"{told_here(error.message)}. {told_here(error.remedy)}".rstrip(), err=True)
     raise typer.Exit(1) from error

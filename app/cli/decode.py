@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as jsonlib
+import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -36,9 +37,19 @@ def decode(
         data = parse_hex(" ".join(hex))
         if not data:
             _refuse("no bytes were given")
-        print(show(data, dialect, lang, json))
+        print(show(data, dialect, lang, json) if json else _told(show(data, dialect, lang, json), lang))
     except (HoistwayError, ValueError) as wrong:
         _refuse(str(wrong))
+
+
+def _told(explained: str, lang: str) -> str:
+    """Return an explanation with what is said of rubbish, which its protocol gives in English, in a language."""
+    from app.texts import said
+
+    def line(match: re.Match[str]) -> str:
+        return match[1] + said(match[2], "ko" if lang == "ko" else "en")
+
+    return re.sub(r"^(  \S[^:]*: )(.+)$", line, explained, flags=re.MULTILINE)
 
 
 def _refuse(reason: str) -> NoReturn:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from app.cli.tongue import say
+from app.cli.tongue import say, told_here
 from app.wire.names import unknown
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def detect(
     if tell is None:
         _refuse(unknown("protocol", protocol, _PROTOCOLS))
     text, fits = tell(_read(file))
-    print(text)
+    say(text)
     if not fits:
         raise typer.Exit(1)
 
@@ -91,7 +91,7 @@ def _name(variant: Variant) -> str:
     covers = "covers TYPE" if variant.covers_type else "starts after TYPE"
     order = "high byte first" if variant.order == "big" else "low byte first"
     preset = f"  (dialect {variant.preset})" if variant.preset else ""
-    return f"crc {variant.crc}, {covers}, {order}{preset}"
+    return f"crc {variant.crc}, {told_here(covers)}, {told_here(order)}{preset}"
 
 
 def _refuse(reason: str) -> NoReturn:

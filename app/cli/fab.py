@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import refuse, said
+from app.cli.tongue import say, table_of
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -28,7 +29,7 @@ def fab(
     from app.wire.names import unknown
 
     if size not in SIZES:
-        print(unknown("size", size, SIZES))
+        say(unknown("size", size, SIZES))
         raise typer.Exit(2)
     if file is None and not statistics:
         refuse("nothing to do", "Name a file to write, or ask for --statistics.")
@@ -51,5 +52,5 @@ def _show(made: Fab, plant: Plant) -> None:
 
     figures = {"fab": plant.name, "bays": len(made.bays), **asdict(statistics(plant))}
     figures |= {"vehicles": len(plant.vehicles), "carriers": len(plant.carriers)}
-    for what, value in figures.items():
-        print(f"{what.replace('_', ' '):<14}{value}")
+    for line in table_of({what.replace("_", " "): value for what, value in figures.items()}):
+        print(line)

@@ -13,6 +13,7 @@ import typer
 
 from app.cli.plainly import CannotStart, plainly
 from app.cli.running import plant_of
+from app.cli.tongue import say, told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -101,10 +102,10 @@ def _campaign(plant: Plant, file: Path, seeds: range, jobs: int, *, need_all: bo
 
 
 def _tell(outcome: Outcome, file: Path) -> None:
-    print(f"seed {outcome.seed} fails:")
+    say(f"seed {outcome.seed} fails:")
     for wrong in outcome.wrong[:TOLD]:
         print(f"  {wrong}")
-    print(f"  see it: hoistway fuzz --plant {file} --replay {outcome.seed} --trace --shrink")
+    say(f"  see it: hoistway fuzz --plant {file} --replay {outcome.seed} --trace --shrink")
 
 
 def _sum_up(plant: Plant, tally: Tally) -> list[str]:
@@ -112,15 +113,15 @@ def _sum_up(plant: Plant, tally: Tally) -> list[str]:
     from app.sim.fuzz import reached
 
     wanted = reached(plant)
-    print(f"runs      {tally.runs}, of which {len(tally.failed)} failed")
-    print(
+    say(f"runs      {tally.runs}, of which {len(tally.failed)} failed")
+    say(
         f"virtual   {tally.virtual / 3600:.1f} h, {tally.jobs} jobs ended, the controller was killed {tally.crashes} times"
     )
-    print("reached   " + ", ".join(f"{what} {tally.counts[what]}" for what in sorted(wanted)))
+    say(f"reached   {', '.join(f'{what} {tally.counts[what]}' for what in sorted(wanted))}")
     missing = tally.missing(wanted)
     if missing:
-        print("never     " + ", ".join(missing))
-    print("verdict   " + ("violated" if tally.failed else "tries too little" if missing else "sound"))
+        say(f"never     {', '.join(missing)}")
+    say(f"verdict   {told_here('violated' if tally.failed else 'tries too little' if missing else 'sound')}")
     return missing
 
 
@@ -133,24 +134,24 @@ def _replay(plant: Plant, file: Path, seed: int, *, trace: bool, shrink: bool) -
         before = plan.faults
         plan = shrunk(plan, lambda simpler: bool(play(plant, simpler).wrong))
         outcome = play(plant, plan)
-        print(f"shrunk    from {before} faults to {plan.faults}")
+        say(f"shrunk    from {before} faults to {plan.faults}")
     _describe(plan)
     if trace:
         for at, what in outcome.said:
             print(f"{at:10.3f}  {what}")
     for wrong in outcome.wrong:
-        print(f"violation {wrong}")
-    print(f"trace     {outcome.trace}")
-    print("verdict   " + ("violated" if outcome.wrong else "sound"))
+        say(f"violation {wrong}")
+    say(f"trace     {outcome.trace}")
+    say(f"verdict   {told_here('violated' if outcome.wrong else 'sound')}")
     return 1 if outcome.wrong else 0
 
 
 def _describe(plan: Plan) -> None:
-    print(f"seed      {plan.seed}: {plan.keep_open} jobs open, calm after {plan.calm:.0f} s")
+    say(f"seed      {plan.seed}: {plan.keep_open} jobs open, calm after {plan.calm:.0f} s")
     for strike in plan.strikes:
         print(f"{strike.at:10.3f}  {strike.blow.value}")
     for crash in plan.crashes:
-        print(f"           killed at {crash.where.value} {crash.nth}")
+        say(f"           killed at {crash.where.value} {crash.nth}")
     for (line, way), rates in plan.noise.items():
         if rates:
             print(f"           noise {way} {line}: " + ", ".join(f"{f.value} {r:.3f}" for f, r in rates.items()))

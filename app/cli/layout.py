@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json as jsons
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli import layout_look, layout_out, layout_versions
+from app.cli.findings import lines_of
 from app.cli.plainly import CannotStart, refuse, said, text_of
-from app.cli.tongue import told_here
+from app.cli.tongue import counted_here, told_here
 
 if TYPE_CHECKING:
     from app.plant.exchange.importing import Imported, Wishes
@@ -130,7 +131,7 @@ def _imported(files: list[Path], wishes: Wishes) -> Imported:
     try:
         return import_layout([(file.name, bytes_of(file)) for file in files], wishes)
     except (CannotStart, UnreadableLayout) as wrong:
-        print(f"{wrong.message}" + (f"\n    {wrong.remedy}" if wrong.remedy else ""))
+        print(told_here(wrong.message) + (f"\n    {told_here(wrong.remedy)}" if wrong.remedy else ""))
         raise typer.Exit(2) from None
 
 
@@ -173,23 +174,24 @@ def _write(file: Path, text: str) -> None:
     try:
         file.write_text(text, encoding="utf-8")
     except OSError as wrong:
-        print(f"{file} cannot be written: {said(wrong)}")
+        print(told_here(f"{file} cannot be written: {said(wrong)}"))
         raise typer.Exit(2) from None
 
 
 def _report(imported: Imported, output: Path | None, *, json: bool) -> None:
     from app.cli.check import counts
-    from app.plant.exchange.report import counted
 
     if json:
         findings = [{**asdict(finding), "severity": finding.severity.value} for finding in imported.findings]
         told = {**imported.report.plain(), "plant": counts(imported.plant), "findings": findings}
         print(jsons.dumps({**told, "file": str(output) if output else None}, ensure_ascii=False))
         return
-    print(imported.report.source)
-    print("read: " + ", ".join(counted(count, what) for what, count in imported.report.read.items()))
+    print(told_here(imported.report.source))
+    counted = ", ".join(counted_here(count, what) for what, count in imported.report.read.items())
+    print(f"{told_here('read')}: {counted}")
     for note in imported.report.notes:
-        print(f"{note.kind.value}: {replace(note, what=told_here(note.what))}")
+        places = f"{told_here(note.places)}: " if note.places else ""
+        print(f"{told_here(note.kind.value)}: {places}{told_here(note.what)}")
         if note.remedy:
             print(f"    {told_here(note.remedy)}")
     _show_plant(imported, output)
@@ -197,14 +199,13 @@ def _report(imported: Imported, output: Path | None, *, json: bool) -> None:
 
 def _show_plant(imported: Imported, output: Path | None) -> None:
     from app.cli.check import counts
-    from app.plant.exchange.report import counted
 
-    file = output or "(no file: say --output)"
+    file = output or told_here("(no file: say --output)")
     for finding in imported.findings:
-        print(f"{file}:{replace(finding, message=told_here(finding.message))}")
-        if finding.remedy:
-            print(f"    {told_here(finding.remedy)}")
+        for line in lines_of(file, finding):
+            print(line)
     told = {what: count for what, count in counts(imported.plant).items() if isinstance(count, int) and count}
     errors = sum(finding.is_error for finding in imported.findings)
-    print(f"{file}: " + ", ".join(counted(count, what) for what, count in told.items()))
-    print(f"hoistway check: {counted(errors, 'errors')}, {counted(len(imported.findings) - errors, 'warnings')}")
+    print(f"{file}: " + ", ".join(counted_here(count, what) for what, count in told.items()))
+    warnings = counted_here(len(imported.findings) - errors, "warnings")
+    print(f"hoistway check: {counted_here(errors, 'errors')}, {warnings}")

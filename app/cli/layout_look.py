@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.findings import lines_of
 from app.cli.plainly import CannotStart, text_of
-from app.cli.tongue import told_here
+from app.cli.tongue import say, table_of, told_here
 from app.domain.errors import StoreError
 
 if TYPE_CHECKING:
@@ -40,9 +41,8 @@ def check(
         )
     else:
         for finding in findings:
-            print(f"{plant}:{finding}")
-            if finding.remedy:
-                print(f"    {finding.remedy}")
+            for line in lines_of(plant, finding):
+                print(line)
         if seen is not None:
             _show(seen)
     if found is None:
@@ -56,7 +56,7 @@ def _read(file: Path) -> tuple[Plant | None, list[Finding]]:
     try:
         return read(text_of(file), str(file))
     except CannotStart as wrong:
-        print(wrong.message)
+        print(told_here(wrong.message))
         raise typer.Exit(2) from None
     except UnusablePlant as unusable:
         return None, unusable.findings
@@ -64,13 +64,13 @@ def _read(file: Path) -> tuple[Plant | None, list[Finding]]:
 
 def _show(seen: Survey) -> None:
     for remark in seen.remarks:
-        more = f" and {remark.count - len(remark.barcodes)} more" if remark.count > len(remark.barcodes) else ""
-        print(f"{remark.topic}: {', '.join(remark.barcodes)}{more}: {told_here(remark.message)}")
+        named, rest = ", ".join(remark.barcodes), remark.count - len(remark.barcodes)
+        places = told_here(f"{named} and {rest} more") if rest > 0 else named
+        print(f"{told_here(remark.topic)}: {places}: {told_here(remark.message)}")
         if remark.remedy:
             print(f"    {told_here(remark.remedy)}")
-    wide = max(len(name) for name in seen.figures) + 2
-    for name, value in seen.figures.items():
-        print(f"{name:<{wide}}{value:,}" if isinstance(value, int) else f"{name:<{wide}}{value}")
+    for line in table_of(seen.figures):
+        print(line)
 
 
 def diff(
@@ -88,8 +88,8 @@ def diff(
     for file in (old, new):
         found, findings = _read(file)
         if found is None:
-            print(f"{file}:{next(finding for finding in findings if finding.is_error)}")
-            print(f"    see all: hoistway check {file}")
+            print(next(lines_of(file, next(finding for finding in findings if finding.is_error))))
+            say(f"    see all: hoistway check {file}")
             raise typer.Exit(2)
         plants.append(found)
     made = difference(*plants)
@@ -112,15 +112,27 @@ def _under_way(old: Plant, new: Plant, database: str) -> list[Broken]:
     try:
         return touched(old, new, standing(database))
     except StoreError as wrong:
-        print(f"{wrong.message}. {wrong.remedy}".rstrip())
+        print(f"{told_here(wrong.message)}. {told_here(wrong.remedy)}".rstrip())
         raise typer.Exit(2) from None
 
 
 def _show_difference(made: Difference) -> None:
     for change in made.changes:
-        print(f"{change.what} {change.name} {change.how}" + (f": {change.text}" if change.text else ""))
+        print(change_line(change.what, change.name, change.how, change.text))
     for item in made.broken:
-        print(f"breaks: {item.what} {item.name}: {item.text}")
-        print(f"    {item.remedy} (may refer to it: {', '.join(item.touches)})")
+        print(f"{told_here('breaks')}: {told_here(item.what)} {named(item.name)}: {told_here(item.text)}")
+        touched = ", ".join(told_here(what) for what in item.touches)
+        print(f"    {told_here(item.remedy)} ({told_here('may refer to it')}: {touched})")
     if not made.changes:
-        print("no difference")
+        say("no difference")
+
+
+def named(name: str) -> str:
+    """Return a name, or several: ``1001 and 3 more``. A lone one is nobody's to translate."""
+    return told_here(name) if " " in name else name
+
+
+def change_line(what: str, name: str, how: str, text: str) -> str:
+    """Return one difference between two plants in the language of this process."""
+    line = f"{told_here(what)} {named(name)} {told_here(how)}"
+    return f"{line}: {told_here(text)}" if text else line

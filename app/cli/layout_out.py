@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.plainly import plainly, refuse, said, text_of
+from app.cli.tongue import counted_here, say, told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
@@ -58,11 +59,10 @@ def export(
     place = _origin(origin, bearing)
     text, lost = _written(given, wanted, place, timestamp, links=links)
     write_file(output, text.encode())
-    print(
-        f"{output}: {wanted.value}, {len(given.points)} barcodes, {len(given.edges)} edges, {len(given.stations)} stations"
-    )
+    sizes = {"barcodes": len(given.points), "edges": len(given.edges), "stations": len(given.stations)}
+    print(f"{output}: {wanted.value}, " + ", ".join(counted_here(count, what) for what, count in sizes.items()))
     for line in lost:
-        print(f"left out: {line}")
+        print(f"{told_here('left out')}: {told_here(line)}")
 
 
 def _written(plant: Plant, to: To, origin: Origin | None, timestamp: str, *, links: bool) -> tuple[str, list[str]]:
@@ -128,4 +128,4 @@ def render(
         refuse(f"{plant} has no barcodes to draw")
     drawing = compose(given, Look(width, dark=dark, labels=not no_labels))
     write_file(output, svg(drawing).encode() if ending == ".svg" else png(drawing))
-    print(f"{output}: {drawing.width} x {drawing.height} pixels")
+    say(f"{output}: {drawing.width} x {drawing.height} pixels")

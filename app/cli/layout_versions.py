@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from app.cli.catalogues import DIRECTORY
-from app.cli.plainly import CannotStart, plainly, refuse, text_of
-from app.cli.tongue import say
+from app.cli.layout_look import change_line, named
+from app.cli.plainly import CannotStart, plainly, refuse, text_of, why_not
+from app.cli.tongue import language, say, told_here
 from app.domain.errors import HoistwayError
 from app.domain.versions import Source
 
@@ -53,7 +54,8 @@ class Server:
             answer = self._client.request(method, path, **more)
         except (httpx.HTTPError, httpx.InvalidURL) as wrong:
             raise CannotStart(
-                f"{self._client.base_url} does not answer: {wrong}", remedy=f"Name it with --url, such as {HERE}."
+                f"{self._client.base_url} does not answer: {why_not(wrong)}",
+                remedy=f"Name it with --url, such as {HERE}.",
             ) from None
         if answer.is_success:
             return answer
@@ -88,7 +90,7 @@ def _server(url: str) -> Iterator[Server]:
     """Give the server of a URL. The key, where one is wanted, is in HOISTWAY_KEY: on a command line everybody could read it."""
     import httpx
 
-    headers = {"X-Actor": getpass.getuser(), "Accept": "application/json"}
+    headers = {"X-Actor": getpass.getuser(), "Accept": "application/json", "Accept-Language": language()}
     if key := os.environ.get("HOISTWAY_KEY"):
         headers["Authorization"] = f"Bearer {key}"
     with plainly():
@@ -120,9 +122,10 @@ def stage(
             print(jsons.dumps({"version": made, "diff": change, "impact": impact}, ensure_ascii=False))
         else:
             for finding in made["findings"]:
-                print(f"{file}:{finding['line']}:{finding['column']}: {finding['severity']}: {finding['message']}")
+                place = f"{file}:{finding['line']}:{finding['column']}"
+                print(f"{place}: {told_here(finding['severity'])}: {told_here(finding['message'])}")
             _show_change(change, impact)
-            print(f"version {number} is staged: hoistway layout activate {number} --reason WHY")
+            say(f"version {number} is staged: hoistway layout activate {number} --reason WHY")
         if not impact["ready"]:
             raise typer.Exit(1)
 
@@ -242,18 +245,18 @@ def reject(number: Number, reason: Reason, url: Url = HERE) -> None:
     """Let a staged or awaited version not become active."""
     with _server(url) as server:
         made = server.ask("POST", f"{VERSIONS}/{number}/reject", json={"reason": reason}).json()
-        print(f"version {number} is {made['state']}")
+        say(f"version {number} is {told_here(made['state'])}")
 
 
 def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_of: int | None = None) -> None:
     body = {"reason": reason, "wait": wait} | ({} if instead_of is None else {"instead_of": instead_of})
     made = server.ask("POST", f"{VERSIONS}/{number}/activate", json=body).json()
     for one in made["in_the_way"]:
-        print(f"waits for {one['what']} {one['name']}: {one['text']}")
-    kept = f"version {number} stays awaited, and becomes active once nothing is in its way"
-    withdraw = f"hoistway layout reject {number} --reason WHY withdraws it"
+        print(f"{told_here('waits for')}: {told_here(one['what'])} {named(one['name'])}: {told_here(one['text'])}")
+    kept = told_here(f"version {number} stays awaited, and becomes active once nothing is in its way")
+    withdraw = told_here(f"to withdraw it: hoistway layout reject {number} --reason WHY")
     if made["in_the_way"]:
-        print(f"{kept}, also after Ctrl-C: {withdraw}", flush=True)
+        print(f"{kept}{told_here(', also after Ctrl-C')}: {withdraw}", flush=True)
     try:
         while (found := server.version(number))["state"] == "awaited":
             time.sleep(PAUSE)
@@ -261,21 +264,21 @@ def _activate(server: Server, number: int, reason: str, *, wait: bool, instead_o
         print(f"\n{kept}: {withdraw}", flush=True)
         raise typer.Exit(130) from None
     if found["state"] != "active":
-        refuse(f"version {number} is {found['state']}: {found['note']}")
-    print(f"version {number} is active")
+        refuse(f"version {number} is {told_here(found['state'])}: {told_here(found['note'])}")
+    say(f"version {number} is active")
 
 
 def _show_change(change: Mapping[str, Any], impact: Mapping[str, Any]) -> None:
     for one in change["changes"]:
-        print(f"{one['what']} {one['name']} {one['how']}" + (f": {one['text']}" if one["text"] else ""))
+        print(change_line(one["what"], one["name"], one["how"], one["text"]))
     ways = (("in the way", "in_the_way"), ("lost", "lost"), ("to be taught", "lacking"))
     for word, found in ((word, impact.get(name, ())) for word, name in ways):
         for one in found:
-            print(f"{word}: {one['what']} {one['name']}: {one['text']}")
+            print(f"{told_here(word)}: {told_here(one['what'])} {named(one['name'])}: {told_here(one['text'])}")
             if one["remedy"]:
-                print(f"    {one['remedy']}")
+                print(f"    {told_here(one['remedy'])}")
     if not change["changes"]:
-        print("no difference to the plant that runs")
+        say("no difference to the plant that runs")
 
 
 def _refused(answer: httpx.Response) -> Refused:
@@ -295,6 +298,7 @@ _TYPED = (
     (re.compile(r"POST /api/v1/layout/versions/(\d+)/reject"), r"hoistway layout reject \1 --reason WHY"),
     (re.compile(r"GET /api/v1/layout/versions\b"), "hoistway layout versions"),
     (re.compile(r"send wait: true"), "use --wait"),
+    (re.compile(r"wait: true를 (보내|붙이)"), "--wait를 붙이"),
 )
 """What a refusal says over REST, and what one types here."""
 
@@ -306,8 +310,8 @@ def _typed(words: str) -> str:
 
 
 def _line(error: Mapping[str, Any]) -> str:
-    place = (
-        f"{error['line']}:{error['column']}: {error.get('severity', 'error')}" if "line" in error else error["field"]
-    )
+    place = error.get("field", "")
+    if "line" in error:
+        place = f"{error['line']}:{error['column']}: {told_here(error.get('severity', 'error'))}"
     remedy = f"; {error['remedy']}" if error.get("remedy") else ""
     return f"{place}: {error['message']}{remedy}"

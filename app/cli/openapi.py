@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from app.cli.tongue import say
+
 COMMITTED = Path("openapi/openapi.json")
 STREAM = "asyncapi.yaml"
 """The description of the live stream, beside the other."""
@@ -28,15 +30,15 @@ def openapi(
         file.parent.mkdir(parents=True, exist_ok=True)
         for name, text in texts.items():
             name.write_text(text, encoding="utf-8")
-            typer.echo(f"wrote {name}")
+            say(f"wrote {name}")
         if file == COMMITTED and CLIENT.is_file():
             subprocess.run([sys.executable, "-m", "tools.client"], check=True)
         return
     for name, text in texts.items():
         if not name.is_file() or name.read_text(encoding="utf-8") != text:
-            typer.echo(f"{name} is out of date: run `hoistway openapi` and commit it", err=True)
+            say(f"{name} is out of date: run `hoistway openapi` and commit it", wrong=True)
             raise typer.Exit(1)
-        typer.echo(f"{name} is up to date")
+        say(f"{name} is up to date")
 
 
 def document() -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import ssl
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -36,6 +37,21 @@ def said(error: OSError | UnicodeDecodeError) -> str:
         return f"it is not UTF-8: {error.reason} at byte {error.start}"
     # A name that cannot be resolved has a number that is none of the system's.
     return os.strerror(error.errno) if error.errno and error.errno > 0 else error.strerror or str(error)
+
+
+def why_not(trouble: Exception) -> str:
+    """Return why a server could not be asked, from the exception of httpx, without the names of calls."""
+    seen: BaseException | None = trouble
+    while seen is not None:
+        if isinstance(seen, ssl.SSLCertVerificationError):
+            return f"its certificate is not trusted: {seen.verify_message}"
+        if isinstance(seen, ssl.SSLError):
+            return f"TLS: {seen.reason or seen}"
+        if isinstance(seen, OSError) and (seen.errno or seen.strerror):
+            return said(seen)
+        seen = seen.__cause__ or seen.__context__
+    name = type(trouble).__name__
+    return "no answer in time" if name.endswith("Timeout") else str(trouble) or name
 
 
 def text_of(file: Path) -> str:

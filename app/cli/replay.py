@@ -9,6 +9,7 @@ import typer
 
 from app.cli.plainly import plainly, refuse
 from app.cli.running import bound, on_loop, stop_signal
+from app.cli.tongue import say
 
 if TYPE_CHECKING:
     from app.runtime.incident import Incident
@@ -24,7 +25,7 @@ def replay(
     with plainly():
         incident = _read(file)
         for line in told(incident):
-            print(line, flush=True)
+            say(line)
         code = 0 if summary else _serve(incident, port)
     raise typer.Exit(code)
 
@@ -62,7 +63,7 @@ def _serve(incident: Incident, port: int) -> int:
 
     async def run(recorded: Recorded) -> int:
         return await hosting.serve_only(
-            recorded, settings, listening, stop_signal(), lambda url: print(f"look at it: {url}", flush=True)
+            recorded, settings, listening, stop_signal(), lambda url: say(f"look at it: {url}")
         )
 
     with TemporaryDirectory(prefix="hoistway-replay-") as directory:

@@ -10,6 +10,7 @@ import typer
 
 from app.cli.plainly import plainly, positive
 from app.cli.running import plant_of
+from app.cli.tongue import say, told_here
 
 if TYPE_CHECKING:
     from app.sim.world import Result
@@ -38,14 +39,13 @@ def simulate(
 
 
 def _print(result: Result, seconds: float) -> None:
-    print(
-        f"virtual time   {result.virtual / 3600:.2f} h in {seconds:.1f} s ({result.virtual / seconds:.0f} x real time)"
-    )
-    print(f"jobs           {result.completed} completed, {result.ended} ended, {len(result.open)} open")
-    print(f"carriers       {result.takes} picked up, {result.puts} put down")
-    print(f"trace          {result.trace}")
+    say(f"virtual time   {result.virtual / 3600:.2f} h in {seconds:.1f} s ({result.virtual / seconds:.0f} x real time)")
+    say(f"jobs           {result.completed} completed, {result.ended} ended, {len(result.open)} open")
+    say(f"carriers       {result.takes} picked up, {result.puts} put down")
+    say(f"trace          {result.trace}")
     for job in result.open[:10]:
-        print(f"  open: {job}")
+        say(f"  open: {job}")
     for violation in result.violations:
-        print(f"  violation {violation}")
-    print("verdict        " + ("violated" if result.violations else "not all ended" if result.open else "sound"))
+        say(f"  violation {violation}")
+    verdict = "violated" if result.violations else "not all ended" if result.open else "sound"
+    say(f"verdict        {told_here(verdict)}")

@@ -46,6 +46,30 @@ def say(text: str, *, wrong: bool = False) -> None:
     print(told_here(text), file=sys.stderr if wrong else sys.stdout, flush=True)
 
 
+def counted_here(number: float, what: str) -> str:
+    """Return a number of things in the language of this process; ``what`` in the English plural: ``1 edge``, ``2 edges``."""
+    if language() != LANGUAGES[0]:
+        return told_here(f"{number} {what}")
+    return f"{number} {counted_word(what) if number == 1 else what}"
+
+
+def counted_word(what: str) -> str:
+    """Return the singular of an English plural of ours: ``pieces of track`` are ``piece of track``."""
+    first, *rest = what.split(" of ")
+    return " of ".join((first.removesuffix("s"), *rest))
+
+
+def table_of(figures: Mapping[str, object]) -> Iterator[str]:
+    """Give the lines of a table: what is counted, in the language of this process, and its figure."""
+    from rich.cells import cell_len
+
+    names = {name: told_here(name) for name in figures}
+    wide = max(map(cell_len, names.values()), default=0) + 2
+    for name, value in figures.items():
+        blanks = " " * (wide - cell_len(names[name]))
+        yield f"{names[name]}{blanks}{value:,}" if isinstance(value, int) else f"{names[name]}{blanks}{value}"
+
+
 _Plain: Any = typer.Context.formatter_class
 """Typer gives its formatter no public name of its own."""
 

@@ -13,6 +13,7 @@ from typing import Annotated, Any, Protocol
 
 import typer
 
+from app.cli.tongue import say, told_here
 from app.domain.errors import EncodeError, HoistwayError
 from app.wire.names import unknown
 
@@ -55,7 +56,7 @@ def vectors(file: Annotated[Path, typer.Argument(help="a vector file, JSON")]) -
     try:
         contents = load(file)
     except Malformed as wrong:
-        print(f"{file}: {wrong}")
+        print(f"{file}: {told_here(str(wrong))}")
         raise typer.Exit(2) from None
     passed, failed, malformed, skipped = 0, 0, 0, Counter[str]()
     for vector in contents["vectors"]:
@@ -69,8 +70,8 @@ def vectors(file: Annotated[Path, typer.Argument(help="a vector file, JSON")]) -
         for failure in failures:
             print(f"{vector['id']} ({vector['kind']}, {vector.get('dialect', 'default')}): {failure}")
     for protocol, number in sorted(skipped.items()):
-        print(f"skipped {number} of protocol {protocol!r}: not in this build")
-    print(f"{passed} passed, {failed} failed, {skipped.total()} skipped")
+        say(f"skipped {number} of protocol {protocol!r}: not in this build")
+    say(f"{passed} passed, {failed} failed, {skipped.total()} skipped")
     if failed:
         raise typer.Exit(1 if failed > malformed else 2)
 

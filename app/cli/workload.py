@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from app.cli.plainly import positive, refuse
+from app.cli.plainly import positive, refuse, why_not
 from app.cli.running import on_loop, stop_signal
+from app.cli.tongue import language, told_here
 from app.domain.ids import CarrierId, StationId
 from app.sim.workload import Pace, choose
 
@@ -55,7 +56,8 @@ async def order(
     import httpx
 
     pace = Pace(rng, per_hour=rate, keep_open=keep)
-    headers = {"X-Actor": "workload"} | ({"Authorization": f"Bearer {key}"} if key else {})
+    headers = {"X-Actor": "workload", "Accept-Language": language()}
+    headers |= {"Authorization": f"Bearer {key}"} if key else {}
     loop = asyncio.get_running_loop()
 
     def tell(line: str) -> None:
@@ -67,10 +69,12 @@ async def order(
             try:
                 for line in await _look_and_order(client, rng, pace, loop.time()):
                     tell(line)
+            except httpx.HTTPStatusError as refusal:
+                tell(told_here(f"hoistway workload: {url} refuses: {_refused(refusal.response)}"))
             except (httpx.HTTPError, httpx.InvalidURL) as trouble:
-                tell(f"hoistway workload: {type(trouble).__name__}: {trouble}")
+                tell(told_here(f"hoistway workload: {url} does not answer: {why_not(trouble)}"))
             except (ValueError, LookupError, TypeError):
-                tell(f"hoistway workload: what answers at {url} is no controller")
+                tell(told_here(f"hoistway workload: what answers at {url} is no controller"))
             try:
                 await asyncio.wait_for(stop.wait(), EVERY)
             except TimeoutError:
@@ -95,8 +99,19 @@ async def _look_and_order(client: httpx.AsyncClient, rng: Random, pace: Pace, no
         body = {"source": errand.source, "destination": errand.destination, "carrier": errand.carrier}
         answer = await client.post("/jobs", json=body)
         accepted = answer.status_code == 201
-        told.append(f"{answer.json()['id']}: {body}" if accepted else f"refused: {answer.text}")
+        way = f"{errand.source} → {errand.destination}"
+        told.append(
+            f"{answer.json()['id']}: {way}" if accepted else f"{way}: {told_here('refused')}: {_refused(answer)}"
+        )
     return told
+
+
+def _refused(answer: httpx.Response) -> str:
+    """Return why the server does not do it, in its own words where it gives any."""
+    try:
+        return str(answer.json()["detail"])
+    except (ValueError, LookupError, TypeError):
+        return f"{answer.status_code} {answer.reason_phrase}"
 
 
 def _usable(station: dict[str, Any]) -> bool:

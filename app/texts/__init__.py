@@ -12,7 +12,7 @@ as patterns too (:func:`said`). They lie beside the others, since the page is no
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Literal, get_args
@@ -24,6 +24,8 @@ Section = Literal["page", "problems", "remedies", "sayings", "events"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 Patterns = list[tuple[str, re.Pattern[str], str]]
 """The longest fixed part of a sentence (which is looked for first, since it is quick), its pattern, and what it means."""
+Tell = Callable[[str, Language, int], str]
+"""What tells a sentence within a sentence, so deep."""
 HERE = Path(__file__).parent
 _SLOT = re.compile(r"(\{\d\})")
 _FIXED = re.compile(r"\{\d\}")
@@ -47,13 +49,24 @@ def terminal(language: Language) -> Mapping[str, str]:
 
 def said(sentence: str, language: Language) -> str:
     """Return what the command line says in a language, as far as its texts, or else the sayings, have it; else as it is."""
-    if language == "en" or not sentence.strip():
-        return sentence
+    return sentence if language == "en" or not sentence.strip() else _resaid(sentence, language, _DEPTH)
+
+
+@lru_cache(maxsize=4096)
+def _resaid(sentence: str, language: Language, depth: int) -> str:
     exact = _exact(language).get(sentence)
     if exact is not None:
         return exact
-    found = _matched(sentence, _terminal_patterns(language), language, _DEPTH)
-    return _retold(sentence, language, _DEPTH) if found is None else found
+    for text in (sentence, *_in_plural(sentence)):
+        found = _matched(text, _terminal_patterns(language), language, depth, _resaid)
+        if found is not None:
+            return found
+    return _retold(sentence, language, depth)
+
+
+def _in_plural(sentence: str) -> tuple[str, ...]:
+    """Return what may be one thing as several: the catalogue counts in the plural alone."""
+    return (re.sub(r"^1 (\w+)", r"1 \1s", sentence), f"{sentence}s") if sentence.startswith("1 ") else ()
 
 
 @lru_cache
@@ -93,7 +106,7 @@ def told(sentence: str, language: Language) -> str:
 
 @lru_cache(maxsize=4096)
 def _retold(sentence: str, language: Language, depth: int) -> str:
-    found = _matched(sentence, _patterns(language), language, depth)
+    found = _matched(sentence, _patterns(language), language, depth, _retold)
     if found is not None:
         return found
     # A reason, and what would help.
@@ -103,17 +116,17 @@ def _retold(sentence: str, language: Language, depth: int) -> str:
     return f"{_retold(reason, language, depth - 1)}; {_retold(remedy, language, depth - 1)}"
 
 
-def _matched(sentence: str, patterns: Patterns, language: Language, depth: int) -> str | None:
+def _matched(sentence: str, patterns: Patterns, language: Language, depth: int, within: Tell) -> str | None:
     for fixed, pattern, other in patterns:
         if fixed in sentence and (match := pattern.fullmatch(sentence)):
-            return _filled(other, match.groupdict(), language, depth)
+            return _filled(other, match.groupdict(), language, depth, within)
     return None
 
 
-def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int) -> str:
+def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int, within: Tell) -> str:
     def part(slot: re.Match[str]) -> str:
         found = parts.get(f"s{slot[0][1]}", slot[0])
-        return _retold(found, language, depth - 1) if depth and " " in found else found
+        return within(found, language, depth - 1) if depth and " " in found else found
 
     whole = _SLOT.sub(part, other)
     return settled(whole) if language == "ko" else whole

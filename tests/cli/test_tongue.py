@@ -11,14 +11,19 @@ from typing import Any
 
 import pytest
 import typer
+from typer.testing import CliRunner
 
 from app.cli import app
 from app.cli.tongue import wished
 from app.texts import LANGUAGES, language_of, said, terminal
+from tests.test_texts import RUNS, runs_in
 
 ROOT = Path(__file__).parents[2]
 SLOT = re.compile(r"\{\d\}")
-SAYERS = {"say", "refuse", "_refuse", "CannotStart", "told_here", "_done", "BadParameter"}
+SAYERS = {
+    *("say", "refuse", "_refuse", "CannotStart", "told_here", "_done", "BadParameter"),
+    *("well", "doubtful", "wrong", "counted_here"),
+}
 """What takes sentences that a person reads in a terminal."""
 FRAME = {
     *("Usage:", "Options", "Arguments", "Commands", "default", "required", "env var", "[OPTIONS]", "COMMAND [ARGS]..."),
@@ -35,6 +40,15 @@ FRAME = {
     "Got unexpected extra argument(s) ({0})",
 }
 """What the library says that reads the command line."""
+
+
+SYSTEM = {
+    *map(os.strerror, range(1, 134)),
+    *("Name or service not known", "Temporary failure in name resolution"),
+    *("unable to open database file", "attempt to write a readonly database", "database is locked"),
+    *("file is not a database", "database disk image is malformed", "database or disk is full"),
+}
+"""What the operating system and SQLite say of files and connections."""
 
 
 def hoistway(*arguments: str, **env: str) -> subprocess.CompletedProcess[str]:
@@ -62,11 +76,24 @@ def messages() -> Iterator[tuple[str, str]]:
     """Give every sentence that the code of the command line says, as a pattern, with the file that says it."""
     for file in sorted((ROOT / "app/cli").rglob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in SAYERS:
+            if isinstance(node, ast.Call) and (name := called(node)) in SAYERS:
                 for argument in [*node.args, *(word.value for word in node.keywords)]:
-                    for line in (pattern(argument) or "").splitlines():
+                    for line in (text for whole in patterns(argument) for text in whole.splitlines()):
                         if re.search(r"[A-Za-z]{2}", SLOT.sub("", line)):
-                            yield line, file.name
+                            yield f"{{0}} {line}" if name == "counted_here" else line, file.name
+
+
+def called(node: ast.Call) -> str:
+    return str(getattr(node.func, "id", getattr(node.func, "attr", "")))
+
+
+def patterns(node: ast.expr) -> Iterator[str]:
+    """Give what an argument may say: both ends of a choice."""
+    if isinstance(node, ast.IfExp):
+        yield from patterns(node.body)
+        yield from patterns(node.orelse)
+    elif (text := pattern(node)) is not None:
+        yield text
 
 
 def pattern(node: ast.expr) -> str | None:
@@ -91,8 +118,8 @@ def test_both_languages_have_the_same_texts_with_the_same_slots() -> None:
 
 def test_no_korean_text_was_left_in_english() -> None:
     english, korean = (terminal(language) for language in LANGUAGES)
-    same = {text for key, text in english.items() if korean[key] == text}
-    assert same == {"plant"}, "a name that both languages have"
+    same = {text for key, text in english.items() if korean[key] == text and re.search("[a-z]{3}", SLOT.sub("", text))}
+    assert same == {"node-link JSON ({0}), {1}", "GraphML, {0}"}
 
 
 def test_every_explanation_of_a_command_and_of_an_option_is_in_the_catalogue() -> None:
@@ -106,11 +133,11 @@ def test_every_message_of_the_command_line_is_in_the_catalogue() -> None:
 
 
 def test_every_text_of_the_catalogue_is_still_said() -> None:
-    code = "\n".join(file.read_text(encoding="utf-8") for file in (ROOT / "app/cli").rglob("*.py"))
-    told = {*explanations(), *(text for text, _ in messages()), *FRAME}
+    code = "\n".join(file.read_text(encoding="utf-8") for file in (ROOT / "app").rglob("*.py"))
+    told = {*explanations(), *(text for text, _ in messages()), *FRAME, *SYSTEM}
     for text in set(terminal("en").values()) - told:
-        pieces = [piece.strip(" .:") for piece in re.split(r"\{\d\}|;", text)]
-        assert all(piece in code for piece in pieces if len(piece) > 3), text
+        pieces = [piece.strip(" .:") for piece in re.split(r"\{\d\}|[;:,]", text)]
+        assert all(runs_in(piece, code) <= RUNS for piece in pieces if len(piece) > 3), text
 
 
 @pytest.mark.parametrize(
@@ -182,5 +209,112 @@ def test_what_is_wrong_with_a_layout_is_told_in_korean(tmp_path: Path) -> None:
     (tmp_path / "wrong.yaml").write_text(plant, encoding="utf-8")
     told = hoistway("--lang", "ko", "check", str(tmp_path / "wrong.yaml"))
     assert told.returncode == 1
-    assert "error: 알 수 없는 바코드 999" in told.stdout
+    assert "오류: 알 수 없는 바코드 999" in told.stdout
     assert "barcodes 아래에 쓰세요" in told.stdout
+
+
+TERMS = {
+    *(
+        "hoistway",
+        "check",
+        "layout",
+        "bench",
+        "yaml",
+        "csv",
+        "lif",
+        "json",
+        "demo",
+        "small",
+        "fab",
+        "clearance",
+        "dest",
+    ),
+    *(
+        "CSV",
+        "UTF",
+        "JSON",
+        "AGV",
+        "DEST",
+        "OFFSET",
+        "ETX",
+        "STX",
+        "ETB",
+        "CRC",
+        "BCC",
+        "LEN",
+        "NTP",
+        "Python",
+        "Linux",
+    ),
+    *(
+        "SQLAlchemy",
+        "sqlite",
+        "pysqlite",
+        "GB",
+        "ms",
+        "mm",
+        "km",
+        "vehicles",
+        "parking",
+        "barcodes",
+        "length",
+        "dialect",
+    ),
+    *("traffic", "idle", "listen", "docs", "teaching", "md", "sbfl", "sbfr", "port", "agv", "buffer", "charger"),
+    *("unit", "up", "plant", "dev", "id", "address", "curl", "GET", "PUT", "api", "HOISTWAY"),
+}
+"""Names of files, fields, options and figures, which have no Korean."""
+LIST = "barcode,x,y,next,station,kind,비고\n1,0,0,2,P1,port,\n2,1000,0,3,,,\n3,2000,inf,1,P2,gate,\n4,5000,0,1,P3,,\n"
+
+
+def in_korean(*arguments: str) -> str:
+    """Return what a command says in Korean, within this process."""
+    return CliRunner(env={"HOISTWAY_LANG": "ko"}).invoke(app, arguments).output
+
+
+def english_in(said: str, file: Path) -> set[str]:
+    """Return the English words that are left, but for names."""
+    said = re.sub(rf"{re.escape(str(file.parent))}\S*|plants/\S+|--[\w-]+|'[^']*'", "", said)
+    return set(re.findall(r"[A-Za-z]{2,}", re.sub(r"\b[A-Z]+\d[\w-]*|\b[0-9a-f]{64}\b", "", said))) - TERMS
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("check", "plants/demo.yaml"),
+        ("layout", "check", "plants/demo.yaml"),
+        ("layout", "diff", "plants/demo.yaml", "plants/demo.yaml"),
+        ("layout", "import", "{}/list.csv", "-o", "{}/plant.yaml"),
+        ("layout", "import", "{}/nothing.csv"),
+        ("layout", "export", "plants/demo.yaml", "-o", "{}/demo.lif"),
+        ("layout", "render", "plants/small.yaml", "-o", "{}/small.svg"),
+        ("fab", "--size", "1k", "--statistics"),
+        ("fab", "--size", "2k"),
+        ("schema", "fab"),
+        ("decode", "itsc", "0210"),
+        ("decode", "hi", "0210"),
+        ("decode", "enig", "0210"),
+        ("decode", "itsc", "0x1"),
+        ("detect", "itsc", "{}/list.csv"),
+        ("simulate", "--plant", "plants/small.yaml", "--hours", "0.01"),
+        ("db", "current", "--url", "sqlite:///{}/no/plant.db"),
+        ("users", "add", "a/b", "--role", "admin", "--database", "sqlite:///{}/plant.db"),
+    ],
+    ids=" ".join,
+)
+def test_a_command_says_nothing_in_english_but_names(arguments: Sequence[str], tmp_path: Path) -> None:
+    (tmp_path / "list.csv").write_text(LIST, encoding="utf-8")
+    said = in_korean(*(argument.replace("{}", str(tmp_path)) for argument in arguments))
+    assert re.search("[가-힣]", said), said
+    assert english_in(said, tmp_path / "list.csv") == set(), said
+
+
+def test_the_doctor_says_in_korean_what_it_found(tmp_path: Path) -> None:
+    said = in_korean("doctor", "--plant", "plants/small.yaml", "--database", f"sqlite:///{tmp_path}/plant.db")
+    assert english_in(said, tmp_path / "plant.db") - {"Darwin", "aarch", "arm"} == set(), said
+
+
+def test_one_thing_is_counted_as_several_are() -> None:
+    assert said("1 door", "ko") == "도어 1개"
+    assert said("2 doors", "ko") == "도어 2개"
+    assert said("buffer and alias of 1 station", "ko") == "스테이션 1개의 버퍼와 별칭"

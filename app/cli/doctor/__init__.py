@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from app.cli.doctor.found import Found, Verdict
+from app.cli.tongue import told_here
 
 
 def doctor(
@@ -40,6 +41,7 @@ def doctor(
 
 
 def _show(found: list[Found]) -> None:
+    from rich.cells import cell_len
     from rich.console import Console
     from rich.text import Text
 
@@ -47,12 +49,15 @@ def _show(found: list[Found]) -> None:
     before = ""
     for one in found:
         sign, colour = _SIGNS[one.verdict]
-        console.print(Text.assemble((f"{sign:<8}", colour), (f"{one.what}: ", "bold"), one.message))
+        mark = (told_here(sign) + " " * (8 - cell_len(told_here(sign))), colour)
+        console.print(Text.assemble(mark, (f"{told_here(one.what)}: ", "bold"), told_here(one.message)))
         if one.remedy and one.remedy != before:
-            console.print(Text(f"        {one.remedy}", style="dim"))
+            console.print(Text(f"        {told_here(one.remedy)}", style="dim"))
         before = one.remedy
     counts = {verdict: sum(one.verdict is verdict for one in found) for verdict in Verdict}
-    console.print(f"{counts[Verdict.WELL]} well, {counts[Verdict.DOUBTFUL]} doubtful, {counts[Verdict.WRONG]} wrong")
+    console.print(
+        told_here(f"{counts[Verdict.WELL]} well, {counts[Verdict.DOUBTFUL]} doubtful, {counts[Verdict.WRONG]} wrong")
+    )
 
 
 _SIGNS = {Verdict.WELL: ("ok", "green"), Verdict.DOUBTFUL: ("doubt", "yellow"), Verdict.WRONG: ("WRONG", "bold red")}

@@ -38,12 +38,15 @@ class Note:
     times: int = 0
     where: list[str] = field(default_factory=list)
 
-    def __str__(self) -> str:
+    @property
+    def places(self) -> str:
+        """The first places where it is, and how many more there are; empty where none is named."""
         named = [place for place in self.where[:SHOWN] if place]
-        if not named:
-            return self.what
-        more = f" and {self.times - len(named)} more" if self.times > len(named) else ""
-        return f"{', '.join(named)}{more}: {self.what}"
+        more = f" and {self.times - len(named)} more" if named and self.times > len(named) else ""
+        return ", ".join(named) + more
+
+    def __str__(self) -> str:
+        return f"{self.places}: {self.what}" if self.places else self.what
 
 
 class UnreadableLayout(PlantError):
