@@ -190,8 +190,10 @@ def _report(imported: Imported, output: Path | None, *, json: bool) -> None:
     counted = ", ".join(counted_here(count, what) for what, count in imported.report.read.items())
     print(f"{told_here('read')}: {counted}")
     for note in imported.report.notes:
-        places = f"{told_here(note.places)}: " if note.places else ""
-        print(f"{told_here(note.kind.value)}: {places}{told_here(note.what)}")
+        named, rest = note.named
+        more = told_here(f" and {rest} more") if rest else ""
+        places = ", ".join(map(told_here, named)) + more
+        print(f"{told_here(note.kind.value)}: {f'{places}: ' if named else ''}{told_here(note.what)}")
         if note.remedy:
             print(f"    {told_here(note.remedy)}")
     _show_plant(imported, output)

@@ -78,6 +78,8 @@ def vectors(file: Annotated[Path, typer.Argument(help="a vector file, JSON")]) -
 
 def load(file: Path) -> dict[str, Any]:
     """Return a vector file's content. Raises: Malformed: it cannot be read or lacks what every vector needs."""
+    from app.plant.exchange.json_text import expected
+
     try:
         contents = json.loads(file.read_text(encoding="utf-8-sig"))
     except OSError as wrong:
@@ -85,7 +87,7 @@ def load(file: Path) -> dict[str, Any]:
     except UnicodeDecodeError as wrong:
         raise Malformed(f"is not UTF-8: {wrong.reason} at byte {wrong.start}") from None
     except json.JSONDecodeError as wrong:
-        raise Malformed(f"is not JSON: {wrong.msg}, line {wrong.lineno} column {wrong.colno}") from None
+        raise Malformed(f"is not JSON: {expected(wrong)}, line {wrong.lineno} column {wrong.colno}") from None
     except RecursionError:
         raise Malformed("is nested too deeply") from None
     if not isinstance(contents, dict) or not isinstance(contents.get("vectors"), list):

@@ -11,6 +11,7 @@ from typing import NoReturn
 
 import yaml
 
+from app.plant.broken import wanted
 from app.plant.findings import Finding, Severity
 
 MAX_DEPTH = 20
@@ -111,11 +112,11 @@ class Document:
         except yaml.MarkedYAMLError as wrong:
             mark = wrong.problem_mark
             line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
-            self._fail(line, column, f"this is no YAML: {wrong.problem}", NO_YAML)
+            self._fail(line, column, f"this is no YAML: {wanted(str(wrong.problem))}", NO_YAML)
         except yaml.reader.ReaderError as wrong:
             line = text.count("\n", 0, wrong.position) + 1
             column = wrong.position - (text.rfind("\n", 0, wrong.position) + 1) + 1
-            self._fail(line, column, f"this is no YAML: {wrong.reason}", NO_YAML)
+            self._fail(line, column, f"this is no YAML: {wanted(wrong.reason)}", NO_YAML)
 
     def error(self, path: Path, message: str, remedy: str = "", *, key: bool = False) -> None:
         """Note an error at the deepest place on the path that the file has; with ``key`` at the key, not the value."""

@@ -27,6 +27,9 @@ Patterns = list[tuple[str, re.Pattern[str], str]]
 Tell = Callable[[str, Language, int], str]
 """What tells a sentence within a sentence, so deep."""
 HERE = Path(__file__).parent
+COUNT = "{9}"
+"""The slot for a number: ``{9} stations`` is said of 3 stations, and not of what stands under stations."""
+_NUMBER = r"[0-9][0-9,.]*"
 _SLOT = re.compile(r"(\{\d\})")
 _FIXED = re.compile(r"\{\d\}")
 _DEPTH = 4
@@ -61,7 +64,8 @@ def _resaid(sentence: str, language: Language, depth: int) -> str:
         found = _matched(text, _terminal_patterns(language), language, depth, _resaid)
         if found is not None:
             return found
-    return _retold(sentence, language, depth)
+    found = _matched(sentence, _patterns(language), language, depth, _resaid)
+    return _in_parts(sentence, language, depth, _resaid) if found is None else found
 
 
 def _in_plural(sentence: str) -> tuple[str, ...]:
@@ -107,13 +111,15 @@ def told(sentence: str, language: Language) -> str:
 @lru_cache(maxsize=4096)
 def _retold(sentence: str, language: Language, depth: int) -> str:
     found = _matched(sentence, _patterns(language), language, depth, _retold)
-    if found is not None:
-        return found
-    # A reason, and what would help.
+    return _in_parts(sentence, language, depth, _retold) if found is None else found
+
+
+def _in_parts(sentence: str, language: Language, depth: int, tell: Tell) -> str:
+    """Tell a reason, and what would help, each by itself."""
     reason, found_one, remedy = sentence.partition("; ")
     if not found_one or not depth:
         return sentence
-    return f"{_retold(reason, language, depth - 1)}; {_retold(remedy, language, depth - 1)}"
+    return f"{tell(reason, language, depth - 1)}; {tell(remedy, language, depth - 1)}"
 
 
 def _matched(sentence: str, patterns: Patterns, language: Language, depth: int, within: Tell) -> str | None:
@@ -149,5 +155,9 @@ def _compiled(english: Mapping[str, str], other: Mapping[str, str]) -> Patterns:
 def _pattern(sentence: str) -> str:
     """Return it as an expression. What stands first is a name, or several: a clause within a sentence is none by itself."""
     first, *rest = (part for part in _SLOT.split(sentence) if part)
-    head = rf"(?P<s{first[1]}>\S+?(?: \(for \S+?\))?(?:, \S+?)*?)" if _SLOT.fullmatch(first) else re.escape(first)
-    return head + "".join(f"(?P<s{part[1]}>.+?)" if _SLOT.fullmatch(part) else re.escape(part) for part in rest)
+    head = _slot(first, r"\S+?(?: \(for \S+?\))?(?:, \S+?)*?") if _SLOT.fullmatch(first) else re.escape(first)
+    return head + "".join(_slot(part, ".+?") if _SLOT.fullmatch(part) else re.escape(part) for part in rest)
+
+
+def _slot(part: str, filled: str) -> str:
+    return rf"(?P<s{part[1]}>{_NUMBER if part == COUNT else filled})"

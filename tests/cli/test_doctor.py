@@ -75,7 +75,7 @@ def test_a_silent_vehicle_is_named_with_its_address(tmp_path: Path) -> None:
         port = server.getsockname()[1]
     code, found, remedies = ask(tmp_path, "--plant", str(a_plant(tmp_path, port)))
     assert code == 0
-    assert found["vehicle V1"] == [("doubtful", f"127.0.0.1:{port}: Connection refused")]
+    assert found["vehicle V1"] == [("doubtful", f"127.0.0.1:{port} cannot be reached: Connection refused")]
     assert "another controller" in remedies
 
 

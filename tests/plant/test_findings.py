@@ -60,8 +60,16 @@ def test_the_good_file_has_no_finding() -> None:
 
 
 YAML = {
-    "text that is no YAML": Case("{1: [0, 0], 2", "{1: [0, 0, 2", 2, "this is no YAML: did not find expected", NO_YAML),
-    "a control character": Case("name: good", "name: \x07", 1, "this is no YAML: control characters are not allowed"),
+    "text that is no YAML": Case(
+        "{1: [0, 0], 2",
+        "{1: [0, 0, 2",
+        2,
+        "this is no YAML: a comma is missing here, or a bracket is not closed",
+        NO_YAML,
+    ),
+    "a control character": Case(
+        "name: good", "name: \x07", 1, "this is no YAML: this character is none that a text may have"
+    ),
     "an alias": Case(
         "start: 4", "start: &a 4, reach: *a", 14, "an alias (*a) cannot be used here", "write the value again"
     ),

@@ -86,6 +86,6 @@ async def _knocked(what: str, host: str, port: int, turns: asyncio.Semaphore) ->
             )
         except OSError as error:
             remedy = "Does its controller program run? Is it connected to another controller?"
-            return doubtful(what, f"{host}:{port}: {said(error)}", remedy)
+            return doubtful(what, f"{host}:{port} cannot be reached: {said(error)}", remedy)
         writer.close()
         return None

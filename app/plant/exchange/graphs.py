@@ -8,7 +8,7 @@ from app.domain.layout import PulseSet, StationKind, VehicleKind
 from app.domain.units import Pulses
 from app.plant.exchange.columns import CHARGER_WORDS, FALSE, KIND_OF, PARK_WORDS, ROLES, TRUE, fold
 from app.plant.exchange.draft import Area, Charge, Draft, Place, Spot, Way
-from app.plant.exchange.numbers import number
+from app.plant.exchange.numbers import WANTED, number
 from app.plant.exchange.report import Report, UnreadableLayout, shown
 from app.plant.exchange.units import Reading, scale, settle_speeds
 from app.plant.exchange.xml_text import Element, child, children, local
@@ -215,8 +215,8 @@ class _Builder:
             return None
         try:
             return number(roles[key])
-        except ValueError as wrong:
-            self._report.wrong(where, f"{key}: {shown(wrong)}", "correct it")
+        except ValueError:
+            self._report.wrong(where, f"{key}: no number", WANTED, was=roles[key])
             return None
 
     def _truth(self, roles: Mapping[str, Any], key: str, where: str) -> bool:
@@ -225,7 +225,7 @@ class _Builder:
             return bool(value)
         word = _text(value).casefold()
         if word not in TRUE | FALSE | {"0.0", "1.0"}:
-            self._report.wrong(where, f"{key}: {shown(value)} is neither yes nor no", "write true or false")
+            self._report.wrong(where, f"{key}: neither yes nor no: taken is no", "write true or false", was=value)
         return word in TRUE or word == "1.0"
 
     def finished(self, reading: Reading) -> Draft:

@@ -60,19 +60,29 @@ def import_layout(sources: Sequence[tuple[str, bytes]], wishes: Wishes) -> Impor
     report = Report()
     draft = _draft(sources, wishes, report)
     if not draft.spots:
-        reasons = [str(note) for note in report.notes if note.kind is Kind.WRONG][:1]
-        because = f": {reasons[0]}" if reasons else ""
-        raise UnreadableLayout(f"{sources[0][0]}: there is no mark with a position in it{because}")
+        raise _nowhere(sources[0][0], report)
     if len(draft.spots) > MOST_MARKS or len(draft.ways) > 4 * MOST_MARKS:
         size = f"{len(draft.spots)} marks and {len(draft.ways)} pieces of track"
         raise UnreadableLayout(f"{sources[0][0]}: {size} are more than a plant file holds", remedy="split the layout")
     settled = settle(draft, wishes.options, report)
+    if not settled.plant.points:
+        raise _nowhere(sources[0][0], report)
     text = write(settled.plant, _head([name for name, _ in sources], report), settled.notes)
     try:
         _, findings = read(text, f"{settled.plant.name}.yaml")
     except UnusablePlant as unusable:
         findings = unusable.findings
     return Imported(text, settled.plant, report, findings)
+
+
+def _nowhere(name: str, report: Report) -> UnreadableLayout:
+    """Return that no mark of a file has a position that can be taken, with the mistake that is most often to blame."""
+    what = f"{name}: there is no mark with a position in it"
+    wrong = max((note for note in report.notes if note.kind is Kind.WRONG), key=lambda note: note.times, default=None)
+    if wrong is None:
+        return UnreadableLayout(what)
+    place = f"{wrong.where[0]}: " if wrong.where else ""
+    return UnreadableLayout(f"{what}: {place}{wrong.what}", remedy=wrong.remedy)
 
 
 def _draft(sources: Sequence[tuple[str, bytes]], wishes: Wishes, report: Report) -> Draft:
@@ -108,7 +118,7 @@ def _family(data: bytes, wanted: Format | None) -> str:
 
 
 def _of_json(name: str, data: bytes, wishes: Wishes, report: Report) -> Draft:
-    found = parsed_json(data, name)
+    found = parsed_json(data, name, report)
     if (wishes.format or detect.of_json(found)) is Format.LIF:
         return lif.draft_of(found, report, wishes.layout, wishes.vehicle_type)
     return graphs.draft_of_json(found, wishes.reading, report)

@@ -1,32 +1,87 @@
 """JSON that others wrote: read whole, with numbers and names taken out of it tolerantly, each repair noted."""
 
 import json
+from collections import Counter
+from collections.abc import Iterator
 from math import isfinite
 from typing import Any
 
-from app.plant.exchange.numbers import number
+from app.plant.exchange.numbers import WANTED, number
 from app.plant.exchange.report import Report, UnreadableLayout, shown
 
 
-def parsed(data: bytes, name: str) -> Any:
-    """Return what a JSON file holds. Raises: UnreadableLayout: it is none, with line and column."""
+def parsed(data: bytes, name: str, report: Report) -> Any:
+    """Return what a JSON file holds; a key that one object has twice is noted. Raises: UnreadableLayout: it is none, with line
+    and column.
+    """
     try:
-        text = data.decode("utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
+        text = data.decode(json.detect_encoding(data))
     except UnicodeDecodeError as wrong:
         raise UnreadableLayout(
-            f"{name} is not UTF-8: {wrong.reason} at byte {wrong.start}", remedy="save it as UTF-8"
+            f"{name} is not UTF-8: byte {wrong.start} fits no letter", remedy="save it as UTF-8"
         ) from None
     try:
-        return json.loads(text)
+        found = json.loads(text, object_pairs_hook=_object)
     except json.JSONDecodeError as wrong:
         cut = wrong.pos >= len(text.rstrip()) - 1
         remedy = "the file ends in the middle: was it copied whole?" if cut else "correct it there"
-        what = f"{name} is no JSON: line {wrong.lineno}, column {wrong.colno}: {wrong.msg}"
+        what = f"{name} is no JSON: line {wrong.lineno}, column {wrong.colno}: {expected(wrong)}"
         raise UnreadableLayout(what, remedy=remedy) from None
     except RecursionError:
         raise UnreadableLayout(f"{name} is nested too deep to be a layout") from None
-    except ValueError as wrong:
-        raise UnreadableLayout(f"{name} is no JSON that can be read: {shown(wrong)}") from None
+    except ValueError:
+        raise UnreadableLayout(f"{name} is no JSON that can be read: it has a number of thousands of digits") from None
+    for where, key in _doubled(found, ""):
+        report.wrong(where or name, f"{shown(key)} is given twice in it: the last one counts", "leave one of them out")
+    return found
+
+
+_EXPECTED = {
+    "Expecting value": "a value is expected here",
+    "Expecting ',' delimiter": "a comma is expected here, or the end of the list or object",
+    "Expecting ':' delimiter": "a colon is expected here, between name and value",
+    "Expecting property name enclosed in double quotes": "a name in double quotes is expected here",
+    "Illegal trailing comma before end of object": "no comma may stand before the end of an object",
+    "Illegal trailing comma before end of array": "no comma may stand before the end of a list",
+    "Extra data": "the JSON has ended before this",
+    "Unterminated string starting at": "the text that begins here has no closing quotation mark",
+    "Invalid control character at": "a line break or control character stands within a text",
+    "Invalid \\escape": "this is no escape: a backslash itself is written twice",
+    "Invalid \\uXXXX escape": "four hexadecimal digits belong behind this",
+}
+
+
+def expected(wrong: json.JSONDecodeError) -> str:
+    """Return what JSON wants where it is broken, in our words."""
+    said = next((ours for theirs, ours in _EXPECTED.items() if wrong.msg.startswith(theirs)), "")
+    return said or f"this cannot stand here ({wrong.msg})"
+
+
+class _Twice(dict[str, Any]):
+    """An object in which these keys stand more than once."""
+
+    keys_twice: list[str]
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    whole = dict(pairs)
+    if len(whole) == len(pairs):
+        return whole
+    marked = _Twice(whole)
+    marked.keys_twice = [key for key, times in Counter(key for key, _ in pairs).items() if times > 1]
+    return marked
+
+
+def _doubled(value: Any, where: str) -> Iterator[tuple[str, str]]:
+    """Give the places of objects that have a key twice, and the key."""
+    if isinstance(value, _Twice):
+        yield from ((where, key) for key in value.keys_twice)
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield from _doubled(item, f"{where}.{key}" if where else key)
+    elif isinstance(value, list):
+        for i, item in enumerate(value):
+            yield from _doubled(item, f"{where}[{i}]")
 
 
 class Item:
@@ -52,7 +107,7 @@ class Item:
             return ""
         if isinstance(given, str):
             return given.strip()
-        if isinstance(given, int | float) and not isinstance(given, bool):
+        if isinstance(given, int | float) and not isinstance(given, bool) and isfinite(given):
             self._report.repaired(self.where, f"{key} is a number where a text is meant")
             return str(int(given)) if isinstance(given, float) and given.is_integer() else str(given)
         self._report.wrong(self.where, f"{key} is no text", "write it in quotes")
@@ -65,8 +120,8 @@ class Item:
             return None
         try:
             found = number(given)
-        except ValueError as wrong:
-            self._report.wrong(self.where, f"{key}: {shown(wrong)}", "correct it")
+        except ValueError:
+            self._report.wrong(self.where, f"{key}: no number", WANTED, was=given)
             return None
         if isinstance(given, str):
             self._report.repaired(self.where, f"{key} is a text where a number is meant")

@@ -16,9 +16,9 @@ from app.plant.exchange.columns import (
     fold,
 )
 from app.plant.exchange.draft import Area, Charge, Draft, Machine, Place, Spot, Way
-from app.plant.exchange.numbers import has_decimal_commas, number
+from app.plant.exchange.numbers import WANTED, has_decimal_commas, number
 from app.plant.exchange.report import Report, UnreadableLayout, shown
-from app.plant.exchange.sheets import Row, Table
+from app.plant.exchange.sheets import Row, Table, letters
 from app.plant.exchange.units import Reading, scale, settle_speeds
 
 _SEPARATORS = ",;/|"
@@ -57,9 +57,14 @@ class Rows:
         """Return a text of this column as a number, None with a note if it is none."""
         try:
             return number(given, comma=self._comma.get(role, False))
-        except ValueError as wrong:
-            self._report.wrong(self.table.where(at), f"{shown(self.name[role])}: {shown(wrong)}", "correct the cell")
+        except ValueError:
+            self.wrong(at, role, given, "no number", WANTED)
             return None
+
+    def wrong(self, at: int, role: str, given: str, what: str, remedy: str) -> None:
+        """Note that a cell of this column holds what it cannot mean."""
+        column = f"column {letters(self._at[role][0])} ({shown(self.name[role])})"
+        self._report.wrong(self.table.where(at), f"{column}: {what}", remedy, was=given)
 
 
 def _text(cell: object) -> str:
@@ -143,7 +148,7 @@ def _read_mark(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -> N
             if not rows.text(row, "x") or not rows.text(row, "y"):
                 report.wrong(where, "the barcode has no position: left out", "fill in x and y")
             return
-        park = _truth(rows, at, row, "park", report) or word in PARK_WORDS
+        park = _truth(rows, at, row, "park") or word in PARK_WORDS
         draft.spots.append(Spot(name, x, y, where, park))
     _read_next(draft, rows, at, row, report)
     _read_station(draft, rows, at, row, report)
@@ -181,26 +186,24 @@ def _add_ways(
     given = rows.text(row, "direction")
     word = given.casefold().replace(" ", "")
     if word not in BOTH | ONE_WAY | BACKWARD:
-        report.wrong(where, f"direction {shown(given)} is not understood: taken is one-way", "write one-way or two-way")
+        rows.wrong(at, "direction", given, "no direction: taken is one-way", "write one-way or two-way")
     sensor = rows.number(at, row, "sensor")
     way = Way(*ends, where, length, speed=rows.number(at, row, "speed"), sensor=int(sensor or 0))
-    way.curve = _truth(rows, at, row, "curve", report) if rows.text(row, "curve") else None
+    way.curve = _truth(rows, at, row, "curve") if rows.text(row, "curve") else None
     if word not in BACKWARD:
         draft.ways.append(way)
     if word in BOTH | BACKWARD and word:
         draft.ways.append(Way(ends[1], ends[0], where, length, way.speed, None, way.sensor, way.curve))
 
 
-def _truth(rows: Rows, at: int, row: Row, role: str, report: Report) -> bool:
+def _truth(rows: Rows, at: int, row: Row, role: str) -> bool:
     given = rows.text(row, role)
     word = given.casefold()
     if word in FALSE:
         return False
     if word in TRUE or fold(given) in PARK_WORDS:
         return True
-    report.wrong(
-        rows.table.where(at), f"{shown(rows.name[role])}: {shown(given)} is neither yes nor no", "write yes or no"
-    )
+    rows.wrong(at, role, given, "neither yes nor no: taken is no", "write yes or no")
     return False
 
 
@@ -215,8 +218,8 @@ def _read_station(draft: Draft, rows: Rows, at: int, row: Row, report: Report) -
         return
     kind = KIND_OF.get(word)
     if word and kind is None and word not in PARK_WORDS:
-        known = "port, sbfl, sbfr, agv_buffer, charger"
-        report.wrong(where, f"{shown(given)} is no kind of station: taken is the usual one", f"known: {known}")
+        known = "known: port, sbfl, sbfr, agv_buffer, charger"
+        rows.wrong(at, "kind", given, "no kind of station: taken is the usual one", known)
     dest = _pulses(rows, at, row, report)
     look_down = rows.number(at, row, "look_down")
     for name in names:

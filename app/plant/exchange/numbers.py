@@ -8,6 +8,8 @@ _THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}(,[0-9]{3})+(\.[0-9]+)?")
 _COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+")
 _PLAIN = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]{1,3})?")
 _LONGEST = 40
+WANTED = "write a number, such as 12500 or 12.5"
+"""What helps where there is none."""
 
 
 def number(value: object, *, comma: bool = False) -> float:

@@ -39,14 +39,15 @@ class Note:
     where: list[str] = field(default_factory=list)
 
     @property
-    def places(self) -> str:
-        """The first places where it is, and how many more there are; empty where none is named."""
+    def named(self) -> tuple[list[str], int]:
+        """The first places where it is, and how many more there are; none where no place is known."""
         named = [place for place in self.where[:SHOWN] if place]
-        more = f" and {self.times - len(named)} more" if named and self.times > len(named) else ""
-        return ", ".join(named) + more
+        return named, self.times - len(named) if named else 0
 
     def __str__(self) -> str:
-        return f"{self.places}: {self.what}" if self.places else self.what
+        named, rest = self.named
+        places = ", ".join(named) + (f" and {rest} more" if rest else "")
+        return f"{places}: {self.what}" if named else self.what
 
 
 class UnreadableLayout(PlantError):
@@ -76,9 +77,11 @@ class Report:
         """Whether nothing was wrong with the source."""
         return not any(note.kind is Kind.WRONG for note in self._notes.values())
 
-    def wrong(self, where: str, what: str, remedy: str = "") -> None:
-        """Note a contradiction, or a reference to what is not there."""
-        self._note(Kind.WRONG, where, what, remedy)
+    def wrong(self, where: str, what: str, remedy: str = "", *, was: object = None) -> None:
+        """Note a contradiction, or a reference to what is not there. ``was`` is what stands there: equal mistakes with other
+        words are one note.
+        """
+        self._note(Kind.WRONG, where if was is None else f"{where} ({shown(repr(was))})", what, remedy)
 
     def repaired(self, where: str, what: str) -> None:
         """Note that something badly written was read as it was certainly meant."""

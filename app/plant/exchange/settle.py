@@ -27,6 +27,7 @@ from app.plant.exchange.report import Report, shown
 from app.plant.format import MAX_LENGTH
 from app.plant.names import DISPLAY_BYTES, is_id
 
+NAME_UNIT = "check the unit, and name it: --unit mm or --unit m"
 FARTHEST = 10**9
 """Largest coordinate of a plant file, mm."""
 BENT = 1.1
@@ -114,7 +115,7 @@ def _spots(draft: Draft, report: Report) -> list[Spot]:
         if not (isfinite(spot.x) and isfinite(spot.y)):
             report.wrong(spot.where, "the position is no number, so the mark is left out", "give x and y")
         elif max(abs(spot.x), abs(spot.y)) > FARTHEST:
-            report.wrong(spot.where, f"the position is more than {FARTHEST // 10**6} km away", "check the unit")
+            report.wrong(spot.where, f"the position is more than {FARTHEST // 10**6} km away", NAME_UNIT)
         elif spot.name not in found:
             found[spot.name] = spot
         else:
@@ -215,7 +216,7 @@ def _length(way: Way, distance: float, report: Report) -> int | None:
         report.wrong(way.where, what, "correct a position, or give the length")
         return None
     if length > MAX_LENGTH:
-        report.wrong(way.where, f"longer than {MAX_LENGTH // 10**6} km: left out", "check the unit")
+        report.wrong(way.where, f"longer than {MAX_LENGTH // 10**6} km: left out", NAME_UNIT)
         return None
     return length
 

@@ -23,7 +23,13 @@ UNPACKED_LIMIT = 512 << 20
 MOST_CELLS = 20_000_000
 """Cells of one sheet, empty ones between others included. Our choice."""
 _CELL = re.compile(rb'<(?:\w+:)?c\b[^>]*?\br=[\'"]([A-Z]{1,8})(\d{1,12})[\'"]')
-_BOMS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+_BOMS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),  # before UTF-16, whose mark it begins with
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
 Cell = object
 Row = Sequence[Cell]
 
@@ -60,20 +66,27 @@ def tables_of_text(data: bytes, name: str, encoding: str, report: Report) -> lis
 
 
 def _decoded(data: bytes, encoding: str) -> tuple[str, str]:
-    for mark, name in _BOMS:
-        if data.startswith(mark) and not encoding:
-            encoding = name
+    encoding = encoding or next((name for mark, name in _BOMS if data.startswith(mark)), "")
     if not encoding and b"\0" in data[:4096]:
-        even, odd = data[:4096:2].count(0), data[1:4096:2].count(0)
-        if max(even, odd) * 3 < len(data[:4096]):
-            raise UnreadableLayout("this is no text: it holds zero bytes", remedy="give CSV, XLSX, JSON or XML")
-        encoding = "utf-16-le" if odd > even else "utf-16-be"
+        encoding = _wide(data[:4096])
     names = (encoding,) if encoding else ENCODINGS
     found = [(name, text) for name in names if (text := _try(data, name)) is not None]
     if not found:
         raise UnreadableLayout(f"this is no text in {listed(names)}", remedy="name its encoding with --encoding")
     best = max(found, key=lambda pair: _understood(pair[1]))
     return best[0].removesuffix("-sig"), best[1]
+
+
+def _wide(head: bytes) -> str:
+    """Return the encoding of text with zero bytes: two or four bytes a letter. Raises UnreadableLayout: it is no text."""
+    zeros = [head[place::4].count(0) for place in range(4)]
+    often = len(head) // 6
+    if zeros[1] > often and zeros[2] > often:
+        return "utf-32-le" if zeros[3] > zeros[0] else "utf-32-be"
+    even, odd = zeros[0] + zeros[2], zeros[1] + zeros[3]
+    if max(even, odd) * 3 < len(head):
+        raise UnreadableLayout("this is no text: it holds zero bytes", remedy="give CSV, XLSX, JSON or XML")
+    return "utf-16-le" if odd > even else "utf-16-be"
 
 
 def _try(data: bytes, encoding: str) -> str | None:
@@ -102,15 +115,29 @@ def _delimiter(text: str) -> str:
 
 
 def _csv_rows(text: str, delimiter: str) -> Iterator[tuple[int, Row]]:
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    lines = list(io.StringIO(text, newline=""))
+    reader, first = csv.reader(lines, delimiter=delimiter), 1
     try:
         for row in reader:
             if reader.line_num > MOST_ROWS:
                 raise UnreadableLayout(f"more than {MOST_ROWS} rows", remedy="split the layout")
+            if first < reader.line_num == len(lines) and _left_open(lines[first - 1 :], delimiter):
+                raise UnreadableLayout(f"row {first}: a quotation mark is left open", remedy="close it, or take it out")
             if any(cell.strip() for cell in row):
                 yield reader.line_num, row
+            first = reader.line_num + 1
+    except csv.Error:
+        longest = f"row {reader.line_num + 1}: a cell is longer than {csv.field_size_limit()} characters"
+        raise UnreadableLayout(longest, remedy="is a quotation mark left open?") from None
+
+
+def _left_open(lines: list[str], delimiter: str) -> bool:
+    """Whether the last row, of these lines, has a cell whose quotation mark nothing closes: all below it is in that cell."""
+    try:
+        list(csv.reader(lines, delimiter=delimiter, strict=True))
     except csv.Error as wrong:
-        raise UnreadableLayout(f"row {reader.line_num + 1}: {wrong}", remedy="is a quotation mark left open?") from None
+        return "unexpected end of data" in str(wrong)
+    return False
 
 
 def tables_of_workbook(data: bytes, name: str, report: Report) -> list[Table]:
@@ -168,6 +195,12 @@ def _check_extent(data: bytes, name: str) -> None:
 def _number(letters: bytes) -> int:
     """Return the number of a column from its letters: A is 1, AA is 27."""
     return sum((letter - 64) * 26**place for place, letter in enumerate(reversed(letters[:8])))
+
+
+def letters(index: int) -> str:
+    """Return what a spreadsheet calls a column, counted from 0: A, B … Z, AA."""
+    more, last = divmod(index, 26)
+    return (letters(more - 1) if more else "") + chr(ord("A") + last)
 
 
 def _table(name: str, rows: list[tuple[int, Row]]) -> Table | None:

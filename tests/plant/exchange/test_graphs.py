@@ -8,6 +8,7 @@ import pytest
 
 from app.plant.exchange.importing import Imported
 from app.plant.exchange.report import Kind, UnreadableLayout
+from app.texts import said as said_in
 from tests.plant.exchange.layouts import imported, said
 
 
@@ -108,12 +109,52 @@ def test_what_is_wrong_is_said_with_its_place() -> None:
         "nodes[0], nodes[1]: the node has no id",
         "nodes[2] (a): the node has no position",
         "links[0], links[1]: the edge has no source or no target",
-        "links[2] b → c: speed: 'fast' is no number",
-        "links[2] b → c: curve: maybe is neither yes nor no",
+        "links[2] b → c ('fast'): speed: no number",
+        "links[2] b → c ('maybe'): curve: neither yes nor no: taken is no",
         "links[3] c → z: leads to z, which is nowhere given",
     ):
         assert wrong in told
     assert said(made, Kind.LEFT_OUT) == ["colour: attributes that are not understood"]
+
+
+def test_a_key_that_stands_twice_in_an_object_is_said_with_its_place() -> None:
+    text = '{"nodes":[{"id":1,"x":0,"x":500,"y":0},{"id":2,"x":1000,"y":0}],'
+    text += '"links":[{"source":1,"target":2},{"source":2,"target":1,"length":500,"length":500}]}'
+    made = imported(text)
+    assert [point.x for point in made.plant.points] == [500, 1000]
+    assert said(made, Kind.WRONG) == [
+        "nodes[0]: x is given twice in it: the last one counts",
+        "links[1]: length is given twice in it: the last one counts",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('{"nodes":[{"id":1 "x":0}]}', "line 1, column 19: a comma is expected here, or the end of the list or object"),
+        ("{'nodes':[]}", "line 1, column 2: a name in double quotes is expected here"),
+        ('{"nodes"\n[]}', "line 2, column 1: a colon is expected here, between name and value"),
+        ('{"nodes":[1,]}', "a value is expected here"),
+        ('{"nodes":[]} x', "the JSON has ended before this"),
+        ('{"nodes":["a', "the text that begins here has no closing quotation mark"),
+        ('{"nodes":["a\\q"]}', "this is no escape: a backslash itself is written twice"),
+        ('{"nodes":["\\u12"]}', "four hexadecimal digits belong behind this"),
+        ('{"nodes":["a\nb"]}', "a line break or control character stands within a text"),
+        (f'{{"nodes":[{"9" * 5000}]}}', "it has a number of thousands of digits"),
+        ('{"nodes":["\xff"]}'.encode("latin-1"), "is not UTF-8: byte 11 fits no letter"),
+    ],
+)
+def test_json_that_is_broken_says_where_and_what_is_wanted(text: str | bytes, expected: str) -> None:
+    with pytest.raises(UnreadableLayout) as refused:
+        imported(text)
+    assert expected in refused.value.message
+    assert expected.rpartition(": ")[2] not in said_in(refused.value.message, "ko")
+
+
+def test_json_in_wide_letters_is_read() -> None:
+    text = '{"nodes":[{"id":1,"x":0,"y":0},{"id":2,"x":1000,"y":0}],"links":[{"source":1,"target":2},{"source":2,"target":1}]}'
+    for encoding in ("utf-16", "utf-32", "utf-32-be", "utf-8-sig"):
+        assert imported(text.encode(encoding)).is_sound
 
 
 def test_what_steers_a_terminal_is_not_shown() -> None:

@@ -13,6 +13,7 @@ from app.plant import read
 from app.plant.exchange.importing import Imported, Wishes, import_layout
 from app.plant.exchange.report import Kind, UnreadableLayout
 from app.plant.exchange.settle import Options
+from app.plant.exchange.sheets import letters
 from app.plant.exchange.units import Reading
 from tests.plant.exchange.layouts import RING, imported, said, workbook
 
@@ -169,10 +170,50 @@ def test_what_is_wrong_is_said_with_its_row() -> None:
     assert "row 3: leads to 99, which is nowhere given" in told
     assert "row 4: 2 is given twice, at different places: kept is the first (row 3)" in told
     assert "row 5: the row has no barcode" in told
-    assert "row 6: x: 'abc' is no number" in told
-    assert "row 7: x: 'nan' is no finite number" in told
+    assert "row 6 ('abc'), row 7 ('nan'): column B (x): no number" in told
     assert "row 8: the barcode has no position" in told
     assert "row 9: leads from a mark to itself" in "\n".join(said(made, Kind.LEFT_OUT))
+
+
+def test_a_mistake_in_a_hundred_rows_is_one_note_with_what_stands_in_each() -> None:
+    rows = "".join(f"{n},{n * 1000},{'?' * (n > 1)}{n},{n % 100 + 1}\n" for n in range(1, 101))
+    made = imported("barcode,x,y,next\n" + rows + "101,0,5000,101\n")
+    note = next(note for note in made.report.notes if "column C (y)" in note.what)
+    assert (note.what, note.times, note.where[0]) == ("column C (y): no number", 99, "row 3 ('?2')")
+    assert str(note) == "row 3 ('?2'), row 4 ('?3'), row 5 ('?4') and 96 more: column C (y): no number"
+    assert note.remedy == "write a number, such as 12500 or 12.5"
+
+
+@pytest.mark.parametrize("given", ["inf", "-Infinity", "nan", "1e999", "１２", "0x10", "--5"])
+@pytest.mark.parametrize("column", ["x", "length"])
+def test_what_is_no_finite_number_is_no_position_and_no_length(column: str, given: str) -> None:
+    row = {"x": "1000", "length": "1000"} | {column: given}
+    made = imported(f"barcode,x,y,next,length\n1,0,0,2,1000\n2,{row['x']},0,1,{row['length']}\n3,0,900,1,\n")
+    where = {"x": "column B (x)", "length": "column E (length)"}[column]
+    assert f"row 3 ({given!r}): {where}: no number" in said(made, Kind.WRONG)
+    assert not made.is_sound
+
+
+def test_a_barcode_that_reads_like_a_number_stays_a_name() -> None:
+    made = imported("barcode,x,y,next\ninf,0,0,1e5\n1e5,1000,0,inf\n")
+    assert [point.barcode for point in made.plant.points] == ["inf", "1e5"]
+    plant, _ = read(made.text, "plant.yaml")
+    assert [point.barcode for point in plant.points] == ["inf", "1e5"]
+
+
+def test_columns_are_named_as_spreadsheets_name_them() -> None:
+    assert [letters(index) for index in (0, 25, 26, 51, 52, 701, 702)] == ["A", "Z", "AA", "AZ", "BA", "ZZ", "AAA"]
+
+
+@pytest.mark.parametrize("encoding", ["utf-32", "utf-32-le", "utf-32-be", "utf-16-le", "utf-16-be"])
+def test_wide_letters_are_found_out(encoding: str) -> None:
+    made = imported("바코드,X,Y,다음\n1,0,0,2\n2,1000,0,1\n".encode(encoding))
+    assert edges(made) == {("1", "2"): 1000, ("2", "1"): 1000}
+
+
+def test_inches_in_a_cell_are_no_quotation_mark_left_open() -> None:
+    made = imported('barcode,x,y,next,display\n1,0,0,2,12" port\n2,1000,0,1,"two\nlines"\n')
+    assert len(made.plant.points) == 2
 
 
 def test_two_barcodes_at_one_place_need_a_length_between_them() -> None:
@@ -223,10 +264,16 @@ def test_station_names_that_no_plant_takes_are_written_otherwise() -> None:
         (b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4 + b"\0\0\1", "this is no text"),
         (b"a,b,c\n1,2,3\n", "no row names columns that are known"),
         (b"barcode,next\n1,2\n", "no column is understood as x, y"),
-        (b'barcode,x,y,next\n1,"0,0,2\n' + b"x" * 140_000, "field larger than field limit"),
+        (b'barcode,x,y,next\n1,"0,0,2\n' + b"x" * 140_000, "row 4: a cell is longer than 131072 characters"),
         (b"PK\x03\x04" + b"\1" * 300, "is a damaged workbook"),
         (b"\xd0\xcf\x11\xe0" + b"\1" * 600, "is no workbook that can be read"),
         (b"barcodes:\n  1: [0, 0]\ntrack:\n", "this is a plant file already"),
+        (b"barcode,x,y,next\n1,a,0,2\n2,b,0,1\n", r"position in it: row 2 \('a'\): column B \(x\): no number"),
+        (
+            b"barcode,x,y,next\n1,1e12,0,2\n2,2e12,0,1\n",
+            "position in it: row 2: the position is more than 1000 km away",
+        ),
+        (b'barcode,x,y,next\n1,0,0,"2\n2,1000,0,1\n', "row 2: a quotation mark is left open"),
         (b"barcode,x,y\n1,,\n", "there is no mark with a position in it: row 2: the barcode has no position"),
     ],
 )

@@ -5,6 +5,7 @@ import pytest
 from app.plant import read
 from app.plant.exchange.importing import Wishes
 from app.plant.exchange.report import Kind, UnreadableLayout
+from app.texts import said as said_in
 from tests.plant.exchange.layouts import OPENTCS, imported, said, samples
 
 SAMPLES = samples("opentcs")
@@ -75,9 +76,9 @@ def test_contradictions_are_said_with_their_lines() -> None:
     told = "\n".join(said(made, Kind.WRONG))
     for wrong in (
         "point (line 2): it has no name",
-        "point a (line 3): positionX: 'x' is no number",
+        "point a (line 3) ('x'): positionX: no number",
         "path p (line 6): leads to zz, which is nowhere given",
-        "path q (line 7): length: 'NaN' is no finite number",
+        "path q (line 7) ('NaN'): length: no number",
         "location l (line 8): its type none is nowhere given",
         "location l (line 8): its mark zz is nowhere given",
         "block k (line 9): its member nope is nowhere given",
@@ -99,6 +100,28 @@ def test_contradictions_are_said_with_their_lines() -> None:
 def test_what_is_no_model_is_refused_in_a_sentence(text: str, message: str) -> None:
     with pytest.raises(UnreadableLayout, match=message):
         imported(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('<model version="6"><point></model>', "line 1, column 35: the end of another element is expected here"),
+        ("<model version=6/>", "the value of an attribute is written in quotation marks"),
+        ("<model version/>", "the attribute has no value"),
+        ('<model a="1" a="2"/>', "the element has this attribute already"),
+        ('<model a="&b;"/>', "this entity is none of XML's own"),
+        ('<model a="1">', "an element that has begun is not ended"),
+        ("<model/><model/>", "the outermost element has ended before this"),
+        ("<model>\x07</model>", "this character is none that XML may have"),
+        ("<a:model/>", "the prefix before the colon is declared nowhere"),
+    ],
+)
+def test_xml_that_is_broken_says_where_and_what_is_wanted(text: str, expected: str) -> None:
+    with pytest.raises(UnreadableLayout) as refused:
+        imported(text)
+    assert expected in refused.value.message
+    assert "line 1, column" in refused.value.message
+    assert expected not in said_in(refused.value.message, "ko")
 
 
 def test_entities_are_refused_in_utf_16_too() -> None:
