@@ -11,17 +11,50 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import yaml
-from pydantic import Field, SecretStr, ValidationError, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, SecretStr, ValidationError, model_validator
 from pydantic_settings import BaseSettings, PydanticBaseSettingsSource, SettingsConfigDict
 
 from app.domain.errors import HoistwayError
 from app.domain.units import Seconds
+from app.setting_words import NO_SETTINGS, broken, no_host, no_origin, wrong_in
 
 PREFIX = "HOISTWAY_"
 NOT_SETTINGS = ("HOISTWAY_TEST_", "HOISTWAY_CONFIG", "HOISTWAY_LANG")
 """How environment variables of the prefix begin that are not settings: the tests' own, and the one that names the file."""
 CALLERS = ("HOISTWAY_URL", "HOISTWAY_KEY")
 """What commands that call a controller take from the environment: they may be set where one is started too."""
+
+
+MOST_DAYS = 36_500
+"""A hundred years: more is a mistake. Our choice."""
+
+
+def _parts(given: object) -> object:
+    """Take a text as a list, as the environment writes it."""
+    return tuple(filter(None, (part.strip() for part in given.split(",")))) if isinstance(given, str) else given
+
+
+def _number(given: object) -> object:
+    """Refuse true and false, which count as 1 and 0 else."""
+    if isinstance(given, bool):
+        raise ValueError(f"{str(given).lower()} is no number")  # noqa: TRY004 (pydantic takes a TypeError for a defect)
+    return given
+
+
+def _host(given: str) -> str:
+    if why := no_host(given):
+        raise ValueError(why)
+    return given
+
+
+def _origin(given: str) -> str:
+    if why := no_origin(given):
+        raise ValueError(why)
+    return given
+
+
+Whole = Annotated[int, BeforeValidator(_number)]
+Rate = Annotated[float, BeforeValidator(_number), Field(gt=0, allow_inf_nan=False)]
 
 
 class SettingsError(HoistwayError):
@@ -37,9 +70,10 @@ class Settings(BaseSettings):
 
     host: str = "127.0.0.1"
     """Address that the server listens on. Another than loopback needs ``access`` required, or ``access_key``."""
-    port: Annotated[int, Field(ge=0, le=65535)] = 8080
+    port: Annotated[Whole, Field(ge=0, le=65535)] = 8080
+    """Port that the server listens on; 0: any that is free."""
     database: str = "sqlite:///hoistway.db"
-    """SQLAlchemy URL."""
+    """SQLAlchemy URL of the database: SQLite or PostgreSQL."""
     plant: Path | None = None
     """The plant file."""
     access_key: Annotated[SecretStr | None, Field(min_length=16)] = None
@@ -48,38 +82,40 @@ class Settings(BaseSettings):
     """A key that opens ``/metrics`` and nothing else, for Prometheus, where callers have to say who they are."""
     access: Literal["auto", "required"] = "auto"
     """Whether callers have to say who they are: ``auto`` once there is a user or a key, ``required`` always."""
-    address_rate: Annotated[float, Field(gt=0)] = 1000.0
+    address_rate: Rate = 1000.0
     """Requests a second from one address, and twice as many at once; this machine's own is not counted."""
-    caller_rate: Annotated[float, Field(gt=0)] = 2000.0
+    caller_rate: Rate = 2000.0
     """Requests a second by one person's session or one key, and twice as many at once."""
     tls_certificate: Path | None = None
     """A file with the server's certificate and those between it and the root (PEM): then the server speaks TLS."""
     tls_key: Path | None = None
     """A file with the certificate's private key (PEM, no password); by default it is in the certificate's file."""
-    allowed_hosts: tuple[str, ...] = ()
+    allowed_hosts: Annotated[tuple[Annotated[str, AfterValidator(_host)], ...], BeforeValidator(_parts)] = ()
     """Host names, besides loopback's, under which a server without a key may be called (a proxy's name)."""
-    allowed_origins: tuple[str, ...] = ()
+    allowed_origins: Annotated[tuple[Annotated[str, AfterValidator(_origin)], ...], BeforeValidator(_parts)] = ()
     """Origins, besides the server's own, whose pages may call it (``https://mes.example``)."""
-    body_limit: Annotated[int, Field(ge=1024)] = 1 << 20
+    body_limit: Annotated[Whole, Field(ge=1024)] = 1 << 20
     """Largest request body, bytes."""
-    layout_limit: Annotated[int, Field(ge=1024)] = 16 << 20
+    layout_limit: Annotated[Whole, Field(ge=1024)] = 16 << 20
     """Largest plant file that may be staged, bytes."""
-    connections: Annotated[int, Field(ge=10)] = 2000
+    connections: Annotated[Whole, Field(ge=10)] = 2000
     """Most connections to the server at the same time, live streams among them; at most half the files that may be open."""
-    watchers: Annotated[int, Field(ge=1)] = 1000
+    watchers: Annotated[Whole, Field(ge=1)] = 1000
     """Most live streams at the same time."""
-    history_days: Annotated[int, Field(ge=0, le=36_500)] = 90
+    history_days: Annotated[Whole, Field(ge=0, le=MOST_DAYS)] = 90
     """Days that events are kept; older ones are deleted. 0: for ever. Jobs, commands and the audit always stay."""
-    playback_days: Annotated[float, Field(ge=0)] = 7.0
+    playback_days: Annotated[float, BeforeValidator(_number), Field(ge=0, le=MOST_DAYS, allow_inf_nan=False)] = 7.0
     """Days that positions and states are kept for playback; older ones are deleted. 0: nothing is recorded."""
-    playback_megabytes: Annotated[int, Field(ge=10)] = 2000
-    """And so much at most, whichever is less."""
-    webhook_targets: tuple[str, ...] = ()
+    playback_megabytes: Annotated[Whole, Field(ge=10)] = 2000
+    """Megabytes that are kept for playback, if the days above are more."""
+    webhook_targets: Annotated[tuple[str, ...], BeforeValidator(_parts)] = ()
     """Where webhooks may lead: hosts, ``*.domain``, addresses, networks; by default nowhere (docs/webhooks.md)."""
     webhook_authorities: Path | None = None
     """A file of certificates (PEM) that webhooks trust instead of the system's."""
     log_level: Literal["debug", "info", "warning", "error"] = "info"
+    """The least grave lines that are logged."""
     log_format: Literal["console", "json"] = "console"
+    """How lines are logged: for people, or for a program."""
     traces: bool = False
     """Whether a trace of each job is sent by OTLP, where OTEL_EXPORTER_OTLP_ENDPOINT says; needs ``hoistway[otel]``."""
 
@@ -140,7 +176,8 @@ def load(file: Path | None = None, environ: Mapping[str, str] | None = None, **g
     try:
         return Settings(**values)
     except ValidationError as error:
-        raise SettingsError(_sentence(error)) from error
+        message, remedy = wrong_in(error, Settings)
+        raise SettingsError(message, remedy=remedy) from error
 
 
 def _environment(environ: Mapping[str, str]) -> dict[str, object]:
@@ -150,22 +187,19 @@ def _environment(environ: Mapping[str, str]) -> dict[str, object]:
         if name.startswith(PREFIX) and name not in CALLERS and not name.startswith(NOT_SETTINGS) and text
     }
     _refuse_unknown(found, lambda name: f"environment variable {PREFIX}{name.upper()}")
-    lists = {"allowed_hosts", "allowed_origins", "webhook_targets"}
-    return {
-        name: tuple(part.strip() for part in text.split(",")) if name in lists else text for name, text in found.items()
-    }
+    return dict(found)
 
 
 def _read(file: Path) -> dict[str, Any]:
     try:
         text = file.read_text(encoding="utf-8")
-        values = tomllib.loads(text) if file.suffix == ".toml" else yaml.safe_load(text)
+        values = tomllib.loads(text) if file.suffix == ".toml" else yaml.load(text, Loader=_Strict)  # noqa: S506 (a safe one)
     except OSError as error:
         raise SettingsError(f"settings file {file} cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise SettingsError(f"settings file {file} is not UTF-8: {error.reason} at byte {error.start}") from error
+        raise SettingsError(f"settings file {file} is not UTF-8: byte {error.start} fits no letter") from error
     except (ValueError, yaml.YAMLError) as error:
-        raise SettingsError(f"settings file {file}: {error}") from error
+        raise SettingsError(f"settings file {file}: {broken(error)}", remedy=NO_SETTINGS) from error
     except RecursionError:
         raise SettingsError(f"settings file {file}: it is nested too deeply") from None
     if values is None:
@@ -176,18 +210,23 @@ def _read(file: Path) -> dict[str, Any]:
     return values
 
 
+class _Strict(yaml.SafeLoader):
+    """A loader that refuses a name that is given twice, of which YAML itself keeps the last."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
+        """Return a mapping. Raises yaml.constructor.ConstructorError: a key stands in it twice."""
+        seen: set[str] = set()
+        for key, _ in node.value:
+            if key.value in seen:
+                problem = f"{key.value} is given twice"
+                raise yaml.constructor.ConstructorError(None, None, problem, key.start_mark)
+            seen.add(str(key.value))
+        return super().construct_mapping(node, deep)
+
+
 def _refuse_unknown(names: Iterable[str], where: Any) -> None:
     for name in names:
         if name not in Settings.model_fields:
             near = difflib.get_close_matches(name, Settings.model_fields, n=1)
             hint = f"; did you mean {near[0]}?" if near else f"; known are {', '.join(Settings.model_fields)}"
             raise SettingsError(f"{where(name)} is not a setting{hint}")
-
-
-def _sentence(error: ValidationError) -> str:
-    first = error.errors(include_url=False, include_input=False)[0]
-    name = ".".join(str(part) for part in first["loc"])
-    message = first["msg"].removeprefix("Value error, ")
-    if first["type"] == "too_short":
-        message = f"needs {first['ctx']['min_length']} characters or more, and has {first['ctx']['actual_length']}"
-    return f"setting {name}: {message}" if name else message

@@ -15,6 +15,8 @@ from typer.testing import CliRunner
 
 from app.cli import app
 from app.cli.tongue import wished
+from app.setting_words import described
+from app.settings import Settings
 from app.texts import COUNT, LANGUAGES, language_of, said, terminal
 from tests.test_texts import RUNS, runs_in
 
@@ -135,6 +137,7 @@ def test_every_message_of_the_command_line_is_in_the_catalogue() -> None:
 def test_every_text_of_the_catalogue_is_still_said() -> None:
     code = "\n".join(file.read_text(encoding="utf-8") for file in (ROOT / "app").rglob("*.py"))
     told = {*explanations(), *(text for text, _ in messages()), *FRAME, *SYSTEM}
+    told |= set(described(Settings).values())
     for text in set(terminal("en").values()) - told:
         pieces = [piece.strip(" .:") for piece in re.split(r"\{\d\}|[;:,]", text)]
         assert all(runs_in(piece, code) <= RUNS for piece in pieces if len(piece) > 3), text
