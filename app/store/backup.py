@@ -213,11 +213,15 @@ def _copy_file(source: Path, target: Path) -> None:
     """Copy an SQLite database that may be written to meanwhile, at one moment."""
     with _disk(target):
         target.touch(mode=PRIVATE)
+        engine = reading(_url(source))
         try:
-            with closing(sqlite3.connect(source)) as come_from, closing(sqlite3.connect(target)) as goes_to:
-                come_from.backup(goes_to)  # in one go: a commit in between would make it begin again
-        except sqlite3.Error as wrong:
+            with closing(engine.raw_connection()) as come_from, closing(sqlite3.connect(target)) as goes_to:
+                whole: sqlite3.Connection = come_from.driver_connection  # type: ignore[assignment]
+                whole.backup(goes_to)  # in one go: a commit in between would make it begin again
+        except (sqlite3.Error, sa.exc.SQLAlchemyError) as wrong:
             raise StoreError(f"{source} cannot be copied: {wrong}", remedy="See that the disk has room.") from wrong
+        finally:
+            engine.dispose()
 
 
 def _copy_rows(made: sa.URL, target: Path) -> None:

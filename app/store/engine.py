@@ -1,9 +1,11 @@
 """Connections: a URL to an engine set up to keep what it is told, and the database's errors in our words."""
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 import sqlalchemy as sa
 from sqlalchemy.pool import StaticPool
@@ -68,9 +70,27 @@ def reading(url: sa.URL) -> sa.Engine:
         engine = sa.create_engine(url, isolation_level="AUTOCOMMIT", pool_pre_ping=True)
         sa.event.listen(engine, "connect", _reading_postgresql)
     else:
-        engine = sa.create_engine(url, isolation_level="AUTOCOMMIT")
+        engine = sa.create_engine(_at_rest(url), isolation_level="AUTOCOMMIT")
         sa.event.listen(engine, "connect", _reading_sqlite)
     return engine
+
+
+def _may_write(path: Path) -> bool:
+    return os.access(path, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
+
+
+def _at_rest(url: sa.URL) -> sa.URL:
+    """Return the URL of a file that we may not write, and nobody has open, as one that SQLite reads without files of its own
+    beside it: even reading wants them where the database has been written with a WAL.
+
+    With a WAL beside it there is more than the file has: SQLite reads both, or says that it cannot.
+    """
+    path = file_of(url)
+    if path is None or not path.exists() or (_may_write(path) and _may_write(path.parent)):
+        return url
+    if any(path.with_name(path.name + more).exists() for more in ("-wal", "-shm")):
+        return url
+    return url.set(database=f"file:{quote(str(path))}", query={"mode": "ro", "immutable": "1", "uri": "true"})
 
 
 @contextmanager
