@@ -8,7 +8,7 @@ from statistics import median
 
 from app.domain.layout import Plant, StationKind
 from app.domain.units import Barcode
-from app.plant.picture.labels import Labels
+from app.plant.picture.labels import CELL, Labels
 from app.plant.picture.legend import legend
 from app.plant.picture.palette import DARK, LIGHT, STATIONS, Palette
 from app.plant.picture.shapes import Area, Disc, Drawing, Line, Spot, Text
@@ -170,20 +170,25 @@ def _draw_equipment(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palett
         drawing.shapes += charger(plan.spots[plug.barcode], max(6.0, size), palette)
 
 
+def _body(plan: _Plan) -> float:
+    """Return how large a vehicle is, from its middle."""
+    return max(3.0, _size(plan) * 0.9)
+
+
 def _draw_vehicles(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palette, labels: Labels) -> None:
     left = _sideways(plant, plan)
     for given in plant.vehicles:
         if given.start is None:
             continue
         dx, dy = left.get(given.start, (0.0, -1.0))
-        size = max(3.0, _size(plan) * 0.9)
+        size = _body(plan)
         drawing.shapes += vehicle(plan.spots[given.start], (-dy, dx), size, palette)
         x, y = plan.spots[given.start]
         labels.block(x - size, y - size, x + size, y + size)
 
 
 def _label(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palette, labels: Labels, chains: list[Chain]) -> None:
-    """Write names where they fit: stations and equipment before barcodes, barcodes at branches before the others."""
+    """Write names where they fit: stations, equipment and vehicles before barcodes, barcodes at branches before the others."""
     size, gap = (11.0, _size(plan) * 0.75 + 3) if plan.step >= 16 else (9.0, 6.0)
     if plan.step >= 9:
         named: list[tuple[Barcode, str, str]] = [(s.barcode, s.id, STATIONS[s.kind](palette)) for s in plant.stations]
@@ -191,6 +196,9 @@ def _label(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palette, labels
         named += [(min(pair), door.id, palette.door) for door in plant.doors for pair in sorted(door.passages)[:1]]
         for barcode, text, colour in named:
             labels.place(plan.spots[barcode], text, colour, size, gap)
+        for v in plant.vehicles:
+            if v.start is not None:
+                labels.place(plan.spots[v.start], v.id, palette.vehicle, size, _body(plan) + CELL)
     ends = dict.fromkeys(b for chain in chains for b in (chain.barcodes[0], chain.barcodes[-1]))
     every = max(1, round(42 / plan.step))
     for barcode in (*ends, *(b for chain in chains for b in chain.barcodes[::every])):

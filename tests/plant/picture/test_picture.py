@@ -45,6 +45,16 @@ def test_every_station_and_barcode_of_a_small_plant_is_named() -> None:
     assert len(named & {point.barcode for point in given.points}) >= 8
 
 
+@pytest.mark.parametrize("name", ["small", "hall", "demo"])
+def test_vehicles_are_named_where_they_stand_at_first(name: str) -> None:
+    given = plant(name)
+    drawing = compose(given, Look(width=3000))
+    standing = {vehicle.id for vehicle in given.vehicles if vehicle.start is not None}
+    assert standing
+    assert standing <= {text.text for text in texts(drawing)}
+    assert not standing & {text.text for text in texts(compose(given, Look(labels=False)))}
+
+
 def test_the_legend_names_what_there_is_and_nothing_else() -> None:
     small, hall = ({text.text for text in texts(compose(plant(name)))} for name in ("small", "hall"))
     assert {"port", "side buffer, left", "zone", "parking", "one-way track"} <= small
