@@ -138,14 +138,31 @@ def versions(url: Url = HERE, *, json: Json = False) -> None:
             print(jsons.dumps(found, ensure_ascii=False))
             return
         for one in found["items"]:
-            since = one["activated"] or one["at"]
-            who = one["activated_by"] or one["actor"]
-            why = one["why"] or one["reason"]
-            print(f"{one['number']:>5}  {one['state']:<9}{since[:16].replace('T', ' ')}Z  {who:<20}  {why}")
-            if one["why"] and one["why"] != one["reason"]:
-                print(f"       staged by {one['actor']} at {one['at'][:16].replace('T', ' ')}Z: {one['reason']}")
-            if one["note"]:
-                print(f"       {one['note']}")
+            for line in rows_of(one):
+                print(line)
+
+
+def rows_of(one: Mapping[str, Any]) -> Iterator[str]:
+    """Give the lines of a version: its state, with when, by whom and why it came to that, and below why it was staged."""
+    from rich.cells import cell_len
+
+    since, who, why = one["activated"] or one["at"], one["activated_by"] or one["actor"], one["why"] or one["reason"]
+    note = one["note"]
+    if one["state"] == "awaited":
+        since, who, why = one["asked"], one["asked_by"], one["asked_why"]
+    elif one["state"] == "rejected" and note:
+        person, _, reason = note.partition(": ")
+        since, who, why, note = one["rejected"], *((person, reason) if reason else ("", note)), ""
+    state = told_here(one["state"])
+    yield f"{one['number']:>5}  {state}{' ' * (9 - cell_len(state))}{_moment(since)}  {who:<20}  {why}"
+    if why != one["reason"] or who != one["actor"]:
+        yield "       " + told_here(f"staged by {one['actor']} at {_moment(one['at'])}: {one['reason']}")
+    if note:
+        yield f"       {told_here(note)}"
+
+
+def _moment(at: str) -> str:
+    return f"{at[:16].replace('T', ' ')}Z"
 
 
 def get(

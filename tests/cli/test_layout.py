@@ -2,10 +2,13 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
+import pytest
 from typer.testing import CliRunner, Result
 
 from app.cli import app
+from app.cli.layout_versions import rows_of
 from app.domain.ids import Actor, StationId
 from app.domain.layout import PulseSet
 from app.domain.records import StationDest
@@ -153,3 +156,49 @@ def test_what_is_under_way_in_a_database_is_named(tmp_path: Path) -> None:
     result = run("diff", SMALL, new, "--database", database)
     assert result.exit_code == 1
     assert "breaks: station P2: its DEST was taught at 106" in result.stdout
+
+
+STAGED: dict[str, Any] = {
+    **{"number": 7, "state": "staged", "at": "2026-03-01T08:00:00Z", "actor": "Kim", "reason": "bay 3"},
+    **{"activated": None, "activated_by": None, "why": "", "asked": None, "asked_by": None, "asked_why": ""},
+    **{"note": "", "rejected": None},
+}
+
+
+@pytest.mark.parametrize(
+    ("more", "lines"),
+    [
+        ({}, ["    7  staged   2026-03-01 08:00Z  Kim                   bay 3"]),
+        (
+            {"state": "active", "activated": "2026-03-02T09:30:00Z", "activated_by": "Lee", "why": "bay 3 opens"},
+            [
+                "    7  active   2026-03-02 09:30Z  Lee                   bay 3 opens",
+                "       staged by Kim at 2026-03-01 08:00Z: bay 3",
+            ],
+        ),
+        (
+            {"state": "awaited", "asked": "2026-03-02T09:00:00Z", "asked_by": "Lee", "asked_why": "when it is quiet"},
+            [
+                "    7  awaited  2026-03-02 09:00Z  Lee                   when it is quiet",
+                "       staged by Kim at 2026-03-01 08:00Z: bay 3",
+            ],
+        ),
+        (
+            {"state": "rejected", "rejected": "2026-03-03T10:00:00Z", "note": "Lee: the door is missing"},
+            [
+                "    7  rejected 2026-03-03 10:00Z  Lee                   the door is missing",
+                "       staged by Kim at 2026-03-01 08:00Z: bay 3",
+            ],
+        ),
+        (
+            {"note": "Lee took the wish back: not today"},
+            [
+                "    7  staged   2026-03-01 08:00Z  Kim                   bay 3",
+                "       Lee took the wish back: not today",
+            ],
+        ),
+    ],
+    ids=["staged", "active", "awaited", "rejected", "taken back"],
+)
+def test_a_version_says_why_it_is_as_it_is_and_then_why_it_was_staged(more: dict[str, Any], lines: list[str]) -> None:
+    assert list(rows_of(STAGED | more)) == lines
