@@ -1,6 +1,7 @@
 """One catalogue for page, API and command line: whole in both languages."""
 
 import ast
+import json
 import re
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
@@ -26,6 +27,16 @@ def test_both_languages_have_the_same_sections_and_keys() -> None:
     assert {section: set(words) for section, words in english.items()} == {
         section: set(words) for section, words in korean.items()
     }
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_word_is_written_twice_of_which_only_the_last_would_be_said(language: str) -> None:
+    def once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        names = [name for name, _ in pairs]
+        assert sorted(set(names)) == sorted(names), sorted(name for name in names if names.count(name) > 1)
+        return dict(pairs)
+
+    json.loads((APP / "texts" / f"{language}.json").read_text(encoding="utf-8"), object_pairs_hook=once)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

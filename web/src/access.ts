@@ -182,8 +182,8 @@ async function renew(): Promise<void> {
   }
 }
 
-/** Ask whenever the server wants to know; `go` begins, and goes on after each log-in. */
-export function begin(go: () => void): void {
+/** Ask whenever the server wants to know; `go` begins, and goes on after each log-in; `gone`: it does not answer. */
+export function begin(go: () => void, gone: () => void): void {
   api.onKeyWanted(() => (asked.value = true));
   // Roles may have changed since they were asked for.
   api.onForbidden(() => void learn().catch(() => undefined));
@@ -200,7 +200,9 @@ export function begin(go: () => void): void {
       api.letGo();
       await learn();
     } catch (error) {
-      if (!(error instanceof api.Refused && error.status === 401)) window.setTimeout(() => void first(), LATER);
+      if (error instanceof api.Refused && error.status === 401) return;
+      gone();
+      window.setTimeout(() => void first(), LATER);
     }
   };
   void first();

@@ -24,7 +24,10 @@ export type Selection = { kind: "vehicle" | "station" | "device" | "drive" | "jo
 export const layout = signal<Layout | null>(null);
 export const track = computed(() => (layout.value ? new Track(layout.value) : null));
 export const link = signal<LinkState>("connecting");
+/** When the controller was heard last, ms; 0: it has told nothing yet. */
 export const heardAt = signal(0);
+/** Rises with each connection: what was asked for in vain is read again. */
+export const connections = signal(0);
 export const selected = signal<Selection>(null);
 export const notice = signal("");
 /** Rises once a second, for whatever shows an age. */
@@ -220,6 +223,8 @@ function isTopic(name: string): name is Topic {
 
 /** Whether the past is shown: then the maps have what was, and the stream goes on in books kept aside. */
 export const inPast = signal(false);
+/** Whether a moment of the past is shown already. */
+export const pastShown = signal(false);
 /** The server replays a recorded incident: there is no present. */
 export const recording = signal(false);
 let live: Books = maps;
@@ -231,7 +236,9 @@ export function lookBack(): void {
   if (inPast.value) return;
   live = Object.fromEntries(Object.entries(maps).map(([topic, map]) => [topic, new Map<string, unknown>(map)])) as unknown as Books;
   inPast.value = true;
-  showWhole({});
+  pastShown.value = false;
+  fill({});
+  members.value++;
   shown();
 }
 
@@ -251,6 +258,7 @@ export function showWhole(objects: Record<string, Record<string, Record<string, 
   const whole = { ...objects, vehicles: Object.fromEntries(Object.entries(objects["vehicles"] ?? {}).map(([id, now]) => [id, ofThen(id, now)])) };
   fill(whole);
   members.value++;
+  pastShown.value = true;
 }
 
 /** Show a change of the past; of a vehicle there is only what is other than before. */
@@ -303,6 +311,7 @@ const sink: Sink = {
     recording.value = now?.recording ?? false;
     fill(objects, live);
     if (!inPast.value) members.value++;
+    connections.value++;
     flush();
     void refreshEnded();
     if (happenings.value.length === 0) void earlier(lastEvent);
@@ -379,6 +388,13 @@ async function address(after: number | null): Promise<string | null> {
   return `${scheme}://${location.host}/api/v1/live?${query}`;
 }
 
+/** What a quiet plant told last still holds while the server answers. */
+async function alive(): Promise<boolean> {
+  const there = await api.alive();
+  if (there && link.value === "live") heardAt.value = Date.now();
+  return there;
+}
+
 /** Read the layout, then watch; waits for a log-in if the server wants one, and for the server if it is not there. */
 async function start(): Promise<void> {
   try {
@@ -388,12 +404,15 @@ async function start(): Promise<void> {
     if (!(error instanceof api.Refused && error.status === 401)) window.setTimeout(() => void start(), 2000);
     return;
   }
-  watcher ??= new Watcher(stream, { address, alive: api.alive, state: (now) => (link.value = now) });
+  watcher ??= new Watcher(stream, { address, alive, state: (now) => (link.value = now) });
   void watcher.open();
 }
 
 export function begin(): void {
-  access.begin(() => void (watcher ? watcher.open() : start()));
+  access.begin(
+    () => void (watcher ? watcher.open() : start()),
+    () => (link.value = "lost"),
+  );
   window.setInterval(() => tick.value++, 1000);
   void start();
 }

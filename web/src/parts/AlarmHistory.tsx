@@ -64,7 +64,7 @@ export function AlarmHistory({ source }: { source: Signal<string> }) {
       </div>
       <Table
         label={t("alarms_history")}
-        rows={rows}
+        rows={first.value ? rows : undefined}
         keyOf={(row) => String(row.id)}
         none={t("no_alarms_yet")}
         columns={[

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { Wrong } from "../alarms";
 import { post, serverNow } from "../api";
+import { counted, none } from "../known";
 import { clock } from "../shows";
 import { alarmList, changes, selected, troubles, vehicles, devices, drives } from "../store";
 import { said, t, tell } from "../texts";
@@ -25,7 +26,7 @@ export function Alarms() {
     <section class="room" aria-label={t("alarms")}>
       <div class="head">
         <h2>
-          {t("alarms")} {alarmList.value.length}
+          {t("alarms")} {counted(alarmList.value.length)}
         </h2>
         <span class="tabs">
           {TABS.map((name) => (
@@ -55,7 +56,7 @@ function Present() {
   const others = troubles.value.filter((wrong) => !told.has(wrong.source));
   return (
     <ul class="scroll alarms" tabIndex={0} aria-label={t("alarms_now")}>
-      {alarmList.value.length + others.length === 0 && <li class="nothing">{t("no_alarms")}</li>}
+      {alarmList.value.length + others.length === 0 && <li class="nothing">{none(t("no_alarms"))}</li>}
       {alarmList.value.map((alarm) => (
         <Line key={alarm.id} alarm={alarm} />
       ))}
@@ -166,7 +167,7 @@ function Pareto() {
           })}
         </tbody>
       </table>
-      {value?.items.length === 0 && <p class="nothing">{t("no_alarms_yet")}</p>}
+      {!value?.items.length && <p class="nothing">{none(t(value ? "no_alarms_yet" : "loading"))}</p>}
     </div>
   );
 }

@@ -1,9 +1,11 @@
 import { room } from "../route";
 import { asked } from "../access";
+import { away } from "../known";
 import { controller, inPast, selected } from "../store";
 import { t, tell } from "../texts";
 import { Alarms } from "./Alarms";
 import { Audit } from "./Audit";
+import { Away } from "./Away";
 import { Barred } from "./Barred";
 import { Below } from "./Below";
 import { Closures } from "./Closures";
@@ -34,9 +36,12 @@ export function App() {
   const pick = selected.value;
   if (inPast.value || room.value === "playback") return <Past />;
   return (
-    <div class="page">
+    <div class={away.value ? "page old" : "page"}>
       <Header />
-      <Rooms />
+      <div>
+        <Rooms />
+        <Away />
+      </div>
       <main>
         <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
         <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : ""}>

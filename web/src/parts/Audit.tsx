@@ -157,7 +157,7 @@ function Rows() {
       </form>
       <Table
         label={t("audit")}
-        rows={value?.items ?? []}
+        rows={value?.items}
         keyOf={(row) => String(row.seq)}
         none={t("no_rows")}
         columns={[

@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { post, serverNow } from "../api";
 import { choosing, placed, previewed } from "../closed";
 import { clock, span } from "../shows";
+import { counted, none } from "../known";
 import { closureList, controller, layout, tick } from "../store";
 import { said, t, tell } from "../texts";
 import type { Closure, ClosurePreview, ZoneNow } from "../types";
@@ -23,9 +24,9 @@ export function Closures() {
       <div class="split">
         <div tabIndex={0} role="group" aria-label={t("closures")}>
           <h2 class="sub">
-            {t("closures")} {closureList.value.length}
+            {t("closures")} {counted(closureList.value.length)}
           </h2>
-          {closureList.value.length === 0 && <p class="nothing">{t("nothing_closed")}</p>}
+          {closureList.value.length === 0 && <p class="nothing">{none(t("nothing_closed"))}</p>}
           <ul class="alarms">
             {closureList.value.map((closure) => (
               <Line key={closure.id} closure={closure} />

@@ -5,6 +5,7 @@ import { hundredths, lookOfDrive, span } from "../shows";
 import { driveNow, tick } from "../store";
 import { said, t, tell } from "../texts";
 import type { Drive, Operation } from "../types";
+import { Missing } from "./Away";
 import { Button } from "./Button";
 import { DriveTools } from "./DriveTools";
 import { Fact, Panel } from "./Panel";
@@ -16,7 +17,7 @@ export const COLOURS = { calm: "var(--dim)", go: "var(--accent)", wait: "var(--w
 export function DrivePanel({ id }: { id: string }) {
   const now = driveNow(id);
   void tick.value;
-  if (!now) return null;
+  if (!now) return <Missing id={id} />;
   const { word, tone } = lookOfDrive(now);
   return (
     <Panel title={now.id} tag={now.name} colour={COLOURS[tone]}>

@@ -1,4 +1,5 @@
 /** What has happened, newest first. */
+import { none } from "../known";
 import { clock } from "../shows";
 import { happenings, selected } from "../store";
 import { happening, said, t, tell } from "../texts";
@@ -12,7 +13,7 @@ export function Events() {
   const list = happenings.value;
   return (
     <ol class="scroll events" reversed>
-      {list.length === 0 && <li class="nothing">{t("no_events")}</li>}
+      {list.length === 0 && <li class="nothing">{none(t("no_events"))}</li>}
       {list.slice(0, SHOWN).map((event) => (
         <Line key={event.seq} event={event} />
       ))}

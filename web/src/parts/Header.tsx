@@ -1,5 +1,6 @@
 /** What the plant is, how it does, whether what is shown is live, who looks at it. */
 import { controller, ENDED, heardAt, inPast, jobList, layout, link, notice, recording, tick, troubles, vehicleList } from "../store";
+import { away, counted, lastHeard } from "../known";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
 import { Account } from "./Account";
@@ -60,7 +61,7 @@ function Theme() {
 
 function ControllerState() {
   const now = controller.value;
-  if (!now) return <span class="pill" />;
+  if (!now) return <span class="pill">{t("unknown")}</span>;
   const emergency = (now.emergencies ?? []).join(", ");
   const grave = now.trouble || emergency;
   const tone = grave ? "bad" : now.state === "auto" ? "good" : "wait";
@@ -68,8 +69,8 @@ function ControllerState() {
   const why = tell(notice.value || grave || now.reason || roll);
   return (
     <>
-      <span class={`pill ${tone}`} title={t("controller")}>
-        {said(now.state)}
+      <span class={`pill ${away.value ? "" : tone}`} title={t("controller")}>
+        {away.value ? t("state_then", said(now.state), lastHeard()) : said(now.state)}
       </span>
       <span class={`why ${grave ? "bad" : ""}`} role="status" title={why}>
         {why}
@@ -85,7 +86,7 @@ function Counts() {
   return (
     <span class="counts">
       <span>
-        <b>{vehicleList.value.length}</b> {t("vehicles")}
+        <b>{counted(vehicleList.value.length)}</b> {t("vehicles")}
       </span>
       {(["alarm", "held", "gone"] as const).map(
         (look) =>
@@ -96,7 +97,7 @@ function Counts() {
           ),
       )}
       <span>
-        <b>{open}</b> {t("open_jobs")}
+        <b>{counted(open)}</b> {t("open_jobs")}
       </span>
     </span>
   );
@@ -107,9 +108,9 @@ function LinkState() {
   const state = link.value;
   if (inPast.value) {
     return (
-      <span class="link past">
+      <span class={state === "lost" ? "link lost" : "link past"} role="status">
         <i class="dot" />
-        {t("playback")}
+        {t(state === "lost" ? "past_away" : "playback")}
       </span>
     );
   }

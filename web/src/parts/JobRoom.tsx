@@ -1,6 +1,7 @@
 /** All jobs in a table: open ones live, ended ones from the history, older ones on demand. */
 import { useSignal } from "@preact/signals";
 import { get, serverNow } from "../api";
+import { counted } from "../known";
 import { clock, elapsed, TONES } from "../shows";
 import { ENDED, jobList, selected, tick } from "../store";
 import { said, t, tell } from "../texts";
@@ -38,7 +39,7 @@ export function JobRoom() {
     <section class="room" aria-label={t("jobs")}>
       <div class="head">
         <h2>
-          {t("jobs")} {rows.length}
+          {t("jobs")} {counted(rows.length)}
         </h2>
         <Problem error={error.value} />
         <button type="button" onClick={() => void more()}>

@@ -1,6 +1,7 @@
 /** Jobs, newest first: what each does, or why it waits. */
 import { useSignal } from "@preact/signals";
 import { post, serverNow } from "../api";
+import { counted, none } from "../known";
 import { told } from "../past/player";
 import { elapsed, TONES } from "../shows";
 import { ENDED, inPast, jobList, selected, tick, vehicles } from "../store";
@@ -32,14 +33,14 @@ export function Jobs() {
           {(["all", "open", "ended"] as const).map((tab) => (
             <button type="button" key={tab} aria-pressed={which.value === tab} onClick={() => (which.value = tab)}>
               {t(tab)}
-              {tab === "open" && ` ${open.length}`}
+              {tab === "open" && ` ${counted(open.length)}`}
             </button>
           ))}
         </span>
       </h2>
       <Problem error={error.value} />
       <ul class="scroll">
-        {list.length === 0 && <li class="nothing">{t("no_jobs")}</li>}
+        {list.length === 0 && <li class="nothing">{none(t("no_jobs"))}</li>}
         {list.slice(0, SHOWN).map((job) => (
           <Row key={job.id} job={job} ask={ask} />
         ))}

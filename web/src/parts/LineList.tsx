@@ -1,6 +1,7 @@
 /** Lines that carry several devices: connected or not, since when and why not, how they do; and the one stop for all drives on one. */
 import { useSignal } from "@preact/signals";
 import { post } from "../api";
+import { none } from "../known";
 import { clock } from "../shows";
 import { tick } from "../store";
 import { said, t, tell } from "../texts";
@@ -27,7 +28,7 @@ export function LineList() {
   const { value } = useRead<{ items: Line[] }>("/links", Math.floor(tick.value / EVERY));
   return (
     <ul class="scroll alarms lines" tabIndex={0} aria-label={t("lines")}>
-      {value?.items.length === 0 && <li class="nothing">{t("no_lines")}</li>}
+      {!value?.items.length && <li class="nothing">{none(t(value ? "no_lines" : "loading"))}</li>}
       {value?.items.map((line) => (
         <Row key={line.id} line={line} />
       ))}

@@ -1,7 +1,8 @@
 /** The plant as it was: the same map at a moment of the past, and how to move through the time that was recorded. */
 import { useComputed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { kept, error, loading, told } from "../past/player";
+import { none } from "../known";
+import { kept, error, loading, looked, told } from "../past/player";
 import { goTo, marks, stepped } from "../past/marks";
 import { kindOf } from "../past/reach";
 import { room } from "../route";
@@ -25,7 +26,7 @@ export function Playback() {
       </div>
       <section class="card transport" aria-label={t("playback")}>
         <Problem error={error.value} />
-        {kept.value ? <Scrubber /> : <p class="nothing">{loading.value ? t("loading") : t("nothing_recorded")}</p>}
+        {kept.value && told.value > 0 ? <Scrubber /> : <p class="nothing">{looked.value ? (kept.value ? t("loading") : t("nothing_recorded")) : t("not_known_yet")}</p>}
       </section>
     </div>
   );
@@ -78,7 +79,7 @@ export function PastEvents() {
         {t("events_of_note")} <small class="calm">{list.length}</small>
       </h2>
       <ol class="scroll" reversed tabIndex={0} aria-label={t("events_of_note")}>
-        {list.length === 0 && <li class="nothing">{t("no_marks")}</li>}
+        {list.length === 0 && <li class="nothing">{none(t("no_marks"))}</li>}
         {list.map((event, i) => (
           <Line key={event.seq} event={event} past={i >= ahead} />
         ))}

@@ -43,7 +43,7 @@ export function Reliability({ show }: { show: (vehicle: string) => void }) {
       </div>
       <Table
         label={t("reliability")}
-        rows={value?.items ?? []}
+        rows={value?.items}
         keyOf={(row) => row.vehicle}
         none={t("nothing_found")}
         columns={[

@@ -75,7 +75,7 @@ function Users() {
     <div class="split">
       <Table
         label={t("users")}
-        rows={value?.items ?? []}
+        rows={value?.items}
         keyOf={(row) => row.name}
         pick={(row) => (chosen.value = row.name)}
         chosen={chosen.value}
@@ -188,7 +188,7 @@ function Keys() {
         <Told asking={asking} />
         <Table
           label={t("machine_keys")}
-          rows={value?.items ?? []}
+          rows={value?.items}
           keyOf={(row) => row.name}
           none={t("no_keys")}
           columns={[

@@ -2,6 +2,7 @@ import { serverNow } from "../api";
 import { span } from "../shows";
 import { layout, orderFrom, orderTo, stationNow, tick } from "../store";
 import { said, t } from "../texts";
+import { Missing } from "./Away";
 import { DeviceBody } from "./DevicePanel";
 import { CutOff } from "./Kept";
 import { Fact, Panel } from "./Panel";
@@ -12,7 +13,7 @@ import { Taught } from "./Taught";
 export function StationPanel({ id }: { id: string }) {
   const now = stationNow(id);
   void tick.value;
-  if (!now) return null;
+  if (!now) return <Missing id={id} />;
   const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
   const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
   return (

@@ -1,6 +1,7 @@
 /** Stations and carriers: where everything is believed to be, and how well that is known. */
 import { useSignal } from "@preact/signals";
 import { call, serverNow } from "../api";
+import { counted } from "../known";
 import { span } from "../shows";
 import { carrierList, selected, stationList, tick } from "../store";
 import { said, t } from "../texts";
@@ -35,10 +36,10 @@ export function Stations() {
         <h2 class="tabs-head">
           <span class="tabs">
             <button type="button" aria-pressed={tab.value === "stations"} onClick={() => (tab.value = "stations")}>
-              {t("stations")} {stationList.value.length}
+              {t("stations")} {counted(stationList.value.length)}
             </button>
             <button type="button" aria-pressed={tab.value === "carriers"} onClick={() => (tab.value = "carriers")}>
-              {t("carriers")} {carrierList.value.length}
+              {t("carriers")} {counted(carrierList.value.length)}
             </button>
           </span>
         </h2>

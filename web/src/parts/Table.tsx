@@ -1,6 +1,7 @@
 /** A table that can be sorted by any column and gone through by key; long ones show their beginning. */
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { none as noneOr } from "../known";
 import { NATURAL } from "../store";
 import { t } from "../texts";
 
@@ -16,7 +17,8 @@ export interface Column<T> {
 
 interface Props<T> {
   label: string;
-  rows: T[];
+  /** Undefined: they were not read yet. */
+  rows: T[] | undefined;
   columns: Column<T>[];
   keyOf: (row: T) => string;
   /** What happens when a row is chosen; without it none can be. */
@@ -33,7 +35,8 @@ function compare(a: string | number | null, b: string | number | null): number {
   return typeof a === "number" && typeof b === "number" ? a - b : NATURAL.compare(String(a), String(b));
 }
 
-export function Table<T>({ label, rows, columns, keyOf, pick, chosen, none }: Props<T>) {
+export function Table<T>({ label, rows: given, columns, keyOf, pick, chosen, none }: Props<T>) {
+  const rows = given ?? [];
   const order = useSignal<{ column: number; down: boolean } | null>(null);
   const shown = useSignal(SHOWN);
   const by = order.value ? columns[order.value.column]?.by : undefined;
@@ -88,7 +91,7 @@ export function Table<T>({ label, rows, columns, keyOf, pick, chosen, none }: Pr
           })}
         </tbody>
       </table>
-      {rows.length === 0 && <p class="nothing">{none}</p>}
+      {rows.length === 0 && <p class="nothing">{given ? noneOr(none) : noneOr(t("loading"))}</p>}
       {rows.length > shown.value && (
         <p class="more-rows">
           {t("more_rows", rows.length - shown.value)}{" "}

@@ -53,7 +53,7 @@ function Proposals() {
     <div class="split">
       <Table
         label={t("proposals")}
-        rows={value?.items ?? []}
+        rows={value?.items}
         keyOf={(row) => String(row.id)}
         pick={(row) => (chosen.value = row.id)}
         chosen={String(id)}
@@ -168,7 +168,7 @@ function Sessions() {
     <div class="split">
       <Table
         label={t("sessions")}
-        rows={value?.items ?? []}
+        rows={value?.items}
         keyOf={(row) => String(row.id)}
         pick={(row) => (chosen.value = row.id)}
         chosen={String(chosen.value)}
@@ -251,7 +251,7 @@ function Drift() {
   return (
     <Table
       label={t("drift")}
-      rows={value?.items ?? []}
+      rows={value?.items}
       keyOf={(row) => row.side + row.name}
       none={t("no_drift")}
       columns={[

@@ -144,7 +144,7 @@ function InForce({ side }: { side: Side }) {
   return (
     <Table
       label={t("in_force")}
-      rows={value?.items ?? []}
+      rows={value?.items}
       keyOf={nameOf}
       none={t("never_taught")}
       columns={[

@@ -7,6 +7,7 @@ import { layout, selected, tick, vehicleList, vehicleNow } from "../store";
 import { rootOf } from "../waiting";
 import { said, t, tell, type Word } from "../texts";
 import type { Agv, Vehicle } from "../types";
+import { Missing } from "./Away";
 import { Button } from "./Button";
 import { Frames } from "./Frames";
 import { Name } from "./Name";
@@ -19,7 +20,7 @@ import { doing } from "./Vehicles";
 export function VehiclePanel({ id }: { id: string }) {
   const now = vehicleNow(id);
   void tick.value;
-  if (!now) return null;
+  if (!now) return <Missing id={id} />;
   const load = now.loaded === null ? t("unknown") : now.loaded ? (now.carrier ?? t("loaded")) : t("empty");
   return (
     <Panel title={now.id} tag={doing(now)} colour={LOOKS[lookOf(now)]}>
@@ -99,7 +100,7 @@ function Behind({ vehicle }: { vehicle: Vehicle }) {
           <b>{t("behind_it")}</b> <Name id={root.id} /> {tell(root.hold?.reason ?? root.waiting)}
         </p>
       )}
-      {others > 0 && <p class="note waits">{t("wait_for_it", others)}</p>}
+      {others > 0 && <p class="note waits">{t("wait_behind", others)}</p>}
     </>
   );
 }

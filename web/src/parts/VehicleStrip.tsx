@@ -1,4 +1,5 @@
 /** All vehicles at a glance, reachable by key; how many do what where there are too many. */
+import { none } from "../known";
 import { room } from "../route";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { selected, vehicleList } from "../store";
@@ -11,6 +12,8 @@ export function VehicleStrip() {
   const list = vehicleList.value;
   const pick = selected.value?.kind === "vehicle" ? selected.value.id : "";
   if (list.length > CHIPS) return <Groups />;
+  const unknown = none("");
+  if (list.length === 0 && unknown) return <p class="strip nothing">{unknown}</p>;
   return (
     <nav class="strip" aria-label={t("vehicles")}>
       {list.map((vehicle) => {

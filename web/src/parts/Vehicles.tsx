@@ -1,5 +1,6 @@
 /** All vehicles in a table: what each does, and why one waits. */
 import { useSignal } from "@preact/signals";
+import { counted } from "../known";
 import { LOOKS, lookOf } from "../shows";
 import { selected, vehicleList } from "../store";
 import { said, t, tell } from "../texts";
@@ -27,7 +28,7 @@ export function Vehicles() {
     <section class="room" aria-label={t("vehicles")}>
       <div class="head">
         <h2>
-          {t("vehicles")} {rows.length}
+          {t("vehicles")} {counted(rows.length)}
         </h2>
         <select aria-label={t("activity")} value={group.value} onChange={(event) => (group.value = event.currentTarget.value as "all")}>
           {GROUPS.map((name) => (

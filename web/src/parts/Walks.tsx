@@ -25,7 +25,7 @@ export function Walks() {
           <Begin begun={(number) => (chosen.value = number)} />
           <Table
             label={t("walks")}
-            rows={value?.items ?? []}
+            rows={value?.items}
             keyOf={(row) => String(row.id)}
             pick={(row) => (chosen.value = row.id)}
             chosen={String(id)}

@@ -60,7 +60,7 @@ export function Webhooks() {
         <div class="split">
           <Table
             label={t("webhooks")}
-            rows={value?.items ?? []}
+            rows={value?.items}
             keyOf={(row) => String(row.id)}
             pick={(row) => (chosen.value = row.id)}
             chosen={String(chosen.value)}

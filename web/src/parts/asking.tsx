@@ -3,6 +3,7 @@ import { type Signal, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { round } from "../access";
 import { get } from "../api";
+import { connections } from "../store";
 import { language, t } from "../texts";
 import { Problem } from "./Problem";
 
@@ -50,7 +51,7 @@ export function Told({ asking }: { asking: Asking }) {
   );
 }
 
-/** What a path gives, read again whenever one of these changes; the last answer stays until the next. */
+/** What a path gives, read again whenever one of these changes, or the server is back; the last answer stays until the next. */
 export function useRead<T>(path: string | null, ...again: unknown[]): { value: T | null; error: unknown } {
   const value = useSignal<T | null>(null);
   const error = useSignal<unknown>(null);
@@ -65,7 +66,7 @@ export function useRead<T>(path: string | null, ...again: unknown[]): { value: T
     return () => {
       here = false;
     };
-  }, [path, language.value, round.value, ...again]);
+  }, [path, language.value, round.value, connections.value, ...again]);
   return { value: value.value, error: error.value };
 }
 

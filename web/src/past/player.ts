@@ -26,6 +26,8 @@ export const pace = signal<number>(1);
 export const kept = signal<Kept | null>(null);
 /** The recording of the moment is being fetched. */
 export const loading = signal(false);
+/** It is known from when to when something was recorded, or that nothing was. */
+export const looked = signal(false);
 export const error = signal<unknown>(null);
 export const trails = new Trails();
 
@@ -67,6 +69,7 @@ async function look(): Promise<void> {
     const span = await api.get<{ from: string | null; to: string | null; incident: Kept["incident"] }>("/history/span");
     const found = span.from && span.to ? { from: Date.parse(span.from) / 1000, to: Date.parse(span.to) / 1000, incident: span.incident } : null;
     if (JSON.stringify(found) !== JSON.stringify(kept.value)) kept.value = found;
+    looked.value = true;
     error.value = null;
   } catch (failure) {
     error.value = failure;
@@ -202,7 +205,18 @@ async function enter(): Promise<void> {
   await look();
   if (mine !== round || room.value !== "playback") return;
   window.clearInterval(timer);
-  if (!kept.value?.incident) timer = window.setInterval(() => void look(), AGAIN);
+  if (!kept.value?.incident) timer = window.setInterval(() => void lookAgain(), AGAIN);
+  await show();
+}
+
+/** Whether more was recorded; who found nothing at first is shown what there is now. */
+async function lookAgain(): Promise<void> {
+  await look();
+  if (moment.value === 0 && wanted === null && room.value === "playback") await show();
+}
+
+/** Show the moment that was asked for, or one shortly ago. */
+async function show(): Promise<void> {
   if (!kept.value) return;
   const asked = momentAsked.value === null ? Number.NaN : Date.parse(momentAsked.value) / 1000;
   const first = kept.value.incident ? kept.value.from : kept.value.to - AT_FIRST;
@@ -216,6 +230,7 @@ function leave(): void {
   playing.value = false;
   wanted = null;
   moment.value = 0;
+  looked.value = false;
   momentShown.value = momentAsked.value = null;
   reel.clear();
   trails.clear();
