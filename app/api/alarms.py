@@ -1,9 +1,11 @@
 """Alarms: those there are, those there were, who knows of them, and what they add up to (DOMAIN sections 1 and 8)."""
 
+import asyncio
 from itertools import groupby
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query
+from pydantic import Field
 from starlette.requests import Request
 from starlette.responses import Response
 
@@ -15,12 +17,15 @@ from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.teaching_inputs import Number
 from app.domain.alarms import AcknowledgeAlarm, AlarmKind, Reliability, reliability
+from app.domain.ids import Actor
 from app.domain.view import Topic
 from app.fleet.views import view_of_alarm
 from app.runtime.showing import iso, shown
 
 router = APIRouter(prefix="/alarms", tags=["alarms"])
 By = Literal["code", "source", "both"]
+MOST = 1000
+"""Alarms that are acknowledged with one request, at most (our choice): one for each vehicle of a large plant."""
 _COLUMNS: dict[str, tuple[str, ...]] = {
     "code": ("kind", "code"),
     "source": ("source",),
@@ -32,6 +37,12 @@ class NoteIn(Strict):
     """What is known of it; may be empty."""
 
     note: Text = ""
+
+
+class ManyIn(NoteIn):
+    """Several alarms at once, by their numbers."""
+
+    alarms: Annotated[list[Annotated[int, Field(ge=1, le=(1 << 53) - 1)]], Field(min_length=1, max_length=MOST)]
 
 
 @router.get("/active", **gives("Alarm[]", description="What is wrong now; up to 100 ms old."))
@@ -130,11 +141,34 @@ async def get_alarm(alarm: Number, controller: Ctl) -> Response:
     return await _shown(controller, alarm)
 
 
+@router.post("/acknowledge", **gives("AlarmAnswer[]", description="One for each, in the order asked."))
+async def acknowledge_alarms(body: ManyIn, controller: Ctl, actor: Person) -> Response:
+    """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
+
+    One that there is not keeps no other from being acknowledged.
+    """
+    numbers = dict.fromkeys(body.alarms)
+    return items(await asyncio.gather(*(_answered(controller, actor, number, body.note) for number in numbers)))
+
+
+async def _answered(controller: Controller, actor: Actor, number: int, note: str) -> dict[str, object]:
+    try:
+        await _acknowledge(controller, actor, number, note)
+    except Problem as problem:
+        return {"alarm": number, "acknowledged": False, "code": problem.code, "detail": problem.detail}
+    return {"alarm": number, "acknowledged": True, "code": None, "detail": ""}
+
+
+async def _acknowledge(controller: Controller, actor: Actor, number: int, note: str) -> None:
+    live = controller.model.get(Topic.ALARMS, str(number)) is not None
+    known = None if live else await read(controller.reader.alarm, number)
+    await ask(controller, AcknowledgeAlarm(actor, number, note, known))
+
+
 @router.post("/{alarm}/acknowledge", **gives("Alarm"))
 async def acknowledge_alarm(alarm: Number, body: NoteIn, controller: Ctl, actor: Person) -> Response:
     """A named person knows of an alarm; the first one stays. It goes on until its cause is gone."""
-    known = await read(controller.reader.alarm, alarm)
-    await ask(controller, AcknowledgeAlarm(actor, alarm, body.note, known))
+    await _acknowledge(controller, actor, alarm, body.note)
     return await _shown(controller, alarm)
 
 

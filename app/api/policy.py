@@ -141,6 +141,7 @@ ROUTES: Mapping[str, Scope] = {
     "GET /alarms/pareto": Scope.READ,
     "GET /alarms/reliability": Scope.READ,
     "GET /alarms/{alarm}": Scope.READ,
+    "POST /alarms/acknowledge": Scope.ALARMS,
     "POST /alarms/{alarm}/acknowledge": Scope.ALARMS,
     "GET /walks": Scope.READ,
     "POST /walks": Scope.PLACES,

@@ -139,6 +139,15 @@ ROOM: Json = {
         },
         "A place of an audit walk. After the walk has ended `now` may be long past what was seen.",
     ),
+    "AlarmAnswer": record(
+        {
+            "alarm": WHOLE,
+            "acknowledged": {**FLAG, "description": "By this person, or by somebody before."},
+            "code": {**_MAYBE, "description": "Of the problem; null: there is none."},
+            "detail": TEXT,
+        },
+        "What became of one of several alarms that were acknowledged together.",
+    ),
     "AlarmCount": record(
         {
             "kind": _MAYBE,

@@ -1,8 +1,11 @@
 """Alarms over REST: lists, acknowledging, sums."""
 
+from dataclasses import replace
+
 import httpx
 import pytest
 
+from app.domain.alarms import AcknowledgeAlarm
 from tests.api.scripted import NOW, Scripted
 
 pytestmark = pytest.mark.anyio
@@ -20,6 +23,26 @@ async def test_alarms_are_listed_shown_and_acknowledged_by_a_named_person(
     seen = (await client.post("/alarms/1/acknowledge", json={"note": "a wheel"}, headers=KIM)).json()
     assert (seen["acknowledged_by"], seen["acknowledged"]) == ("kim", "2026-01-01T00:00:00.000Z")
     assert (await client.get("/alarms/7")).status_code == 404
+
+
+async def test_alarms_of_one_cause_are_acknowledged_together_and_answered_one_by_one(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    first = controller.alarm()
+    second = replace(first, number=2, source="V002")
+    controller.reader.wrong[2] = second
+    asked = {"alarms": [2, 9, 1, 2], "note": "the switch of bay 2"}
+    assert (await client.post("/alarms/acknowledge", json=asked)).json()["field"] == "X-Actor"
+    answers = (await client.post("/alarms/acknowledge", json=asked, headers=KIM)).json()["items"]
+    assert [(row["alarm"], row["acknowledged"], row["code"]) for row in answers] == [
+        (2, True, None),
+        (9, False, "not-found"),
+        (1, True, None),
+    ]
+    assert [controller.reader.wrong[n].acknowledged_by for n in (1, 2)] == ["kim", "kim"]
+    asked_one_by_one = [request for request in controller.seen if isinstance(request, AcknowledgeAlarm)]
+    assert {(one.alarm, one.note) for one in asked_one_by_one} == {(n, "the switch of bay 2") for n in (1, 2, 9)}
+    assert (await client.post("/alarms/acknowledge", json={"alarms": []}, headers=KIM)).status_code == 422
 
 
 async def test_a_list_is_asked_for_by_period_and_kind(client: httpx.AsyncClient, controller: Scripted) -> None:

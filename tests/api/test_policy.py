@@ -172,6 +172,7 @@ MAY: dict[str, str] = {
     "GET /alarms/pareto": ALL,
     "GET /alarms/reliability": ALL,
     "GET /alarms/{alarm}": ALL,
+    "POST /alarms/acknowledge": PLANT,
     "POST /alarms/{alarm}/acknowledge": PLANT,
     "GET /walks": ALL,
     "POST /walks": ORDERS,

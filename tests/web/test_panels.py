@@ -72,7 +72,7 @@ def test_what_is_kept_off_and_cut_off_stands_in_the_header_among_the_closures_an
     with plant.at_work("lee", "map?station=P2") as page:
         expect(page.locator("[data-cut-off=P2]")).to_contain_text("V002 stands at 1002")
         head = page.locator("header .kept")
-        expect(head).to_have_text("1 places closed · 1 stations cut off")
+        expect(head).to_have_text("Routes keep off 1 · 1 stations cut off")
         head.click()
         room = page.get_by_role("region", name="Closures")
         expect(room.get_by_label("Routes keep off")).to_contain_text("V002 has broken down there")

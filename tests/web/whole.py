@@ -13,10 +13,10 @@ from tests.api.scripted import NOW, Scripted
 DEMO = Path(__file__).parents[2] / "plants" / "demo.yaml"
 
 
-def whole() -> Scripted:
+def whole(kind: type[Scripted] = Scripted) -> Scripted:
     """Return the demo plant under a scripted controller: every vehicle at its start, every device heard."""
     plant, _ = read(DEMO.read_text(encoding="utf-8"), "demo")
-    controller = Scripted(plant=plant)
+    controller = kind(plant=plant)
     model = controller.model
     stands: dict[str, Barcode | None] = {vehicle.id: vehicle.start for vehicle in plant.vehicles}
     vehicles = [view for view in model.all(Topic.VEHICLES) if isinstance(view, VehicleView)]

@@ -7,7 +7,7 @@ import { language, speak } from "./texts";
 import * as theme from "./theme";
 import "./style.css";
 import "./past.css";
-import "./away.css";
+import "./shift.css";
 
 theme.begin();
 speak(language.value);

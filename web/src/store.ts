@@ -131,11 +131,23 @@ export const closureList = computed(() => {
   return [...closures.values()].sort((a, b) => b.id - a.id);
 });
 
-/** What is wrong now, newest first. */
+/** The alarms that the controller keeps now, whatever moment is shown, newest first. */
 export const alarmList = computed(() => {
   void changes.alarms.value;
-  return [...alarms.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
+  void aside.value;
+  const now = (inPast.value ? live : maps).alarms;
+  return [...now.values()].filter((alarm) => alarm.ended === null).sort((a, b) => b.id - a.id);
 });
+
+/** What the page itself sees to be wrong and the controller keeps no alarm for: its own trouble, lockouts, holds that were asked for. */
+export const alongside = computed(() => {
+  const told = new Set(alarmList.value.flatMap(({ source, cause }) => [source, cause]));
+  return troubles.value.filter(({ source, cause }) => !told.has(source) && !told.has(cause));
+});
+
+/** How many alarms there are: the one count of them, in the rooms' bar, as the room's title and over the past. */
+export const alarmCount = computed(() => alarmList.value.length + alongside.value.filter(({ grave }) => grave).length);
+export const unacknowledged = computed(() => alarmList.value.filter(({ acknowledged }) => !acknowledged).length);
 
 export const stationList = computed(() => {
   void changes.stations.value;

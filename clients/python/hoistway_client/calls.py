@@ -540,6 +540,12 @@ class Calls(Synchronous):
         """Show one alarm, ended or not."""
         return cast("m.Alarm", self._call("GET", f"/api/v1/alarms/{path(alarm)}"))
 
+    def acknowledge_alarms(self, body: m.ManyIn) -> m.Page[m.AlarmAnswer]:
+        """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
+        One that there is not keeps no other from being acknowledged.
+        """
+        return cast("m.Page[m.AlarmAnswer]", self._call("POST", "/api/v1/alarms/acknowledge", body=body))
+
     def acknowledge_alarm(self, alarm: int, body: m.NoteIn) -> m.Alarm:
         """A named person knows of an alarm; the first one stays. It goes on until its cause is gone."""
         return cast("m.Alarm", self._call("POST", f"/api/v1/alarms/{path(alarm)}/acknowledge", body=body))
@@ -1287,6 +1293,12 @@ class AsyncCalls(Asynchronous):
     async def get_alarm(self, alarm: int) -> m.Alarm:
         """Show one alarm, ended or not."""
         return cast("m.Alarm", await self._call("GET", f"/api/v1/alarms/{path(alarm)}"))
+
+    async def acknowledge_alarms(self, body: m.ManyIn) -> m.Page[m.AlarmAnswer]:
+        """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
+        One that there is not keeps no other from being acknowledged.
+        """
+        return cast("m.Page[m.AlarmAnswer]", await self._call("POST", "/api/v1/alarms/acknowledge", body=body))
 
     async def acknowledge_alarm(self, alarm: int, body: m.NoteIn) -> m.Alarm:
         """A named person knows of an alarm; the first one stays. It goes on until its cause is gone."""

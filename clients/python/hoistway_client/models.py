@@ -125,6 +125,15 @@ class Alarm(TypedDict):
     note: str
 
 
+class AlarmAnswer(TypedDict):
+    """What became of one of several alarms that were acknowledged together."""
+
+    alarm: int
+    acknowledged: bool
+    code: str | None
+    detail: str
+
+
 class AlarmCount(TypedDict):
     """How often and how long something was wrong; null: not told apart by that."""
 
@@ -732,6 +741,13 @@ class MachineKeyIn(TypedDict):
     name: str
     roles: list[Role]
     days: NotRequired[float | None]
+
+
+class ManyIn(TypedDict):
+    """Several alarms at once, by their numbers."""
+
+    note: NotRequired[str]
+    alarms: list[int]
 
 
 class Moment(TypedDict):

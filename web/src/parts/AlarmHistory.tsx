@@ -10,7 +10,7 @@ import { Name } from "./Name";
 import { Problem } from "./Problem";
 import { Table } from "./Table";
 
-const KINDS = ["vehicle", "hold", "link", "device", "drive", "traffic", "plant"] as const;
+const KINDS = ["vehicle", "hold", "link", "device", "drive", "traffic", "job", "plant"] as const;
 const PAGE = 200;
 
 interface Page {

@@ -2,18 +2,17 @@
 import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { Wrong } from "../alarms";
-import { post, serverNow } from "../api";
+import { serverNow } from "../api";
+import { groupsOf } from "../groups";
 import { counted, none } from "../known";
 import { clock } from "../shows";
-import { alarmList, changes, selected, troubles, vehicles, devices, drives } from "../store";
+import { alarmCount, alarmList, alongside, changes, selected, unacknowledged } from "../store";
 import { said, t, tell } from "../texts";
-import type { Alarm, AlarmCount } from "../types";
+import type { AlarmCount } from "../types";
+import { AlarmGroup } from "./AlarmGroups";
 import { AlarmHistory } from "./AlarmHistory";
 import { useRead } from "./asking";
-import { Name } from "./Name";
-import { Reasoned } from "./Reasoned";
 import { Reliability } from "./Reliability";
-import { Recover } from "./VehicleCommands";
 
 type Tab = "now" | "history" | "pareto" | "reliability";
 const TABS: Tab[] = ["now", "history", "pareto", "reliability"];
@@ -25,8 +24,8 @@ export function Alarms() {
   return (
     <section class="room" aria-label={t("alarms")}>
       <div class="head">
-        <h2>
-          {t("alarms")} {counted(alarmList.value.length)}
+        <h2 title={t("alarm_count_title", unacknowledged.value)}>
+          {t("alarms")} {counted(alarmCount.value)}
         </h2>
         <span class="tabs">
           {TABS.map((name) => (
@@ -52,52 +51,26 @@ export function Alarms() {
 }
 
 function Present() {
-  const told = new Set(alarmList.value.map(({ source }) => source));
-  const others = troubles.value.filter((wrong) => !told.has(wrong.source));
+  const others = alongside.value;
+  const barred = others.filter(({ grave }) => !grave);
   return (
     <ul class="scroll alarms" tabIndex={0} aria-label={t("alarms_now")}>
-      {alarmList.value.length + others.length === 0 && <li class="nothing">{none(t("no_alarms"))}</li>}
-      {alarmList.value.map((alarm) => (
-        <Line key={alarm.id} alarm={alarm} />
+      {alarmCount.value === 0 && <li class="nothing">{none(t("no_alarms"))}</li>}
+      {others.filter(({ grave }) => grave).map((wrong) => (
+        <Other key={wrong.key} wrong={wrong} />
       ))}
-      {others.map((wrong) => (
+      {groupsOf(alarmList.value).map((group) => (
+        <AlarmGroup key={group.key} group={group} />
+      ))}
+      {barred.length > 0 && (
+        <li class="sub" title={t("no_alarms_but_title")}>
+          {t("no_alarms_but", barred.length)}
+        </li>
+      )}
+      {barred.map((wrong) => (
         <Other key={wrong.key} wrong={wrong} />
       ))}
     </ul>
-  );
-}
-
-const GRAVE = new Set(["vehicle", "device", "drive", "traffic", "plant"]);
-
-function Line({ alarm }: { alarm: Alarm }) {
-  const grave = GRAVE.has(alarm.kind);
-  const known = vehicles.has(alarm.source) || devices.has(alarm.source) || drives.has(alarm.source);
-  return (
-    <li data-alarm={`${alarm.kind} ${alarm.source}`}>
-      <span class={`sign ${grave ? "" : "wait"}`} title={said(alarm.kind)}>
-        {grave ? "!" : "‖"}
-      </span>
-      <span>
-        <b>{known ? <Name id={alarm.source} /> : alarm.source}</b> {tell(alarm.cause)}{" "}
-        <small class="calm">
-          · {clock(alarm.begun)} · {said(alarm.kind)}
-        </small>
-      </span>
-      {alarm.remedy && <p class="remedy">{tell(alarm.remedy)}</p>}
-      <div class="wide">
-        {alarm.kind === "vehicle" && vehicles.get(alarm.source)?.oper === "alarm" && <Recover vehicle={alarm.source} />}
-        {alarm.acknowledged ? (
-          <small class="good">
-            ✓ {t("known_to", alarm.acknowledged_by ?? "", clock(alarm.acknowledged))} {alarm.note}
-          </small>
-        ) : (
-          <Reasoned
-            hint={t("note")}
-            decisions={[{ label: t("acknowledge"), needs: "POST /alarms/{alarm}/acknowledge", bare: true, noted: true, does: (note) => post(`/alarms/${alarm.id}/acknowledge`, { note }) }]}
-          />
-        )}
-      </div>
-    </li>
   );
 }
 

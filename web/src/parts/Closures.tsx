@@ -23,8 +23,8 @@ export function Closures() {
     <section class="room closing" aria-label={t("closures")}>
       <div class="split">
         <div tabIndex={0} role="group" aria-label={t("closures")}>
-          <h2 class="sub">
-            {t("closures")} {counted(closureList.value.length)}
+          <h2 class="sub" title={t("closures_title")}>
+            {t("closures_by_people")} {counted(closureList.value.length)}
           </h2>
           {closureList.value.length === 0 && <p class="nothing">{none(t("nothing_closed"))}</p>}
           <ul class="alarms">

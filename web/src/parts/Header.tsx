@@ -1,5 +1,5 @@
 /** What the plant is, how it does, whether what is shown is live, who looks at it. */
-import { controller, ENDED, heardAt, inPast, jobList, layout, link, notice, recording, tick, troubles, vehicleList } from "../store";
+import { alarmCount, controller, ENDED, heardAt, inPast, jobList, layout, link, notice, recording, tick, unacknowledged, vehicleList } from "../store";
 import { away, counted, lastHeard } from "../known";
 import { LOOKS, type Look, lookOf } from "../shows";
 import { room, ROOMS } from "../route";
@@ -37,13 +37,17 @@ export function Header() {
 }
 
 export function Rooms() {
-  const grave = troubles.value.filter((wrong) => wrong.grave).length;
+  const alarms = alarmCount.value;
   return (
     <nav class="rooms" aria-label={t("rooms")}>
       {(recording.value ? (["playback"] as const) : ROOMS).map((name) => (
         <button type="button" key={name} aria-current={room.value === name ? "page" : undefined} onClick={() => (room.value = name)}>
           {t(name)}
-          {name === "alarms" && grave > 0 && <b class="badge">! {grave}</b>}
+          {name === "alarms" && alarms > 0 && (
+            <b class="badge" title={t("alarm_count_title", unacknowledged.value)}>
+              ! {alarms}
+            </b>
+          )}
         </button>
       ))}
     </nav>
@@ -91,7 +95,7 @@ function Counts() {
       {(["alarm", "held", "gone"] as const).map(
         (look) =>
           looks.has(look) && (
-            <span key={look} style={{ color: LOOKS[look] }}>
+            <span key={look} style={{ color: LOOKS[look] }} title={t("look_count_title", t(`look_${look}` as Word))}>
               <b>{looks.get(look)}</b> {t(`look_${look}` as Word)}
             </span>
           ),

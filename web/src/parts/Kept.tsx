@@ -2,6 +2,7 @@
 import { controller } from "../store";
 import { room } from "../route";
 import { t, tell } from "../texts";
+import type { Controller } from "../types";
 
 /** A line that begins with places or a station, told in the words of who reads it. */
 function retold(line: string): string {
@@ -9,16 +10,19 @@ function retold(line: string): string {
   return at < 0 ? tell(line) : `${line.slice(0, at)}: ${tell(line.slice(at + 2))}`;
 }
 
+/** What the count of reasons is of: the same in the header and above the list. */
+const keptTitle = (now: Controller): string => t("kept_off_title", now.kept_off.length, now.closed_places);
+
 /** In the header, only if anything is the matter. */
 export function KeptOff() {
   const now = controller.value;
-  if (!now || now.closed_places + now.cut_off.length === 0) return null;
+  if (!now || now.kept_off.length + now.cut_off.length === 0) return null;
   const words = [
-    ...(now.closed_places ? [t("places_closed", now.closed_places)] : []),
+    ...(now.kept_off.length ? [`${t("kept_off")} ${now.kept_off.length}`] : []),
     ...(now.cut_off.length ? [t("stations_cut_off", now.cut_off.length)] : []),
   ];
   return (
-    <button type="button" class={`kept ${now.cut_off.length ? "bad" : "wait"}`} title={now.cut_off.map(retold).join("\n")} onClick={() => (room.value = "closures")}>
+    <button type="button" class={`kept ${now.cut_off.length ? "bad" : "wait"}`} title={[keptTitle(now), ...[...now.cut_off, ...now.kept_off].map(retold)].join("\n")} onClick={() => (room.value = "closures")}>
       {words.join(" · ")}
     </button>
   );
@@ -37,8 +41,8 @@ export function KeptList() {
   ];
   return (
     <>
-      {now.cut_off.length > 0 && <Lines title={t("cut_off_now")} lines={now.cut_off} sign="✕" tone="" />}
-      {now.kept_off.length > 0 && <Lines title={t("kept_off")} lines={now.kept_off} sign="⤳" tone="wait" />}
+      {now.cut_off.length > 0 && <Lines title={t("cut_off_now")} explained={t("cut_off_title")} lines={now.cut_off} sign="✕" tone="" />}
+      {now.kept_off.length > 0 && <Lines title={t("kept_off")} explained={keptTitle(now)} lines={now.kept_off} sign="⤳" tone="wait" />}
       {led.length > 0 && (
         <p class="padded calm" data-led>
           {t("since_start")}: {led.join(" · ")}
@@ -48,10 +52,10 @@ export function KeptList() {
   );
 }
 
-function Lines({ title, lines, sign, tone }: { title: string; lines: string[]; sign: string; tone: string }) {
+function Lines({ title, explained, lines, sign, tone }: { title: string; explained: string; lines: string[]; sign: string; tone: string }) {
   return (
     <>
-      <h2 class="sub">
+      <h2 class="sub" title={explained}>
         {title} {lines.length}
       </h2>
       <ul class="alarms" aria-label={title}>

@@ -7,7 +7,7 @@ import { goTo, marks, stepped } from "../past/marks";
 import { kindOf } from "../past/reach";
 import { room } from "../route";
 import { clock, span } from "../shows";
-import { layout, recording, type Selection, selected, tick, troubles } from "../store";
+import { alarmCount, layout, recording, type Selection, selected, tick } from "../store";
 import { happening, t, tell } from "../texts";
 import type { Happening } from "../types";
 import { Problem } from "./Problem";
@@ -45,7 +45,7 @@ function PastBanner() {
   const incident = kept.value?.incident;
   const at = told.value;
   const ago = Math.max(0, serverNow() / 1000 - at);
-  const grave = troubles.value.filter((wrong) => wrong.grave).length;
+  const grave = alarmCount.value;
   return (
     <div class="past-banner" role="status" aria-live="off">
       <b>{t(recording.value ? "past_recording" : "past_here")}</b>
