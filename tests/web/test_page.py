@@ -11,7 +11,7 @@ from app.domain.devices import AgvMoveManual, AgvSetCurrent, AgvSpeed, ManualDir
 from app.domain.ids import JobId, VehicleId
 from app.domain.requests import CommandAgv, CreateJob
 from app.domain.units import Barcode
-from app.domain.view import ControllerView, Topic, Update
+from app.domain.view import ControllerView, HoldView, Topic, Update
 from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import NOW
 from tests.e2e.processes import wait_until
@@ -95,7 +95,7 @@ def test_a_refusal_is_shown_with_its_remedy(wire: ClientConnection) -> None:
         page.open(server.url)
         page.until(LIVE)
         page.ask("document.querySelector('.chip').click()")
-        server.place("V001", "1001", activity="absent")
+        server.place("V001", "1001", activity="held", hold=HoldView("it was moved by hand", "look at it", NOW))
         page.until("document.querySelector('.decide select')")
         page.ask(fill(".decide input", "seen it"))
         page.ask("document.querySelector('.decide button').click()")
@@ -196,6 +196,7 @@ def test_a_drive_is_stopped_by_one_press_and_its_parameters_are_read(wire: Clien
 
 def test_an_agv_is_driven_by_hand_and_told_where_it_stands(wire: ClientConnection) -> None:
     with served(controller=whole()) as server, new_tab(wire) as page:
+        server.place("AGV1", "0142", mode="mant")
         page.open(f"{server.url}#/map?vehicle=AGV1")
         page.until(LIVE)
         page.until("document.querySelector('[data-commands=AGV1]')")

@@ -137,6 +137,7 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
         press_twice(group, "There is a fire")
         wait_until(lambda: bool(seen(plant, RaiseEmergency)), "the request")
         page.keyboard.press("Escape")
+        plant.server.place("V001", "1001", mode="auto", oper="idle")
         page.goto(f"{plant.server.url}#/map?vehicle=V001")
         panel = page.locator(".panel")
         opened(panel, "Commands")
@@ -144,6 +145,25 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
         expect(panel.locator(".done, .problem").first).to_be_visible()
     assert [(request.station, request.vehicle) for request in seen(plant, StageVehicle)] == [("P1", "V002")]
     assert [(request.kind, request.reason) for request in seen(plant, RaiseEmergency)] == [("fire", "smoke in bay 2")]
+
+
+def test_a_command_that_would_be_refused_is_not_offered_and_says_why_in_both_languages(plant: Staffed) -> None:
+    plant.server.place("V002", "1002", mode="auto", oper="idle")
+    with plant.at_work("mia", "map?vehicle=V002") as page:
+        panel = page.locator(".panel")
+        opened(panel, "Commands")
+        servo = panel.get_by_role("button", name="Servo on", exact=True)
+        expect(servo).to_be_disabled()
+        expect(servo).to_have_attribute("title", re.compile("It is in AUTO, and this needs MANT"))
+        expect(panel.get_by_role("button", name="Stop (to MANT)")).to_be_enabled()
+        page.get_by_role("button", name="KO", exact=True).click()
+        expect(panel.get_by_role("button", name="서보 켜기")).to_have_attribute(
+            "title", re.compile("AUTO이며 MANT가 필요")
+        )
+        page.get_by_role("button", name="EN", exact=True).click()
+        plant.server.place("V002", "1002", mode="mant", oper="idle")
+        expect(servo).to_be_enabled()
+        expect(panel.get_by_role("button", name="Stop by host")).to_be_disabled()
 
 
 def test_taught_values_are_read_from_a_file_after_a_look_at_each_row(plant: Staffed, tmp_path: Path) -> None:

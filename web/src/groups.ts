@@ -1,4 +1,5 @@
 /** Alarms that have one cause, together: thirty hoists that lost one switch are one thing to know of. Pure. */
+import { againstVerdict } from "./against";
 import type { Alarm, Vehicle } from "./types";
 
 export interface Group {
@@ -36,9 +37,7 @@ export function groupsOf(list: readonly Alarm[]): Group[] {
   return [...groups.values()];
 }
 
-/** Why the hold of a vehicle may not be released now by saying that its report is right; "": it may. The word is the page's. */
-export function againstRelease(vehicle: Vehicle | undefined): "" | "not_held" | "release_not_linked" | "release_in_alarm" {
-  if (!vehicle || (!vehicle.hold && vehicle.activity !== "off_rail")) return "not_held";
-  if (vehicle.oper === "alarm") return "release_in_alarm";
-  return vehicle.link.up ? "" : "release_not_linked";
+/** Whether a vehicle's hold may be released with others' by saying that its report is right: it reports, and is held for no alarm. */
+export function releasable(vehicle: Vehicle | undefined): boolean {
+  return Boolean(vehicle?.link.up && againstVerdict(vehicle, "go_on") === null);
 }

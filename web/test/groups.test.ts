@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { againstRelease, groupsOf } from "../src/groups";
+import { groupsOf, releasable } from "../src/groups";
 import type { Alarm, Vehicle } from "../src/types";
 
 const alarm = (id: number, source: string, more: Partial<Alarm> = {}): Alarm =>
@@ -28,9 +28,9 @@ describe("alarms of one cause", () => {
 
 test("a hold is released together with others only where its vehicle is connected and without an alarm", () => {
   const held = { hold: { reason: "", remedy: "", since: "" }, oper: "ready", activity: "held", link: { up: true } } as Vehicle;
-  expect(againstRelease(held)).toBe("");
-  expect(againstRelease({ ...held, oper: "alarm" })).toBe("release_in_alarm");
-  expect(againstRelease({ ...held, link: { ...held.link, up: false } })).toBe("release_not_linked");
-  expect(againstRelease({ ...held, hold: null })).toBe("not_held");
-  expect(againstRelease(undefined)).toBe("not_held");
+  expect(releasable(held)).toBe(true);
+  expect(releasable({ ...held, oper: "alarm" })).toBe(false);
+  expect(releasable({ ...held, link: { ...held.link, up: false } })).toBe(false);
+  expect(releasable({ ...held, hold: null })).toBe(false);
+  expect(releasable(undefined)).toBe(false);
 });

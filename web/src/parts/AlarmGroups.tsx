@@ -1,7 +1,7 @@
 /** What is wrong now, one row for each cause: acknowledged at once, and the vehicles held for it released together. */
 import { useSignal } from "@preact/signals";
 import { post } from "../api";
-import { againstRelease, type Group } from "../groups";
+import { type Group, releasable } from "../groups";
 import { clock } from "../shows";
 import { changes, NATURAL, vehicles } from "../store";
 import { said, t, tell } from "../texts";
@@ -113,7 +113,7 @@ function Decisions({ alarms }: { alarms: Alarm[] }) {
   const outcomes = useSignal<Outcome[]>([]);
   void changes.vehicles.value;
   const unknown = alarms.filter(({ acknowledged }) => !acknowledged);
-  const held = [...new Set(alarms.map(({ source }) => source))].filter((id) => againstRelease(vehicles.get(id)) === "").sort(NATURAL.compare);
+  const held = [...new Set(alarms.map(({ source }) => source))].filter((id) => releasable(vehicles.get(id))).sort(NATURAL.compare);
   const acknowledge = async (note: string): Promise<void> => {
     const { items } = await post<{ items: { alarm: number; acknowledged: boolean; detail: string }[] }>("/alarms/acknowledge", { alarms: unknown.map(({ id }) => id), note });
     const named = new Map(alarms.map(({ id, source }) => [id, source]));

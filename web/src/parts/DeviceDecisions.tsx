@@ -1,4 +1,5 @@
 /** What people decide about a door, buffer or charger: kept open or closed, locked out, out of service. */
+import { againstPin } from "../against";
 import { call, post } from "../api";
 import { t } from "../texts";
 import type { Device } from "../types";
@@ -14,6 +15,7 @@ export function DeviceDecisions({ device }: { device: Device }) {
         : (["open", "closed"] as const).map((position) => ({
             label: t(`pin_${position}`),
             needs: "PUT /devices/{device}/pin" as const,
+            against: againstPin(device, position),
             does: (reason: string) => call("PUT", `${path}/pin`, { position, reason }),
           }));
   const decisions: Decision[] = [

@@ -1,7 +1,9 @@
 /** One door, buffer or charger: its state and since when, who has it, what is wrong, and the two commands it takes. */
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { againstDevice } from "../against";
 import { post, serverNow } from "../api";
+import { stopped } from "../around";
 import { clock, colourOfDevice, DEVICE_LOOKS, type DeviceLook, span } from "../shows";
 import { deviceNow, layout, lookAt, machines, passers, presence, selected, tick } from "../store";
 import { t, tell } from "../texts";
@@ -145,6 +147,7 @@ function Notes({ device }: { device: Device }) {
 function Commands({ id, commands }: { id: string; commands: readonly ("open" | "close" | "lock" | "unlock")[] }) {
   const error = useSignal<unknown>(null);
   const done = useSignal("");
+  const now = deviceNow(id);
   if (commands.length === 0) return null;
   const send = (command: "open" | "close" | "lock" | "unlock"): void => {
     error.value = null;
@@ -158,7 +161,7 @@ function Commands({ id, commands }: { id: string; commands: readonly ("open" | "
     <>
       <div class="buttons" data-commands={id}>
         {commands.map((command) => (
-          <Sure key={command} needs="POST /devices/{device}/commands" label={t(`cmd_${command}`)} does={() => send(command)} />
+          <Sure key={command} needs="POST /devices/{device}/commands" label={t(`cmd_${command}`)} does={() => send(command)} {...stopped(againstDevice(now, command))} />
         ))}
       </div>
       <Problem error={error.value} />

@@ -1,6 +1,8 @@
 /** A drive's status asked for now, its inputs, what was asked of it lately, and the packets on its line. */
 import { useSignal } from "@preact/signals";
+import { againstDrive } from "../against";
 import { call, post } from "../api";
+import { around, stopped } from "../around";
 import { moment } from "../shows";
 import { changes } from "../store";
 import { said, t, tell } from "../texts";
@@ -14,7 +16,7 @@ import { Sure } from "./Sure";
 export function DriveMore({ drive, path }: { drive: Drive; path: string }) {
   return (
     <>
-      <Inputs path={path} />
+      <Inputs path={path} drive={drive} />
       <Operations path={path} drive={drive} />
       <LineFrames path={`${path}/frames`} />
     </>
@@ -24,7 +26,7 @@ export function DriveMore({ drive, path }: { drive: Drive; path: string }) {
 const INPUTS = ["run", "home"] as const;
 
 /** What is not named is off: one press sets one of them, or none. */
-function Inputs({ path }: { path: string }) {
+function Inputs({ path, drive }: { path: string; drive: Drive }) {
   const asking = useAsking();
   const operation = useSignal<Operation | null>(null);
   const label = useSignal("");
@@ -40,7 +42,7 @@ function Inputs({ path }: { path: string }) {
       <summary>{t("inputs")}</summary>
       <div class="stack">
         <div class="acts-row">
-          <Button needs="POST /drives/{drive}/status" onClick={() => ask(t("ask_status"), () => post(`${path}/status?wait=5`))}>
+          <Button needs="POST /drives/{drive}/status" onClick={() => ask(t("ask_status"), () => post(`${path}/status?wait=5`))} {...stopped(againstDrive(drive, "harmless", around()))}>
             {t("ask_status")}
           </Button>
           {INPUTS.map((name) => (
@@ -49,9 +51,10 @@ function Inputs({ path }: { path: string }) {
               needs="PUT /drives/{drive}/inputs"
               label={t(`input_${name}`)}
               does={() => ask(t(`input_${name}`), () => call("PUT", `${path}/inputs?wait=5`, { [name]: true }))}
+              {...stopped(againstDrive(drive, "move", around()))}
             />
           ))}
-          <Button needs="PUT /drives/{drive}/inputs" onClick={() => ask(t("inputs_off"), () => call("PUT", `${path}/inputs?wait=5`, {}))}>
+          <Button needs="PUT /drives/{drive}/inputs" onClick={() => ask(t("inputs_off"), () => call("PUT", `${path}/inputs?wait=5`, {}))} {...stopped(againstDrive(drive, "change", around()))}>
             {t("inputs_off")}
           </Button>
         </div>

@@ -1,6 +1,8 @@
 /** One axis drive: what it says of itself, and what is wrong. */
 import { useSignal } from "@preact/signals";
+import { againstDrive } from "../against";
 import { post, serverNow } from "../api";
+import { around, stopped } from "../around";
 import { hundredths, lookOfDrive, span } from "../shows";
 import { driveNow, tick } from "../store";
 import { said, t, tell } from "../texts";
@@ -46,20 +48,20 @@ export function DrivePanel({ id }: { id: string }) {
           <Fact name={t("seen")}>{now.seen ? t("ago", span(serverNow() - Date.parse(now.seen))) : "–"}</Fact>
         )}
       </dl>
-      <StopKey id={id} />
+      <StopKey drive={now} />
       <DriveTools drive={now} />
-      <Parameters id={id} />
+      <Parameters drive={now} />
     </Panel>
   );
 }
 
 /** Stops the axis, or resets an error: at once, since a stop asks nobody whether he is sure. */
-function StopKey({ id }: { id: string }) {
+function StopKey({ drive }: { drive: Drive }) {
   const error = useSignal<unknown>(null);
   const done = useSignal<Operation | null>(null);
   const press = (): void => {
     error.value = done.value = null;
-    post<Operation>(`/drives/${encodeURIComponent(id)}/keys?wait=5`, { key: "stop_reset" }).then(
+    post<Operation>(`/drives/${encodeURIComponent(drive.id)}/keys?wait=5`, { key: "stop_reset" }).then(
       (operation) => (done.value = operation),
       (failure: unknown) => (error.value = failure),
     );
@@ -67,7 +69,7 @@ function StopKey({ id }: { id: string }) {
   return (
     <>
       <div class="buttons">
-        <Button needs="POST /drives/{drive}/keys" class="halt" onClick={press}>
+        <Button needs="POST /drives/{drive}/keys" class="halt" onClick={press} {...stopped(againstDrive(drive, "harmless", around()))}>
           {t("stop_reset")}
         </Button>
       </div>

@@ -1,7 +1,9 @@
 /** What can be done to a drive: jog, write a parameter, back up, compare, restore; each an operation that ends in one known way. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { againstDrive } from "../against";
 import { call, get, post } from "../api";
+import { around, stopped } from "../around";
 import { clock } from "../shows";
 import { driveList } from "../store";
 import { t } from "../texts";
@@ -42,7 +44,7 @@ export function DriveTools({ drive }: { drive: Drive }) {
 /** The key is said to be held so often, ms; the axis stops by itself when it is not. */
 const HELD = 200;
 
-/** Runs as long as the button is held: let go, hidden or left, it is released. */
+/** Runs as long as the button is held: let go, hidden or left, it is released. It is not disabled while held: it would not be told. */
 function Jog({ drive, path }: { drive: Drive; path: string }) {
   const asking = useAsking();
   const way = useSignal<"cw" | "ccw" | null>(null);
@@ -90,7 +92,7 @@ function Jog({ drive, path }: { drive: Drive; path: string }) {
             key={direction}
             class="jog"
             aria-pressed={way.value === direction}
-            disabled={!drive.online || drive.lockout !== null}
+            {...(way.value === null ? stopped(againstDrive(drive, "jog", around())) : {})}
             onPointerDown={(event) => {
               event.currentTarget.setPointerCapture(event.pointerId);
               void press(direction);
@@ -142,6 +144,7 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
     }, "");
   };
   const differences = operation.value?.result["differences"] ?? operation.value?.result["rows"];
+  const reading = stopped(againstDrive(drive, "read", around()));
   const others = driveList.value.filter(({ id }) => id !== drive.id);
   return (
     <details class="part acts">
@@ -150,7 +153,7 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
         <div class="fields">
           <Field label={t("note")} value={note} />
           <div class="acts-row">
-            <Button needs="POST /drives/{drive}/backups" onClick={() => begin("backups", { note: note.value.trim() }, t("back_up"))}>
+            <Button needs="POST /drives/{drive}/backups" onClick={() => begin("backups", { note: note.value.trim() }, t("back_up"))} {...reading}>
               {t("back_up")}
             </Button>
           </div>
@@ -167,7 +170,7 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
               </select>
             </label>
             <div class="acts-row">
-              <Button needs="POST /drives/{drive}/compare" disabled={!other.value} onClick={() => begin("compare", { drive: other.value }, t("compare"))}>
+              <Button needs="POST /drives/{drive}/compare" disabled={!other.value} onClick={() => begin("compare", { drive: other.value }, t("compare"))} {...reading}>
                 {t("compare")}
               </Button>
             </div>
@@ -178,13 +181,13 @@ function Backups({ drive, path }: { drive: Drive; path: string }) {
             <span>
               #{backup.id} · {clock(backup.at)} · {backup.actor} {backup.note}
             </span>
-            <Button needs="POST /drives/{drive}/compare" onClick={() => begin("compare", { backup: backup.id }, t("compare"))}>
+            <Button needs="POST /drives/{drive}/compare" onClick={() => begin("compare", { backup: backup.id }, t("compare"))} {...reading}>
               {t("compare")}
             </Button>
-            <Button needs="POST /drives/{drive}/restore" onClick={() => begin("restore", { backup: backup.id, dry_run: true }, t("restore_dry"))}>
+            <Button needs="POST /drives/{drive}/restore" onClick={() => begin("restore", { backup: backup.id, dry_run: true }, t("restore_dry"))} {...stopped(againstDrive(drive, "change", around()))}>
               {t("restore_dry")}
             </Button>
-            <Sure needs="POST /drives/{drive}/restore" label={t("restore")} does={() => begin("restore", { backup: backup.id }, t("restore"))} />
+            <Sure needs="POST /drives/{drive}/restore" label={t("restore")} does={() => begin("restore", { backup: backup.id }, t("restore"))} {...stopped(againstDrive(drive, "write", around()))} />
             <BackupContents path={`${path}/backups/${backup.id}`} />
           </div>
         ))}

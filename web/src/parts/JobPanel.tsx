@@ -192,6 +192,7 @@ function Change({ job }: { job: Job }) {
   const vehicle = useSignal("");
   void changes.stations.value;
   const path = `/jobs/${encodeURIComponent(job.id)}`;
+  const taken = !CANCELLABLE.has(job.state);
   const report = (asked: Promise<unknown>): void => {
     error.value = null;
     done.value = false;
@@ -221,7 +222,7 @@ function Change({ job }: { job: Job }) {
         </label>
         <label>
           <span>{t("vehicle")}</span>
-          <input name="vehicle" list="vehicle-names" autocomplete="off" placeholder={job.vehicle ?? t("any")} value={vehicle.value} onInput={(event) => (vehicle.value = event.currentTarget.value.trim())} />
+          <input name="vehicle" disabled={taken} title={taken ? t("against_other_vehicle", job.vehicle ?? "") : ""} list="vehicle-names" autocomplete="off" placeholder={job.vehicle ?? t("any")} value={vehicle.value} onInput={(event) => (vehicle.value = event.currentTarget.value.trim())} />
         </label>
         <label class="wide">
           <span>{t("destination")}</span>

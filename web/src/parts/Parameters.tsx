@@ -1,10 +1,12 @@
 /** A drive's parameters as last known, and how they are read from it. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { type Against, againstDrive } from "../against";
 import { call, get, post } from "../api";
+import { around, stopped } from "../around";
 import { clock } from "../shows";
 import { t, tell } from "../texts";
-import type { Operation, Parameter } from "../types";
+import type { Drive, Operation, Parameter } from "../types";
 import { Button } from "./Button";
 import { Problem } from "./Problem";
 import { Sure } from "./Sure";
@@ -27,7 +29,8 @@ export function Outcome({ operation, label }: { operation: Operation | null; lab
   );
 }
 
-export function Parameters({ id }: { id: string }) {
+export function Parameters({ drive }: { drive: Drive }) {
+  const { id } = drive;
   const list = useSignal<Parameter[] | null>(null);
   const operation = useSignal<Operation | null>(null);
   const error = useSignal<unknown>(null);
@@ -69,7 +72,7 @@ export function Parameters({ id }: { id: string }) {
       <h3>
         {t("parameters")}
         {operation.value && running && <small>{t("reading", operation.value.done, operation.value.total)}</small>}
-        <Button needs="POST /drives/{drive}/read" disabled={running} onClick={() => void read()}>
+        <Button needs="POST /drives/{drive}/read" disabled={running} onClick={() => void read()} {...stopped(againstDrive(drive, "read", around()))}>
           {t("read_parameters")}
         </Button>
       </h3>
@@ -85,7 +88,7 @@ export function Parameters({ id }: { id: string }) {
               <td>
                 {parameter.name} {parameter.at && <small>· {clock(parameter.at)}</small>}
                 {parameter.named && !parameter.read_only && parameter.raw !== null && (
-                  <Write path={`${path}/${parameter.number}`} parameter={parameter} after={refresh} />
+                  <Write path={`${path}/${parameter.number}`} parameter={parameter} after={refresh} against={againstDrive(drive, "change", around())} />
                 )}
               </td>
             </tr>
@@ -97,7 +100,7 @@ export function Parameters({ id }: { id: string }) {
 }
 
 /** A new value, in the catalogue's unit; written only if the drive still has what is shown, and read back. */
-function Write({ path, parameter, after }: { path: string; parameter: Parameter; after: () => Promise<void> }) {
+function Write({ path, parameter, after, against }: { path: string; parameter: Parameter; after: () => Promise<void>; against: Against }) {
   const value = useSignal(parameter.value === null ? "" : String(parameter.value));
   const operation = useSignal<Operation | null>(null);
   const error = useSignal<unknown>(null);
@@ -116,7 +119,7 @@ function Write({ path, parameter, after }: { path: string; parameter: Parameter;
       <summary>{t("write")}</summary>
       <div class="acts-row">
         <input aria-label={`${parameter.number} ${parameter.name}`} title={range} placeholder={range} value={value.value} onInput={(event) => (value.value = event.currentTarget.value)} />
-        <Sure needs="PUT /drives/{drive}/parameters/{number}" label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} />
+        <Sure needs="PUT /drives/{drive}/parameters/{number}" label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} {...stopped(against)} />
         <small class="calm">{range}</small>
       </div>
       <Problem error={error.value} />

@@ -1,6 +1,8 @@
 /** Decisions that want a reason: one line to write it, and the buttons. */
 import { useSignal } from "@preact/signals";
 import type { Call } from "../access";
+import type { Against } from "../against";
+import { inWords } from "../around";
 import { t } from "../texts";
 import { type Asking, Told, useAsking } from "./asking";
 import { Button } from "./Button";
@@ -16,6 +18,8 @@ export interface Decision {
   noted?: boolean;
   /** There is nothing to decide just now. */
   idle?: boolean;
+  /** Why the controller would refuse it. */
+  against?: Against;
   /** Pressed twice, since it is hard to undo. */
   grave?: boolean;
 }
@@ -43,11 +47,12 @@ export function Reasoned({ decisions, title, asking, hint }: { decisions: Decisi
       <div class="acts-row">
         {decisions.map((one) => {
           const lacks = !one.bare && !reason.value.trim();
-          const idle = busy.value || lacks || one.idle === true;
+          const why = one.against ? inWords(one.against) : lacks ? t("reason_first") : "";
+          const idle = busy.value || Boolean(why) || one.idle === true;
           return one.grave ? (
-            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} title={lacks ? t("reason_first") : ""} does={() => void send(one)} />
+            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} title={why} does={() => void send(one)} />
           ) : (
-            <Button key={one.label} needs={one.needs} disabled={idle} title={lacks ? t("reason_first") : ""} onClick={() => void send(one)}>
+            <Button key={one.label} needs={one.needs} disabled={idle} title={why} onClick={() => void send(one)}>
               {one.label}
             </Button>
           );

@@ -7,7 +7,7 @@ import { Button } from "./Button";
 
 const PATIENCE = 3500;
 
-export function Sure(props: { label: string; needs: Call; does: () => void; class?: string; disabled?: boolean; title?: string }) {
+export function Sure(props: { label: string; needs: Call; does: () => void; class?: string; disabled?: boolean | undefined; title?: string | undefined }) {
   const armed = useSignal(false);
   useEffect(() => {
     if (!armed.value) return undefined;

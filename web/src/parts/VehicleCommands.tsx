@@ -1,8 +1,10 @@
 /** All that can be asked of a vehicle: each command pressed twice, since it moves or stops something. */
 import { useSignal } from "@preact/signals";
+import { type Against, againstAgv, againstCommand, againstHandling, againstMove, againstRecovery } from "../against";
 import { call, post } from "../api";
+import { around, stopped } from "../around";
 import { clock } from "../shows";
-import { changes, layout } from "../store";
+import { changes, layout, vehicleNow } from "../store";
 import { said, t, tell, type Word } from "../texts";
 import type { Command, Vehicle } from "../types";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
@@ -34,27 +36,49 @@ export function VehicleCommands({ vehicle }: { vehicle: Vehicle }) {
   const path = `/vehicles/${encodeURIComponent(vehicle.id)}`;
   const send = (body: object): void => void asking.ask(() => post(`${path}/commands`, body), t("sent"));
   const plain: readonly string[] = agv ? AGV_PLAIN : PLAIN;
+  const now = around();
+  const against = (command: string): Against => (agv ? againstAgv : againstCommand)(vehicle, command, now);
+  const charge = vehicle.agv?.charging ? "off" : "on";
   return (
     <details class="part acts">
       <summary>{t("commands")}</summary>
       <div class="stack">
         <div class="acts-row" data-commands={vehicle.id}>
           {plain.map((command) => (
-            <Sure needs="POST /vehicles/{vehicle}/commands" key={command} label={t((agv && AGV_WORDS[command]) || (`vc_${command}` as Word))} does={() => send({ command })} />
+            <Sure
+              needs="POST /vehicles/{vehicle}/commands"
+              key={command}
+              label={t((agv && AGV_WORDS[command]) || (`vc_${command}` as Word))}
+              does={() => send({ command })}
+              {...stopped(against(command))}
+            />
           ))}
           {agv &&
             LIFTS.map((action) => (
-              <Sure needs="POST /vehicles/{vehicle}/commands" key={action} label={t(`vc_lift_${action}`)} does={() => send({ command: "agv_lift", action })} />
+              <Sure
+                needs="POST /vehicles/{vehicle}/commands"
+                key={action}
+                label={t(`vc_lift_${action}`)}
+                does={() => send({ command: "agv_lift", action })}
+                {...stopped(against(`agv_lift ${action}`))}
+              />
             ))}
-          {agv && <Sure needs="POST /vehicles/{vehicle}/commands" label={t(vehicle.agv?.charging ? "vc_charge_off" : "vc_charge_on")} does={() => send({ command: "agv_charge", on: !vehicle.agv?.charging })} />}
+          {agv && (
+            <Sure
+              needs="POST /vehicles/{vehicle}/commands"
+              label={t(`vc_charge_${charge}`)}
+              does={() => send({ command: "agv_charge", on: charge === "on" })}
+              {...stopped(against(`agv_charge ${charge}`))}
+            />
+          )}
         </div>
         <div class="acts-row">
-          <Sure needs="POST /vehicles/{vehicle}/park" label={t("park")} does={() => void asking.ask(() => post(`${path}/park`), t("sent"))} />
+          <Sure needs="POST /vehicles/{vehicle}/park" label={t("park")} does={() => void asking.ask(() => post(`${path}/park`), t("sent"))} {...stopped(againstMove(vehicle, now))} />
         </div>
-        <Move send={send} />
-        {agv && <AgvCommands send={send} />}
-        {!agv && <Handle send={send} />}
-        {!agv && <Display send={send} />}
+        <Move send={send} against={againstMove(vehicle, now)} />
+        {agv && <AgvCommands send={send} against={against} />}
+        {!agv && <Handle send={send} against={(station, pickup) => againstHandling(vehicle, station, pickup, now)} />}
+        {!agv && <Display send={send} against={against("display")} />}
         <Told asking={asking} />
         <Service vehicle={vehicle} path={path} />
         <Past path={path} />
@@ -68,6 +92,8 @@ export function Recover({ vehicle }: { vehicle: string }) {
   const path = `/vehicles/${encodeURIComponent(vehicle)}`;
   const asking = useAsking();
   const looked = useSignal(false);
+  const now = vehicleNow(vehicle);
+  const against = now ? againstRecovery(now, around()) : null;
   return (
     <div class="stack">
       <label class="tick">
@@ -75,7 +101,7 @@ export function Recover({ vehicle }: { vehicle: string }) {
         <span>{t("homing_safe")}</span>
       </label>
       <div class="acts-row">
-        <Sure needs="POST /vehicles/{vehicle}/recover" label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} />
+        <Sure needs="POST /vehicles/{vehicle}/recover" label={t("recover")} does={() => void asking.ask(() => post(`${path}/recover`, { confirmed: looked.value }), t("sent"))} {...stopped(against)} />
       </div>
       <Told asking={asking} />
     </div>
@@ -84,7 +110,7 @@ export function Recover({ vehicle }: { vehicle: string }) {
 
 export type Send = (body: object) => void;
 
-function Move({ send }: { send: Send }) {
+function Move({ send, against }: { send: Send; against: Against }) {
   const barcode = useSignal("");
   const action = useSignal<"stop" | "port" | "sbfl" | "sbfr">("stop");
   return (
@@ -101,7 +127,7 @@ function Move({ send }: { send: Send }) {
         ]}
       />
       <div class="wide acts-row">
-        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("move")} disabled={!barcode.value.trim()} does={() => send({ command: "move", barcode: barcode.value.trim(), action: action.value })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("move")} disabled={!barcode.value.trim()} does={() => send({ command: "move", barcode: barcode.value.trim(), action: action.value })} {...stopped(against)} />
       </div>
       <datalist id="barcode-names">
         {(layout.value?.points ?? []).slice(0, 2000).map(({ barcode: name }) => <option key={name} value={name} />)}
@@ -110,14 +136,15 @@ function Move({ send }: { send: Send }) {
   );
 }
 
-function Handle({ send }: { send: Send }) {
+function Handle({ send, against }: { send: Send; against: (station: string, pickup: boolean) => Against }) {
   const station = useSignal("");
+  const place = station.value.trim();
   return (
     <div class="fields">
       <Field label={t("at_station")} value={station} list="station-names" />
       <div class="acts-row">
-        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_pickup")} disabled={!station.value.trim()} does={() => send({ command: "pickup", station: station.value.trim() })} />
-        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_place")} disabled={!station.value.trim()} does={() => send({ command: "place", station: station.value.trim() })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_pickup")} disabled={!place} does={() => send({ command: "pickup", station: place })} {...stopped(against(place, true))} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_place")} disabled={!place} does={() => send({ command: "place", station: place })} {...stopped(against(place, false))} />
       </div>
       <datalist id="station-names">
         {layout.value?.stations.map(({ id }) => <option key={id} value={id} />)}
@@ -126,13 +153,13 @@ function Handle({ send }: { send: Send }) {
   );
 }
 
-function Display({ send }: { send: Send }) {
+function Display({ send, against }: { send: Send; against: Against }) {
   const words = useSignal("");
   return (
     <div class="fields">
       <Field label={t("display_text")} value={words} />
       <div class="acts-row">
-        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_display")} disabled={!words.value} does={() => send({ command: "display", text: words.value })} />
+        <Sure needs="POST /vehicles/{vehicle}/commands" label={t("vc_display")} disabled={!words.value} does={() => send({ command: "display", text: words.value })} {...stopped(against)} />
       </div>
     </div>
   );

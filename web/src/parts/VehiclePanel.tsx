@@ -1,7 +1,9 @@
 /** One vehicle: what it does and why not, its status bit by bit, its line, and the two decisions a person may take here. */
 import { useSignal } from "@preact/signals";
 import { namesItself } from "../access";
+import { againstVerdict } from "../against";
 import { actor, post, serverNow } from "../api";
+import { stopped } from "../around";
 import { clock, LOOKS, lookOf, span } from "../shows";
 import { layout, selected, tick, vehicleList, vehicleNow } from "../store";
 import { rootOf } from "../waiting";
@@ -200,6 +202,7 @@ function Decide({ vehicle }: { vehicle: Vehicle }) {
   const barcode = useSignal(vehicle.barcode ?? "");
   const error = useSignal<unknown>(null);
   const releasing = vehicle.hold !== null || vehicle.activity === "absent" || vehicle.activity === "off_rail";
+  const against = releasing ? againstVerdict(vehicle, verdict.value) : null;
   const send = (event: Event): void => {
     event.preventDefault();
     error.value = null;
@@ -220,7 +223,7 @@ function Decide({ vehicle }: { vehicle: Vehicle }) {
           onChange={(event) => (verdict.value = event.currentTarget.value as (typeof VERDICTS)[number])}
         >
           {VERDICTS.map((word) => (
-            <option key={word} value={word}>
+            <option key={word} value={word} disabled={againstVerdict(vehicle, word) !== null}>
               {t(`verdict_${word}` as Word)}
             </option>
           ))}
@@ -246,6 +249,7 @@ function Decide({ vehicle }: { vehicle: Vehicle }) {
         needs={releasing ? "POST /vehicles/{vehicle}/release" : "POST /vehicles/{vehicle}/hold"}
         type="submit"
         title={releasing && namesItself.value && !actor() ? t("your_name") : ""}
+        {...stopped(against)}
       >
         {t(releasing ? "release" : "hold")}
       </Button>
