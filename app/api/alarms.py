@@ -39,7 +39,7 @@ class NoteIn(Strict):
     note: Text = ""
 
 
-class ManyIn(NoteIn):
+class NotedAlarmsIn(NoteIn):
     """Several alarms at once, by their numbers."""
 
     alarms: Annotated[list[Annotated[int, Field(ge=1, le=(1 << 53) - 1)]], Field(min_length=1, max_length=MOST)]
@@ -142,7 +142,7 @@ async def get_alarm(alarm: Number, controller: Ctl) -> Response:
 
 
 @router.post("/acknowledge", **gives("AlarmAnswer[]", description="One for each, in the order asked."))
-async def acknowledge_alarms(body: ManyIn, controller: Ctl, actor: Person) -> Response:
+async def acknowledge_alarms(body: NotedAlarmsIn, controller: Ctl, actor: Person) -> Response:
     """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
 
     One that there is not keeps no other from being acknowledged.

@@ -112,6 +112,7 @@ EXAMPLES: dict[str, Any] = {
     "AcceptIn": {},
     "AbandonIn": {"reason": "x"},
     "NoteIn": {},
+    "NotedAlarmsIn": {"alarms": [1]},
     "WebhookIn": {"url": "https://mes.example/events"},
     "WebhookChange": {"active": False},
     "SecretIn": {},

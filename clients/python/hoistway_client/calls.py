@@ -540,7 +540,7 @@ class Calls(Synchronous):
         """Show one alarm, ended or not."""
         return cast("m.Alarm", self._call("GET", f"/api/v1/alarms/{path(alarm)}"))
 
-    def acknowledge_alarms(self, body: m.ManyIn) -> m.Page[m.AlarmAnswer]:
+    def acknowledge_alarms(self, body: m.NotedAlarmsIn) -> m.Page[m.AlarmAnswer]:
         """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
         One that there is not keeps no other from being acknowledged.
         """
@@ -1294,7 +1294,7 @@ class AsyncCalls(Asynchronous):
         """Show one alarm, ended or not."""
         return cast("m.Alarm", await self._call("GET", f"/api/v1/alarms/{path(alarm)}"))
 
-    async def acknowledge_alarms(self, body: m.ManyIn) -> m.Page[m.AlarmAnswer]:
+    async def acknowledge_alarms(self, body: m.NotedAlarmsIn) -> m.Page[m.AlarmAnswer]:
         """A named person knows of several alarms that have one cause: each is answered, and kept in the audit, by itself.
         One that there is not keeps no other from being acknowledged.
         """

@@ -743,13 +743,6 @@ class MachineKeyIn(TypedDict):
     days: NotRequired[float | None]
 
 
-class ManyIn(TypedDict):
-    """Several alarms at once, by their numbers."""
-
-    note: NotRequired[str]
-    alarms: list[int]
-
-
 class Moment(TypedDict):
     """The plant as it was."""
 
@@ -790,6 +783,13 @@ class NoteIn(TypedDict):
     """What is known of it; may be empty."""
 
     note: NotRequired[str]
+
+
+class NotedAlarmsIn(TypedDict):
+    """Several alarms at once, by their numbers."""
+
+    note: NotRequired[str]
+    alarms: list[int]
 
 
 class OpenIn(TypedDict):
