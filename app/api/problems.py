@@ -1,6 +1,7 @@
 """Problems by RFC 9457: one table from codes to statuses, and the ways into it."""
 
 import dataclasses
+import re
 from collections.abc import Mapping, Sequence
 from http import HTTPStatus
 
@@ -128,8 +129,19 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(Exception, defect)
 
 
+OF_A_RECORDING = (
+    "This is a recording: GET /api/v1/history?at=TIME shows what it has of a moment, "
+    "GET /api/v1/history/span from when to when."
+)
+_ELSEWHERE = re.compile(r"^GET \S+ lists them\.$|hoistway serve")
+"""Remedies that help with a controller alone."""
+
+
 async def _own(request: Request, error: Exception) -> Response:
     assert isinstance(error, Problem)
+    controller = getattr(request.app.state, "controller", None)
+    if getattr(controller, "recording", False) and _ELSEWHERE.search(error.remedy):
+        error = dataclasses.replace(error, remedy=OF_A_RECORDING)
     return error.response(language_in(request.scope))
 
 

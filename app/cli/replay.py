@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.plainly import plainly, refuse
+from app.cli.plainly import plainly, refuse, said
 from app.cli.running import bound, on_loop, stop_signal
 from app.cli.tongue import say
 
@@ -31,12 +31,14 @@ def replay(
 
 
 def _read(file: Path) -> Incident:
-    from app.runtime.incident import read
+    from app.runtime.incident import NoIncident, read
 
     try:
         return read(file.read_bytes())
     except OSError as wrong:
-        refuse(f"{file} cannot be read: {wrong.strerror}", "Name the file that was exported.")
+        refuse(f"{file} cannot be read: {said(wrong)}", "Name the file that was exported.")
+    except NoIncident as none:
+        refuse(f"{file}: {none.message}", none.remedy)
 
 
 def told(incident: Incident) -> list[str]:

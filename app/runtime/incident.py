@@ -18,6 +18,8 @@ from app.runtime.recording import Change
 from app.runtime.showing import encode, iso
 
 FORMAT = 1
+GZIP = b"\x1f\x8b"
+COPY_AGAIN = "Copy it again, whole, or export it anew."
 LARGEST = 1 << 30
 """Bytes that a file may unpack to. Our choice: an export ends at 500,000 changes, some 100 MB."""
 
@@ -78,47 +80,79 @@ def written(incident: Incident) -> bytes:
 
 
 def _unpacked(body: bytes) -> bytes:
-    """Return what a file has. Raises ValueError: it is none, or far too large."""
+    """Return what a file has. Raises NoIncident: it is none, or far too large."""
+    if not body:
+        raise _none("it is empty")
+    if not body.startswith(GZIP):
+        raise _none("it is not packed by gzip")
     unpacking = zlib.decompressobj(wbits=31)
-    found = unpacking.decompress(body, LARGEST)
+    try:
+        found = unpacking.decompress(body, LARGEST)
+    except zlib.error:
+        raise _none("it is damaged: its bytes do not fit their checksum", COPY_AGAIN) from None
     if unpacking.unconsumed_tail:
-        raise ValueError(f"it unpacks to more than {LARGEST >> 20} MB")
+        raise _none(f"it unpacks to more than {LARGEST >> 20} MB")
     if not unpacking.eof:
-        raise ValueError("it ends too soon")
+        raise _none("it ends too soon", COPY_AGAIN)
     return found
+
+
+def _none(why: str, remedy: str = "Get one with GET /api/v1/history/export.") -> NoIncident:
+    return NoIncident(f"this is no recorded incident: {why}", remedy=remedy)
+
+
+_WRONG = (
+    OSError, EOFError, ValueError, KeyError, TypeError, AttributeError, OverflowError, msgspec.MsgspecError,
+)  # fmt: skip
+"""What comes of lines that something else has written."""
 
 
 def read(body: bytes) -> Incident:
     """Undo :func:`written`. Raises NoIncident: it is no such file, or a newer one."""
     try:
         head, *lines = _unpacked(body).splitlines() or [b""]
-        first = msgspec.json.decode(head)
-        if not isinstance(first, dict):
-            raise TypeError("its first line does not say what it is")
-        if first["hoistway"] != FORMAT:
-            raise NoIncident("a newer Hoistway has written this file", remedy="Open it with that one.")
-        plant = msgspec.convert(first["plant"], Plant, strict=False)
-        state: State = {}
-        changes: list[Change] = []
-        events: list[dict[str, Any]] = []
-        for line in lines:
-            part = msgspec.json.decode(line)
-            if "change" in part:
-                changes.append(tuple(part["change"]))
-            elif "event" in part:
-                events.append(part["event"])
-            else:
-                state = part["state"]
-        if not state:
-            raise ValueError("it has no state of the plant")
-        for name in ("from", "to"):
-            iso(first[name])
-        made = Timestamp(datetime.fromisoformat(first["made"]).timestamp())
-        return Incident(plant, first["from"], first["to"], made, first["by"], state, changes, events)
+        number = 1
+        try:
+            plant, first, made = _head(head)
+            parts = _Parts()
+            for number, line in enumerate(lines, 2):  # noqa: B007 (named in what is raised)
+                parts.add(msgspec.json.decode(line))
+        except _WRONG as wrong:
+            raise _none(f"its line {number} cannot be understood") from wrong
     except MemoryError:
         raise NoIncident("it unpacks to more than the memory has") from None
-    except (
-        OSError, EOFError, ValueError, KeyError, TypeError, AttributeError, OverflowError, zlib.error, msgspec.MsgspecError,
-    ) as wrong:  # fmt: skip
-        remedy = "Get one with GET /api/v1/history/export."
-        raise NoIncident(f"this is no recorded incident: {wrong}", remedy=remedy) from wrong
+    if not parts.state:
+        raise _none("it has no state of the plant")
+    begin, end = first["from"], first["to"]
+    return Incident(plant, begin, end, made, first["by"], parts.state, parts.changes, parts.events)
+
+
+class _Parts:
+    """The lines below the first, by what they are."""
+
+    def __init__(self) -> None:
+        self.state: State = {}
+        self.changes: list[Change] = []
+        self.events: list[dict[str, Any]] = []
+
+    def add(self, part: Any) -> None:
+        """Take a line. Raises what ``_WRONG`` names: it is none of ours."""
+        if "change" in part:
+            self.changes.append(tuple(part["change"]))
+        elif "event" in part:
+            self.events.append(part["event"])
+        else:
+            self.state = part["state"]
+
+
+def _head(line: bytes) -> tuple[Plant, dict[str, Any], Timestamp]:
+    """Return what the first line says: the plant, all of it, and when it was made."""
+    first = msgspec.json.decode(line)
+    if not isinstance(first, dict) or "hoistway" not in first:
+        raise _none("its first line does not say what it is")
+    if first["hoistway"] != FORMAT:
+        raise NoIncident("a newer Hoistway has written this file", remedy="Open it with that one.")
+    for name in ("from", "to"):
+        iso(first[name])
+    made = Timestamp(datetime.fromisoformat(first["made"]).timestamp())
+    return msgspec.convert(first["plant"], Plant, strict=False), first, made

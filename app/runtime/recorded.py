@@ -37,6 +37,9 @@ RECORDING = Refusal("not-now", "This is a recording.", "Ask the controller of th
 class Recorded:
     """What was recorded, in a database of its own in ``directory``; ``close`` it after use. Raises StoreError."""
 
+    recording = True
+    """What it does not have, nobody has here: problems say where to look instead."""
+
     def __init__(self, incident: Incident, directory: Path) -> None:
         url = f"sqlite:///{directory}/replay.db"
         self.incident, self.plant = incident, incident.plant

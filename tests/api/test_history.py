@@ -8,12 +8,16 @@ from pathlib import Path
 import httpx
 import pytest
 from fastapi import FastAPI
+from typer.testing import CliRunner
 
 from app.api.application import application
+from app.api.problems import OF_A_RECORDING
+from app.cli import app as commands
 from app.runtime.incident import NoIncident, read
 from app.runtime.recorded import Recorded
 from app.runtime.showing import encode
 from app.settings import Settings
+from app.texts import said, told
 from tests.api.recordings import HEAT, JOB, STATE_AT_START, recorded
 from tests.api.scripted import NOW, PLANT, Scripted
 
@@ -162,6 +166,10 @@ async def compare(client: httpx.AsyncClient, app: FastAPI) -> None:
         assert (event["event"], event["vehicle"]) == ("VehicleDeparted", "V001")
         refused = await other.post("/controller/pause", json={"reason": "x"})
         assert (refused.status_code, refused.json()["detail"]) == (409, "This is a recording.")
+        for path, status in (("/jobs/J1", 404), ("/vehicles/V001", 404), ("/layout/versions", 409)):
+            asked = await other.get(path, headers={"Accept-Language": "ko"})
+            assert (asked.status_code, asked.json()["remedy"]) == (status, told(OF_A_RECORDING, "ko"))
+        assert "GET /api/v1/history/span" in (await other.get("/history?at=2020-01-01T00:00:00Z")).json()["remedy"]
 
 
 def head(**changed: object) -> bytes:
@@ -174,24 +182,37 @@ STATE = b'{"state": {"vehicles": {"V001": {"barcode": "1001"}}}}'
 
 
 @pytest.mark.parametrize(
-    "body",
+    ("body", "why"),
     [
-        b"",
-        b"PK",
-        b"\x1f\x8b",
-        gzip.compress(b""),
-        gzip.compress(b"[1]\n"),
-        gzip.compress(head()),
-        gzip.compress(head(**{"from": {}}) + b"\n" + STATE),
-        gzip.compress(head(to=1e308) + b"\n" + STATE),
-        gzip.compress(head() + b"\n" + STATE)[:-9],
-        gzip.compress(head() + b"\n" + STATE + b"\n7\n"),
+        (b"", "it is empty"),
+        (b"PK", "it is not packed by gzip"),
+        (b"\x1f\x8b", "it ends too soon"),
+        (b"\x1f\x8b\x08\x00" + b"\xff" * 40, "it is damaged: its bytes do not fit their checksum"),
+        (gzip.compress(b""), "its line 1 cannot be understood"),
+        (gzip.compress(b"[1]\n"), "its first line does not say what it is"),
+        (gzip.compress(b"{}\n"), "its first line does not say what it is"),
+        (gzip.compress(head()), "it has no state of the plant"),
+        (gzip.compress(head(**{"from": {}}) + b"\n" + STATE), "its line 1 cannot be understood"),
+        (gzip.compress(head(to=1e308) + b"\n" + STATE), "its line 1 cannot be understood"),
+        (gzip.compress(head() + b"\n" + STATE)[:-9], "it ends too soon"),
+        (gzip.compress(head() + b"\n" + STATE + b"\n7\n"), "its line 3 cannot be understood"),
     ],
-    ids=["nothing", "zip", "cut", "empty", "list", "head", "from", "to", "end", "row"],
+    ids=["nothing", "zip", "cut", "damaged", "empty", "list", "object", "head", "from", "to", "end", "row"],
 )
-def test_a_file_that_is_no_incident_is_said_to_be_none(body: bytes) -> None:
-    with pytest.raises(NoIncident, match="no recorded incident"):
+def test_a_file_that_is_no_incident_is_said_to_be_none(body: bytes, why: str, tmp_path: Path) -> None:
+    with pytest.raises(NoIncident) as none:
         read(body)
+    assert none.value.message == f"this is no recorded incident: {why}"
+    assert said(none.value.message, "ko").startswith("기록 파일이 아님: ")
+    (tmp_path / "it.incident").write_bytes(body)
+    shown = CliRunner().invoke(commands, ["replay", str(tmp_path / "it.incident")])
+    assert shown.exit_code == 1
+    assert f"it.incident: this is no recorded incident: {why}" in shown.output
+
+
+def test_a_file_that_is_not_there_is_said_to_be_away(tmp_path: Path) -> None:
+    shown = CliRunner().invoke(commands, ["replay", str(tmp_path / "none.incident")])
+    assert (shown.exit_code, "none.incident cannot be read: No such file or directory" in shown.output) == (1, True)
 
 
 def test_a_file_that_would_fill_the_memory_is_not_unpacked(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -159,10 +159,10 @@ def test_what_is_under_way_in_a_database_is_named(tmp_path: Path) -> None:
 
 
 STAGED: dict[str, Any] = {
-    **{"number": 7, "state": "staged", "at": "2026-03-01T08:00:00Z", "actor": "Kim", "reason": "bay 3"},
-    **{"activated": None, "activated_by": None, "why": "", "asked": None, "asked_by": None, "asked_why": ""},
-    **{"note": "", "rejected": None},
-}
+    "number": 7, "state": "staged", "at": "2026-03-01T08:00:00Z", "actor": "Kim", "reason": "bay 3",
+    "activated": None, "activated_by": None, "why": "", "asked": None, "asked_by": None, "asked_why": "",
+    "note": "", "rejected": None,
+}  # fmt: skip
 
 
 @pytest.mark.parametrize(
