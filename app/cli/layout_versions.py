@@ -152,7 +152,7 @@ def rows_of(one: Mapping[str, Any]) -> Iterator[str]:
         since, who, why = one["asked"], one["asked_by"], one["asked_why"]
     elif one["state"] == "rejected" and note:
         person, _, reason = note.partition(": ")
-        since, who, why, note = one["rejected"], *((person, reason) if reason else ("", note)), ""
+        since, who, why, note = one["rejected"], person if reason else "", reason or note, ""
     state = told_here(one["state"])
     yield f"{one['number']:>5}  {state}{' ' * (9 - cell_len(state))}{_moment(since)}  {who:<20}  {why}"
     if why != one["reason"] or who != one["actor"]:

@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import ssl
 import subprocess
 import sys
 from collections.abc import AsyncIterator, Sequence
@@ -10,8 +11,21 @@ from typing import Any
 
 import httpx
 import pytest
+import trustme
 from fastapi import FastAPI
-from hoistway_client import AsyncHoistway, Changed, Happened, Hoistway, Live, Problem
+from hoistway_client import (
+    AsyncHoistway,
+    Changed,
+    Happened,
+    Hoistway,
+    Live,
+    NoController,
+    NotConnected,
+    Problem,
+    TimedOut,
+    Unreachable,
+    Untrusted,
+)
 from hoistway_client import client as clients
 from hoistway_client import live as living
 from websockets.asyncio.server import ServerConnection, serve
@@ -73,7 +87,8 @@ def test_events_go_on_after_a_lost_connection_and_none_comes_twice(monkeypatch: 
             return httpx.Response(503, json={"code": "unavailable", "detail": "x"})
         seqs = [1, 2] if len(asked) == 1 else [2, 3]
         lines = [f'id: {seq}\nevent: X\ndata: {{"seq": {seq}}}\n\n' for seq in seqs]
-        return httpx.Response(200, text=": events\n\n" + "".join(lines))
+        headers = {"Content-Type": "text/event-stream; charset=utf-8"}
+        return httpx.Response(200, text=": events\n\n" + "".join(lines), headers=headers)
 
     with Hoistway("http://h", transport=httpx.MockTransport(answer)) as hoistway:
         stream = hoistway.events(0)
@@ -87,6 +102,98 @@ def test_a_refusal_ends_the_events() -> None:
     )
     with Hoistway("http://h", transport=transport) as hoistway, pytest.raises(Problem, match="who"):
         next(hoistway.events(0))
+
+
+PAGE = "<html><body>502 Bad Gateway</body></html>"
+
+
+def playing(answer: httpx.Response | httpx.TransportError) -> Hoistway:
+    """A client to whom everything is answered so."""
+
+    def play(_request: httpx.Request) -> httpx.Response:
+        if isinstance(answer, httpx.TransportError):
+            raise answer
+        return answer
+
+    return Hoistway("http://tc.fab:8080", transport=httpx.MockTransport(play))
+
+
+@pytest.mark.parametrize(
+    ("error", "kind", "why"),
+    [
+        (httpx.ConnectError("Connection refused"), NotConnected, "Connection refused"),
+        (httpx.ConnectTimeout(""), NotConnected, "no connection in time"),
+        (httpx.UnsupportedProtocol("no http"), NotConnected, "no http"),
+        (httpx.ReadTimeout(""), TimedOut, "no answer in time"),
+        (httpx.RemoteProtocolError("Server disconnected"), Unreachable, "Server disconnected"),
+        (httpx.ReadError(""), Unreachable, "the connection was lost"),
+    ],
+)
+def test_what_keeps_an_answer_away_is_an_error_of_the_clients_own(
+    error: httpx.TransportError, kind: type[Unreachable], why: str
+) -> None:
+    with playing(error) as hoistway, pytest.raises(Unreachable) as none:
+        hoistway.get_job("J1")
+    assert type(none.value) is kind
+    assert (none.value.asked, none.value.why) == ("GET http://tc.fab:8080/api/v1/jobs/J1", why)
+    assert none.value.remedy in str(none.value)
+    assert none.value.__cause__ is error
+
+
+@pytest.mark.parametrize(
+    ("answer", "status", "why"),
+    [
+        (httpx.Response(200, html=PAGE), 200, "the answer (200, text/html) is no JSON of a controller: '<html>"),
+        (httpx.Response(502, html=PAGE), 502, "the answer (502, text/html) is no JSON of a controller: '<html>"),
+        (
+            httpx.Response(404, json={"message": "no"}),
+            404,
+            "the answer (404, application/json) is no JSON of a controller",
+        ),
+        (httpx.Response(302, headers={"Location": "/login"}), 302, "it leads elsewhere (302 /login)"),
+    ],
+    ids=["page", "gateway", "other", "elsewhere"],
+)
+def test_a_proxys_page_is_no_controllers_answer(answer: httpx.Response, status: int, why: str) -> None:
+    with playing(answer) as hoistway, pytest.raises(NoController) as none:
+        hoistway.list_jobs()
+    assert (none.value.status, none.value.text) == (status, answer.text)
+    assert none.value.why.startswith(why)
+
+
+def test_another_program_ends_the_events_and_a_server_that_is_away_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(clients, "FIRST_PAUSE", 0.0)
+    with playing(httpx.Response(200, html=PAGE)) as hoistway, pytest.raises(NoController, match="Bad Gateway"):
+        next(hoistway.events(0))
+    with playing(httpx.ConnectError("away")) as hoistway:
+        assert list(hoistway.events(0, forever=False)) == []
+
+
+async def test_a_server_that_is_not_there_and_one_that_is_not_trusted_say_so() -> None:
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    trustme.CA().issue_cert("127.0.0.1").configure_cert(context)
+    server = await asyncio.start_server(lambda _reader, writer: writer.close(), "127.0.0.1", 0, ssl=context)
+    port = server.sockets[0].getsockname()[1]
+    async with server, AsyncHoistway(f"https://127.0.0.1:{port}") as hoistway:
+        with pytest.raises(Untrusted, match=r"certificate is not trusted \(.*\)\. Set SSL_CERT_FILE"):
+            await hoistway.list_jobs()
+        async with Live(f"https://127.0.0.1:{port}") as live:
+            with pytest.raises(Untrusted, match="certificate is not trusted"):
+                await anext(live)
+    async with AsyncHoistway(f"http://127.0.0.1:{port}") as hoistway:
+        with pytest.raises(NotConnected, match=f"GET http://127.0.0.1:{port}/api/v1/jobs: ") as away:
+            await hoistway.list_jobs()
+    assert away.value.remedy == "Does the server run, and is the address right?"
+
+
+async def test_a_server_without_tls_is_told_from_one_that_is_not_trusted() -> None:
+    server = await asyncio.start_server(
+        lambda _reader, writer: writer.write(b"HTTP/1.1 400 No\r\n\r\n"), "127.0.0.1", 0
+    )
+    port = server.sockets[0].getsockname()[1]
+    async with server, AsyncHoistway(f"https://127.0.0.1:{port}") as hoistway:
+        with pytest.raises(Untrusted, match=r"TLS was not agreed on .* Else write http://"):
+            await hoistway.list_jobs()
 
 
 class Server:

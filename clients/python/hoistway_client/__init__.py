@@ -6,6 +6,18 @@
 
 from hoistway_client.client import AsyncHoistway, Hoistway
 from hoistway_client.live import Changed, Happened, Live
-from hoistway_client.transport import Problem
+from hoistway_client.transport import NoController, NotConnected, Problem, TimedOut, Unreachable, Untrusted
 
-__all__ = ["AsyncHoistway", "Changed", "Happened", "Hoistway", "Live", "Problem"]
+__all__ = [
+    "AsyncHoistway",
+    "Changed",
+    "Happened",
+    "Hoistway",
+    "Live",
+    "NoController",
+    "NotConnected",
+    "Problem",
+    "TimedOut",
+    "Unreachable",
+    "Untrusted",
+]

@@ -9,10 +9,11 @@ import httpx
 
 from hoistway_client.calls import AsyncCalls, Calls
 from hoistway_client.models import Event
-from hoistway_client.transport import Problem, problem_of
+from hoistway_client.transport import NoController, Problem, Untrusted, asked_of, foreign, problem_of, unreachable
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.5, 15.0
 """Seconds between attempts to connect."""
+EVENTS = "/api/v1/events/stream"
 SILENT = 40.0
 """Seconds of silence after which a stream counts as dead: the server says that it is alive every 15 s."""
 
@@ -27,7 +28,8 @@ class Hoistway(Calls):
         """Give every durable event above ``after``, in order, each once; then those that come, through lost connections.
 
         Keep the ``seq`` of the last one dealt with, and begin with it next time. Without ``after``: from the next event on.
-        ``forever`` False: end where the stream ends. Raises Problem if the server refuses.
+        ``forever`` False: end where the stream ends. Raises Problem if the server refuses, NoController if
+        another program answers, Untrusted if its certificate cannot be trusted; a server that is away is waited for.
         """
         pause = FIRST_PAUSE
         while True:
@@ -37,9 +39,11 @@ class Hoistway(Calls):
                     if after is None or event["seq"] > after:
                         after = event["seq"]
                         yield event
-            except httpx.TransportError:
-                pass
-            except Problem as problem:
+            except httpx.TransportError as error:
+                lost = unreachable(asked_of(self._http, "GET", EVENTS), error)
+                if isinstance(lost, Untrusted) or isinstance(error, httpx.UnsupportedProtocol):
+                    raise lost from error
+            except (Problem, NoController) as problem:
                 if problem.status < 500:
                     raise
             if not forever:
@@ -50,10 +54,13 @@ class Hoistway(Calls):
     def _stream(self, after: int | None) -> Iterator[Event]:
         params = {} if after is None else {"after": after}
         timeout = httpx.Timeout(10.0, read=SILENT)
-        with self._http.stream("GET", "/api/v1/events/stream", params=params, timeout=timeout) as answer:
+        with self._http.stream("GET", EVENTS, params=params, timeout=timeout) as answer:
             if answer.status_code >= 400:
                 answer.read()
-                raise problem_of(answer)
+                raise problem_of(answer, asked_of(self._http, "GET", EVENTS))
+            if not answer.headers.get("content-type", "").startswith("text/event-stream"):
+                answer.read()
+                raise foreign(asked_of(self._http, "GET", EVENTS), answer)
             for line in answer.iter_lines():
                 if line.startswith("data: "):
                     yield cast(Event, json.loads(line[6:]))

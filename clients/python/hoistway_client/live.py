@@ -7,6 +7,7 @@ lead to a fresh snapshot by itself; events go on after the last one given.
 import asyncio
 import itertools
 import json
+import ssl
 from collections import deque
 from collections.abc import AsyncIterator, Iterable, Mapping
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from hoistway_client.models import Event
-from hoistway_client.transport import Problem
+from hoistway_client.transport import SHOWN, NoController, Problem, Untrusted
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.5, 15.0
 Body = Mapping[str, Any]
@@ -106,8 +107,14 @@ class Live(AsyncIterator[Changed | Happened]):
                     await self._socket.send('{"resync": true}')
             except InvalidStatus as refused:
                 status = refused.response.status_code
+                if status < 400:
+                    raise self._no_controller(status, bytes(refused.response.body or b"")) from None
                 if status < 500 and status != 429:
                     raise Problem(status, "refused", "", f"the server answered {status}") from None
+            except ssl.SSLCertVerificationError as wrong:
+                remedy = "Set SSL_CERT_FILE to a file with the authority's certificate."
+                why = f"the server's certificate is not trusted ({wrong.verify_message})"
+                raise Untrusted(f"GET {self._url}", why, remedy) from wrong
             except (OSError, ConnectionClosed, TimeoutError):
                 pass
             else:
@@ -116,6 +123,11 @@ class Live(AsyncIterator[Changed | Happened]):
             await asyncio.sleep(pause)
             pause = min(2 * pause, LONGEST_PAUSE)
         return self._items.popleft()
+
+    def _no_controller(self, status: int, body: bytes) -> NoController:
+        text = body.decode(errors="replace")[:SHOWN]
+        why = f"the answer ({status}) is no live stream of a controller: {text!r}"
+        return NoController(f"GET {self._url}", why, "Is that the controller's address?", status, text)
 
     async def _connected(self) -> ClientConnection:
         query = [f"topics={self._topics}"] if self._topics else []

@@ -1,5 +1,6 @@
 """How calls travel: keys, names, problems; one class that waits, one for asyncio."""
 
+import ssl
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import TracebackType
@@ -10,6 +11,8 @@ import httpx
 
 TIMEOUT = 40.0
 """Seconds: the server itself answers within 30, that it cannot if need be."""
+SHOWN = 200
+"""Letters that are shown of what is no controller's answer."""
 
 
 @dataclass(eq=False)
@@ -37,14 +40,80 @@ class Problem(Exception):
         return f"{self.status} {self.code}: {self.detail} {self.remedy}".strip()
 
 
-def problem_of(answer: httpx.Response) -> Problem:
-    """Return what an answer says is wrong."""
+def problem_of(answer: httpx.Response, asked: str) -> "Problem | NoController":
+    """Return what an answer says is wrong; one that says nothing of it is no controller's."""
     try:
         body = answer.json()
     except ValueError:
-        body = {}
-    body = body if isinstance(body, dict) else {}
-    return Problem.of(answer.status_code, {"code": "unknown", "detail": answer.text[:200], **body})
+        body = None
+    if not isinstance(body, dict) or "code" not in body:
+        return foreign(asked, answer)
+    return Problem.of(answer.status_code, body)
+
+
+class Unreachable(Exception):
+    """No answer of a controller came. ``asked`` is what was asked (``GET https://…``), ``why`` what stood in the way, ``remedy``
+    what would help. Whether a change was made nobody knows: ask again with the same ``job_id`` or ``idempotency_key``.
+    """
+
+    def __init__(self, asked: str, why: str, remedy: str) -> None:
+        super().__init__(f"{asked}: {why}. {remedy}")
+        self.asked, self.why, self.remedy = asked, why, remedy
+
+
+class NotConnected(Unreachable):
+    """Nobody could be connected to: wrong address, server away, no way there. Nothing was asked of it, so nothing was done."""
+
+
+class Untrusted(NotConnected):
+    """TLS could not be agreed on: the server's certificate is not trusted, or it does not speak TLS."""
+
+
+class TimedOut(Unreachable):
+    """The answer did not come in time."""
+
+
+class NoController(Unreachable):
+    """What answers is no controller: a proxy's page, another program. ``status`` is that of HTTP, ``text`` how it begins."""
+
+    def __init__(self, asked: str, why: str, remedy: str, status: int, text: str) -> None:
+        super().__init__(asked, why, remedy)
+        self.status, self.text = status, text
+
+
+def unreachable(asked: str, error: httpx.TransportError) -> Unreachable:
+    """Return what an error of the connection means."""
+    if isinstance(error, httpx.ConnectTimeout | httpx.PoolTimeout):
+        return NotConnected(asked, "no connection in time", "Is the address right, and no firewall in between?")
+    if isinstance(error, httpx.TimeoutException):
+        remedy = "Ask again with the same job_id or idempotency_key: nobody knows whether it was done."
+        return TimedOut(asked, "no answer in time", remedy)
+    tls = _tls_error(error) if isinstance(error, httpx.ConnectError) else None
+    if isinstance(tls, ssl.SSLCertVerificationError):
+        remedy = (
+            "Set SSL_CERT_FILE to a file with the authority's certificate, or call the server by the name in its own."
+        )
+        return Untrusted(asked, f"the server's certificate is not trusted ({tls.verify_message})", remedy)
+    if tls is not None:
+        return Untrusted(
+            asked, f"TLS was not agreed on ({tls.reason or tls})", "Does it speak TLS? Else write http://."
+        )
+    if isinstance(error, httpx.ConnectError | httpx.UnsupportedProtocol):
+        return NotConnected(asked, str(error) or "no connection", "Does the server run, and is the address right?")
+    remedy = "Ask again with the same job_id or idempotency_key: nobody knows whether it was done."
+    return Unreachable(asked, str(error) or "the connection was lost", remedy)
+
+
+def _tls_error(error: BaseException) -> ssl.SSLError | None:
+    seen: BaseException | None = error
+    while seen is not None and not isinstance(seen, ssl.SSLError):
+        seen = seen.__cause__ or seen.__context__
+    return seen
+
+
+def asked_of(http: httpx.Client | httpx.AsyncClient, method: str, where: str) -> str:
+    """Return what is asked, for people: without what could be secret in a query."""
+    return f"{method} {str(http.base_url).rstrip('/')}{where}"
 
 
 def path(part: object) -> str:
@@ -62,10 +131,24 @@ def _given(values: Mapping[str, Any] | None) -> dict[str, Any]:
     return {name: value for name, value in (values or {}).items() if value is not None}
 
 
-def _answer(answer: httpx.Response) -> Any:
+def _answer(asked: str, answer: httpx.Response) -> Any:
     if answer.status_code >= 400:
-        raise problem_of(answer)
-    return answer.json() if answer.content else None
+        raise problem_of(answer, asked)
+    if 300 <= answer.status_code < 400:
+        why = f"it leads elsewhere ({answer.status_code} {answer.headers.get('location', '')})".replace(" )", ")")
+        raise NoController(asked, why, "Name the controller's own address.", answer.status_code, answer.text[:SHOWN])
+    try:
+        return answer.json() if answer.content else None
+    except ValueError:
+        raise foreign(asked, answer) from None
+
+
+def foreign(asked: str, answer: httpx.Response) -> NoController:
+    """Return that something else than a controller answers."""
+    kind = answer.headers.get("content-type", "no type").partition(";")[0]
+    why = f"the answer ({answer.status_code}, {kind}) is no JSON of a controller: {answer.text[:SHOWN]!r}"
+    remedy = "Is that the controller's address? A proxy in between may have answered."
+    return NoController(asked, why, remedy, answer.status_code, answer.text[:SHOWN])
 
 
 class Synchronous:
@@ -104,7 +187,12 @@ class Synchronous:
         params: Mapping[str, Any] | None = None,
         headers: Mapping[str, Any] | None = None,
     ) -> Any:
-        return _answer(self._http.request(method, where, json=body, params=_given(params), headers=_given(headers)))
+        asked = asked_of(self._http, method, where)
+        try:
+            answer = self._http.request(method, where, json=body, params=_given(params), headers=_given(headers))
+        except httpx.TransportError as error:
+            raise unreachable(asked, error) from error
+        return _answer(asked, answer)
 
 
 class Asynchronous:
@@ -145,6 +233,9 @@ class Asynchronous:
         params: Mapping[str, Any] | None = None,
         headers: Mapping[str, Any] | None = None,
     ) -> Any:
-        return _answer(
-            await self._http.request(method, where, json=body, params=_given(params), headers=_given(headers))
-        )
+        asked = asked_of(self._http, method, where)
+        try:
+            answer = await self._http.request(method, where, json=body, params=_given(params), headers=_given(headers))
+        except httpx.TransportError as error:
+            raise unreachable(asked, error) from error
+        return _answer(asked, answer)
