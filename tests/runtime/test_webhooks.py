@@ -4,12 +4,17 @@ import asyncio
 import base64
 import hmac
 import json
+import re
+import socket
+import ssl
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Any
 
+import httpx
 import pytest
+import trustme
 
 from app.domain.ids import Actor
 from app.domain.records import HistoryEvent
@@ -26,6 +31,7 @@ from app.runtime.webhooks import (
     drawn_secret,
     signature,
 )
+from app.texts import told
 from tests.runtime.peers import run, until
 
 SECRET = drawn_secret(b"x" * 32)
@@ -156,7 +162,8 @@ class Receiver:
         length = next(int(line[15:]) for line in head.lower().splitlines() if line.startswith("content-length:"))
         self.got.append((head, await reader.readexactly(length)))
         status = self.answers.pop(0) if self.answers else b"204 No Content"
-        writer.write(b"HTTP/1.1 " + status + b"\r\ncontent-length: 0\r\nconnection: close\r\n\r\n")
+        more = b"" if b"\r\n\r\n" in status else b"\r\ncontent-length: 0\r\nconnection: close\r\n\r\n"
+        writer.write(b"HTTP/1.1 " + status + more)
         await writer.drain()
         writer.close()
 
@@ -178,13 +185,81 @@ def test_a_delivery_names_the_host_and_does_not_follow_redirects() -> None:
     run(scenario)
 
 
-def test_what_cannot_be_delivered_says_why() -> None:
+def test_a_refusal_is_told_with_how_the_answer_begins() -> None:
+    answers = (
+        (
+            b"422 No\r\ncontent-type: text/plain\r\n\r\nno such\x07 lot\n\n" + b"x" * 500,
+            "answered 422: no such lot xxx",
+        ),
+        (b"500 Error\r\ncontent-encoding: gzip\r\n\r\n\x1f\x8b", "answered 500"),
+        (b"503 Busy", "answered 503"),
+        (b"200 OK\r\n\r\nthank you", ""),
+    )
+
     async def scenario() -> None:
+        receiver = Receiver([answer for answer, _ in answers])
+        async with receiver.open() as url, Sender(Targets(["127.0.0.1"]), "1.2") as sender:
+            for _, told in answers:
+                refusal = (await sender(url, {}, b"{}")).refusal
+                assert refusal.startswith(told)
+                assert len(refusal) < 230
+                assert bool(told) == bool(refusal)
+
+    run(scenario)
+
+
+async def _cut(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    await reader.readuntil(b"\r\n\r\n")
+    writer.close()
+
+
+def test_what_cannot_be_delivered_says_why() -> None:
+    async def unknown(host: str, _port: int) -> Sequence[str]:
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    async def scenario() -> None:
+        context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+        trustme.CA().issue_cert("127.0.0.1").configure_cert(context)
+        silent = await asyncio.start_server(_cut, "127.0.0.1", 0)
+        foreign = await asyncio.start_server(_cut, "127.0.0.1", 0, ssl=context)
+        plain, tls = (server.sockets[0].getsockname()[1] for server in (silent, foreign))
+        why = {
+            "http://127.0.0.1:1/": "127.0.0.1:1 refuses the connection",
+            "http://127.0.0.2/": "127.0.0.2 is not among the targets that are allowed",
+            "http://mes.fab/": r"the name mes.fab is not found \(Name or service not known\)",
+            f"http://127.0.0.1:{plain}/": "the connection ended without an answer",
+            f"https://127.0.0.1:{tls}/": r"its certificate is not trusted \(.+\)",
+            f"https://127.0.0.1:{plain}/": r"TLS is not agreed on \(.+\)|the connection ended without an answer",
+        }
+        async with silent, foreign, Sender(Targets(["127.0.0.1", "mes.fab"], unknown), "1.2") as sender:
+            for url, words in why.items():
+                with pytest.raises(Unreachable) as failed:
+                    await sender(url, {}, b"{}")
+                assert re.fullmatch(words, str(failed.value)), url
+                assert told(str(failed.value), "ko") != str(failed.value), url
+
+    run(scenario)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (httpx.ConnectTimeout(""), "no connection within 5 s"),
+        (httpx.ReadTimeout(""), "no answer within 10 s"),
+        (httpx.ReadError(""), "the connection ended without an answer"),
+    ],
+)
+def test_what_a_connection_ended_in_is_said_in_words(
+    monkeypatch: pytest.MonkeyPatch, wrong: httpx.TransportError, words: str
+) -> None:
+    async def fail(*_: object, **__: object) -> None:
+        raise wrong
+
+    async def scenario() -> None:
+        monkeypatch.setattr(httpx.AsyncClient, "send", fail)
         async with Sender(Targets(["127.0.0.1"]), "1.2") as sender:
-            with pytest.raises(Unreachable):
+            with pytest.raises(Unreachable, match=f"^{words}$"):
                 await sender("http://127.0.0.1:1/", {}, b"{}")
-            with pytest.raises(Unreachable, match="not among"):
-                await sender("http://127.0.0.2/", {}, b"{}")
 
     run(scenario)
 

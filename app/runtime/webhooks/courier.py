@@ -155,7 +155,7 @@ class Courier:
         try:
             answer = await self._post(webhook.url, headers, body)
             status, rest = answer.status, answer.retry_after or 0.0
-            error = "" if 200 <= status < 300 else f"answered {status}"
+            error = answer.refusal[:300]
         except Unreachable as why:
             error = str(why)[:300]
         self._tried["taken" if not error else "unreachable" if status is None else "refused"] += 1

@@ -1,8 +1,14 @@
-"""One delivery over HTTP: to an address that is allowed, without redirects, bounded in time, its answer not read."""
+"""One delivery over HTTP: to an address that is allowed, without redirects, bounded in time; of an answer that refuses it the
+first letters are read."""
 
 import asyncio
+import errno
+import os
+import socket
 import ssl
-from dataclasses import dataclass
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
 from typing import Protocol
@@ -14,6 +20,8 @@ from app.runtime.webhooks.targets import Targets
 WITHIN = 10.0
 """Seconds for a delivery as a whole. Our choice."""
 CONNECT_WITHIN = 5.0
+SHOWN = 200
+"""Bytes of an answer that say why an event is not taken. Our choice."""
 
 
 class Unreachable(Exception):
@@ -22,10 +30,18 @@ class Unreachable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What a receiver said: its status, and how many seconds it wants to be left alone, if it says so."""
+    """What a receiver said: its status, how many seconds it wants to be left alone, if it says so, and how a refusal begins."""
 
     status: int
     retry_after: float | None = None
+    words: str = field(default="", compare=False)
+
+    @property
+    def refusal(self) -> str:
+        """Why the event does not count as taken; empty: it does."""
+        if 200 <= self.status < 300:
+            return ""
+        return f"answered {self.status}: {self.words}" if self.words else f"answered {self.status}"
 
 
 class Post(Protocol):
@@ -78,10 +94,8 @@ class Sender:
                 return await self._post(httpx.URL(url), headers, body)
         except TimeoutError:
             raise Unreachable(f"no answer within {WITHIN:.0f} s") from None
-        except httpx.HTTPError as wrong:
-            raise Unreachable(str(wrong) or type(wrong).__name__) from wrong
-        except OSError as wrong:
-            raise Unreachable(wrong.strerror or str(wrong)) from wrong
+        except (httpx.HTTPError, OSError) as wrong:
+            raise Unreachable(_why(wrong, httpx.URL(url))) from wrong
 
     async def _post(self, url: httpx.URL, headers: dict[str, str], body: bytes) -> Answer:
         """Connect to the address that was looked at: a name asked twice may give another one the second time."""
@@ -99,9 +113,55 @@ class Sender:
         )
         answer = await client.send(request, stream=True)
         try:
-            return Answer(answer.status_code, _seconds(answer.headers.get("retry-after", "")))
+            words = "" if answer.is_success else await _beginning(answer)
+            return Answer(answer.status_code, _seconds(answer.headers.get("retry-after", "")), words)
         finally:
             await answer.aclose()
+
+
+async def _beginning(answer: httpx.Response) -> str:
+    """Return how an answer begins, in letters that can be shown; empty where it is packed, or nothing comes."""
+    found = b""
+    if "content-encoding" not in answer.headers:
+        with suppress(httpx.HTTPError):
+            async for some in answer.aiter_raw():
+                found += some
+                if len(found) >= SHOWN:
+                    break
+    text = found[:SHOWN].decode(errors="replace")
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+
+
+def _why(wrong: Exception, url: httpx.URL) -> str:
+    """Return what kept a delivery from being answered."""
+    causes = list(_causes(wrong))
+    for cause in causes:
+        if isinstance(cause, socket.gaierror):
+            return f"the name {url.host} is not found ({cause.strerror})"
+        if isinstance(cause, ssl.SSLCertVerificationError):
+            return f"its certificate is not trusted ({cause.verify_message})"
+        if isinstance(cause, ssl.SSLError):
+            return f"TLS is not agreed on ({cause.reason or cause})"
+    if isinstance(wrong, httpx.ConnectTimeout):
+        return f"no connection within {CONNECT_WITHIN:.0f} s"
+    if isinstance(wrong, httpx.TimeoutException):
+        return f"no answer within {WITHIN:.0f} s"
+    number = next((cause.errno for cause in causes if isinstance(cause, OSError) and cause.errno), None)
+    if number == errno.ECONNREFUSED:
+        return f"{url.netloc.decode()} refuses the connection"
+    if isinstance(wrong, httpx.ConnectError) and number is not None:
+        return f"{url.netloc.decode()} cannot be reached ({os.strerror(number)})"
+    if isinstance(wrong, httpx.RemoteProtocolError | httpx.ReadError | httpx.WriteError):
+        return "the connection ended without an answer"
+    return str(wrong) or type(wrong).__name__
+
+
+def _causes(wrong: BaseException | None) -> Iterator[BaseException]:
+    while wrong is not None:
+        yield wrong
+        if isinstance(wrong, BaseExceptionGroup):
+            yield from (inner for one in wrong.exceptions for inner in _causes(one))
+        wrong = wrong.__cause__ or wrong.__context__
 
 
 def _seconds(text: str) -> float | None:
