@@ -187,9 +187,11 @@ async def test_a_server_that_is_not_there_and_one_that_is_not_trusted_say_so() -
 
 
 async def test_a_server_without_tls_is_told_from_one_that_is_not_trusted() -> None:
-    server = await asyncio.start_server(
-        lambda _reader, writer: writer.write(b"HTTP/1.1 400 No\r\n\r\n"), "127.0.0.1", 0
-    )
+    def answer(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(b"HTTP/1.1 400 No\r\n\r\n")
+        writer.close()
+
+    server = await asyncio.start_server(answer, "127.0.0.1", 0)
     port = server.sockets[0].getsockname()[1]
     async with server, AsyncHoistway(f"https://127.0.0.1:{port}") as hoistway:
         with pytest.raises(Untrusted, match=r"TLS was not agreed on .* Else write http://"):
