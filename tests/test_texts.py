@@ -121,6 +121,35 @@ def test_every_saying_is_still_said_somewhere() -> None:
     assert not unsaid, "the code says this otherwise now: change or drop the saying"
 
 
+CALL = re.compile(r"/api/v1|\b(?:GET|POST|PUT|PATCH|DELETE) |\bverdict \w")
+QUOTED = re.compile(r"‘([^’]+)’")
+KEPT = re.compile(r"^vehicle \{0\}, verdict ")
+"""A row of the audit says what was asked for, and nothing that would help."""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_call_that_a_saying_names_has_its_button_or_room_on_the_page(language: str) -> None:
+    words = catalogue("ko" if language == "ko" else "en")
+    named = {
+        key for key, saying in catalogue("en")["sayings"].items() if CALL.search(saying) and not KEPT.search(saying)
+    }
+    assert len(named) > 40
+    assert named - set(words["pages"]) == set(), "say in the section pages which button or room that is"
+    assert {
+        key for key, instead in words["pages"].items() if CALL.search(re.sub(r"/api/v1/\{0\}", "", instead))
+    } == set()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_the_page_says_instead_names_buttons_that_there_are_and_fills_in_no_more(language: str) -> None:
+    words = catalogue("ko" if language == "ko" else "en")
+    there = set(words["page"].values())
+    sayings = catalogue("en")["sayings"]
+    for key, instead in words["pages"].items():
+        assert set(QUOTED.findall(instead)) <= there, key
+        assert set(SLOT.findall(instead)) <= set(SLOT.findall(sayings[key])), key
+
+
 BY_WORD = frozenset(
     {
         "X0 stands for another order already: job X1.",

@@ -3,7 +3,9 @@
 ``en.json`` and ``ko.json`` have the same sections and keys. ``page`` are words and sentences with ``{0}``, ``{1}`` … for what is
 filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
 of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
-since what is kept in a plant's database does not depend on who reads it. A particle after a slot is written 이(가), 을(를),
+since what is kept in a plant's database does not depend on who reads it. ``pages`` has, for sayings that speak of the API
+(a call, a word of its bodies), what the page says instead: the name of a button or a room.
+A particle after a slot is written 이(가), 을(를),
 (으)로 …: the one that fits is chosen when the slot is filled (:mod:`app.texts.particles`).
 
 ``terminal.en.json`` and ``terminal.ko.json`` are what the command line says: explanations of commands and options, and messages,
@@ -20,7 +22,7 @@ from typing import Literal, get_args
 from app.texts.particles import settled
 
 Language = Literal["en", "ko"]
-Section = Literal["page", "problems", "remedies", "sayings", "events"]
+Section = Literal["page", "problems", "remedies", "sayings", "pages", "events"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 Patterns = list[tuple[str, re.Pattern[str], str]]
 """The longest fixed part of a sentence (which is looked for first, since it is quick), its pattern, and what it means."""

@@ -99,7 +99,7 @@ def test_a_refusal_is_shown_with_its_remedy(wire: ClientConnection) -> None:
         page.until("document.querySelector('.decide select')")
         page.ask(fill(".decide input", "seen it"))
         page.ask("document.querySelector('.decide button').click()")
-        page.until(text_of(".problem", "Send the header X-Actor"))
+        page.until(text_of(".problem", "Write your name at the top right"))
 
 
 def test_the_page_says_that_its_data_is_old_and_goes_on_by_itself_even_with_another_history(

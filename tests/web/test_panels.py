@@ -15,8 +15,9 @@ from app.domain.drive_records import OperationState
 from app.domain.drive_requests import CancelDriveOperation, StopDriveLine, UnwatchDrive, WatchDrive
 from app.domain.requests import StageVehicle, WriteDest
 from app.domain.teaching_requests import ImportTaught
-from app.domain.view import ControllerView, ParameterView, Topic, Update
+from app.domain.view import ControllerView, HoldView, ParameterView, Topic, Update
 from app.domain.webhooks import AddWebhook, ReplayWebhook
+from tests.api.scripted import NOW
 from tests.e2e.processes import wait_until
 from tests.web.hands import press_twice
 from tests.web.staffed import Staffed, staffed
@@ -164,6 +165,24 @@ def test_a_command_that_would_be_refused_is_not_offered_and_says_why_in_both_lan
         plant.server.place("V002", "1002", mode="mant", oper="idle")
         expect(servo).to_be_enabled()
         expect(panel.get_by_role("button", name="Stop by host")).to_be_disabled()
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("EN", "clear the cause, then press ‘Recover from the alarm’ at V002"),
+        ("KO", "원인을 없앤 뒤 V002에서 ‘알람 복구’를 누르세요"),
+    ],
+)
+def test_what_helps_names_the_button_on_the_page_and_no_call_of_the_api(
+    plant: Staffed, language: str, words: str
+) -> None:
+    hold = HoldView("alarm 105", "clear the cause, then POST /api/v1/vehicles/V002/recover", NOW)
+    plant.server.place("V002", "1002", hold=hold, activity="held")
+    with plant.at_work("vic", "map?vehicle=V002") as page:
+        if language == "KO":
+            page.get_by_role("button", name="KO", exact=True).click()
+        expect(page.locator(".panel .note.held em")).to_have_text(words)
 
 
 def test_taught_values_are_read_from_a_file_after_a_look_at_each_row(plant: Staffed, tmp_path: Path) -> None:

@@ -88,7 +88,8 @@ export async function call<T>(method: string, path: string, body?: unknown, extr
   const why = method === "GET" || ALWAYS.test(path) ? "" : notNow();
   if (why) throw new Refused(0, why);
   if (!SESSION.test(path)) await may;
-  const language = document.documentElement.lang || "en";
+  // What came of a request is said in English and told by the page, which has names of its own for what would help.
+  const language = method === "GET" ? document.documentElement.lang || "en" : "en";
   const headers: Record<string, string> = { Accept: "application/json", "Accept-Language": language, ...extra };
   if (key) headers["Authorization"] = `Bearer ${headerText(key)}`;
   if (method !== "GET" && actor()) headers["X-Actor"] = headerText(actor());

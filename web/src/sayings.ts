@@ -17,10 +17,14 @@ export class Sayings {
   private readonly list: Saying[];
   private readonly known = new Map<string, string>();
 
-  /** Two catalogues of the same keys; {0}, {1} … are slots. */
-  constructor(from: Record<string, string>, to: Record<string, string>) {
+  /** What a sentence has in it that comes out otherwise; null: any may. */
+  private readonly marks: string[] | null;
+
+  /** Two catalogues of the same keys; {0}, {1} … are slots. `only`: the keys for which the two differ, if few. */
+  constructor(from: Record<string, string>, to: Record<string, string>, only?: string[]) {
+    this.marks = only?.map((key) => fixedOf(from[key] ?? "")) ?? null;
     this.list = Object.entries(from).map(([key, text]) => ({
-      fixed: text.split(/\{\d\}/).reduce((longest, part) => (part.length > longest.length ? part : longest), ""),
+      fixed: fixedOf(text),
       pattern: patternOf(text),
       other: to[key] ?? text,
       weight: text.replace(/\{\d\}/g, "").length,
@@ -29,7 +33,7 @@ export class Sayings {
   }
 
   translate(sentence: string): string {
-    if (!sentence) return sentence;
+    if (!sentence || this.marks?.every((mark) => !sentence.includes(mark))) return sentence;
     const known = this.known.get(sentence);
     if (known !== undefined) return known;
     const found = this.retold(sentence, DEPTH);
@@ -53,6 +57,8 @@ export class Sayings {
     return `${this.retold(sentence.slice(0, end), depth - 1)}; ${this.retold(sentence.slice(end + 2), depth - 1)}`;
   }
 }
+
+const fixedOf = (text: string): string => text.split(/\{\d\}/).reduce((longest, part) => (part.length > longest.length ? part : longest), "");
 
 /** What stands first is a name, or several: a clause within a sentence is none by itself. */
 function patternOf(text: string): RegExp {

@@ -3,8 +3,9 @@
  * (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
  */
 import { signal } from "@preact/signals";
-import { events as happens, page as en, sayings as told } from "../../app/texts/en.json";
-import { events as happened, page as ko, sayings as retold } from "../../app/texts/ko.json";
+import { events as happens, page as en, pages as inEnglish, remedies, sayings as told } from "../../app/texts/en.json";
+import { events as happened, page as ko, pages as inKorean, remedies as helps, sayings as retold } from "../../app/texts/ko.json";
+import { roomOf } from "./rooms";
 import { Sayings } from "./sayings";
 
 export type Language = "en" | "ko";
@@ -13,7 +14,10 @@ export type Word = keyof typeof en;
 const KEPT = "hoistway.language";
 const kept = localStorage.getItem(KEPT);
 export const language = signal<Language>(kept === "en" || kept === "ko" ? kept : navigator.language.startsWith("ko") ? "ko" : "en");
-const sayings = new Sayings(told, retold);
+/** What helps is said by the server in words of its API; where that names a call, the page names its button or room (`pages`). */
+const english = new Sayings(told, { ...told, ...inEnglish }, Object.keys(inEnglish));
+const usual = (words: Record<string, string>): Record<string, string> => Object.fromEntries(Object.entries(words).map(([key, text]) => [`remedy ${key}`, text]));
+const korean = new Sayings({ ...told, ...usual(remedies) }, { ...retold, ...inKorean, ...usual(helps) });
 
 export function speak(next: Language): void {
   localStorage.setItem(KEPT, next);
@@ -32,10 +36,21 @@ export function said(word: string): string {
   return Object.hasOwn(en, word) ? t(word as Word) : word.replaceAll("_", " ");
 }
 
-/** A sentence of the server, translated as far as the catalogue knows it. */
+/** A sentence of the server, translated as far as the catalogue knows it, with the page's names for what it says to call. */
 export function tell(sentence: string): string {
-  if (language.value === "en") return sentence;
-  return Object.hasOwn(ko, sentence) ? said(sentence) : sayings.translate(sentence);
+  if (language.value === "ko" && Object.hasOwn(ko, sentence)) return said(sentence);
+  return withRooms((language.value === "ko" ? korean : english).translate(sentence));
+}
+
+const CALL = /(?:\b(?:GET|POST|PUT|PATCH|DELETE) )?\/api\/v1\/([a-z]+)(?:\/[\w/:-]+)?/g;
+
+/** A path of the API that a sentence has filled in, as the room where that is to be seen. */
+function withRooms(sentence: string): string {
+  if (!sentence.includes("/api/v1/")) return sentence;
+  return sentence.replace(CALL, (path: string, first: string) => {
+    const word = roomOf(first);
+    return word ? t("the_room", t(word as Word)) : path;
+  });
 }
 
 /** An event of SEMI E82 in words: VehicleAcquireStarted -> Vehicle acquire started. */

@@ -84,6 +84,13 @@ describe("sayings", () => {
     expect(sayings.translate("nobody knows; V3, which is silent (off)")).toBe("nobody knows; 응답 없는 V3 (off)");
   });
 
+  test("come out as they are but for those that have other words on the page", () => {
+    const from = { recover: "POST /api/v1/vehicles/{0}/recover", alarm: "{0} still has an alarm" };
+    const page = new Sayings(from, { ...from, recover: "press Recover at {0}" }, ["recover"]);
+    expect(page.translate("V1 still has an alarm; POST /api/v1/vehicles/V1/recover")).toBe("V1 still has an alarm; press Recover at V1");
+    expect(page.translate("V1 still has an alarm")).toBe("V1 still has an alarm");
+  });
+
   test("stay as they are where no pattern fits", () => {
     expect(sayings.translate("nothing of this is known")).toBe("nothing of this is known");
     expect(sayings.translate("")).toBe("");
