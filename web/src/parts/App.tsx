@@ -44,7 +44,7 @@ export function App() {
       </div>
       <main>
         <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
-        <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : ""}>
+        <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : room.value === "map" ? "" : "spare"}>
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}

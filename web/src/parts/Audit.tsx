@@ -190,10 +190,11 @@ function Rows() {
 /** What was asked for in words, and by the name that it is looked for by. */
 function Did({ action }: { action: string }) {
   const word = said(`did_${action}`);
+  const named = word !== `did ${action}`;
   return (
     <>
-      {word !== `did ${action}` && <>{word} </>}
-      <small class="calm">{action}</small>
+      {named && <>{word} </>}
+      <small class={named ? "calm technical" : "calm"}>{action}</small>
     </>
   );
 }

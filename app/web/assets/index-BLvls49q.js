@@ -4766,8 +4766,9 @@ function Rows() {
 /** What was asked for in words, and by the name that it is looked for by. */
 function Did({ action }) {
 	const word = said(`did_${action}`);
-	return /* @__PURE__ */ a($, { children: [word !== `did ${action}` && /* @__PURE__ */ a($, { children: [word, " "] }), /* @__PURE__ */ a("small", {
-		class: "calm",
+	const named = word !== `did ${action}`;
+	return /* @__PURE__ */ a($, { children: [named && /* @__PURE__ */ a($, { children: [word, " "] }), /* @__PURE__ */ a("small", {
+		class: named ? "calm technical" : "calm",
 		children: action
 	})] });
 }
@@ -19661,7 +19662,7 @@ function App() {
 				class: "left",
 				children: room$1.value === "map" ? /* @__PURE__ */ a(Plan, {}) : /* @__PURE__ */ a(Room, {})
 			}), /* @__PURE__ */ a("aside", {
-				class: pick ? room$1.value === "map" ? "telling" : "telling alone" : "",
+				class: pick ? room$1.value === "map" ? "telling" : "telling alone" : room$1.value === "map" ? "" : "spare",
 				children: [
 					/* @__PURE__ */ a(Transfer, {}),
 					pick?.kind === "vehicle" && /* @__PURE__ */ a(VehiclePanel, { id: pick.id }, pick.id),
