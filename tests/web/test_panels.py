@@ -148,6 +148,33 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
     assert [(request.kind, request.reason) for request in seen(plant, RaiseEmergency)] == [("fire", "smoke in bay 2")]
 
 
+def test_a_menu_closes_after_a_choice_and_when_somebody_presses_elsewhere(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        menu, group = page.get_by_role("button", name="Plant…"), page.get_by_role("group", name="Plant…")
+        menu.click()
+        expect(group).to_be_visible()
+        page.locator(".jobs h2").click()
+        expect(group).to_have_count(0)
+        menu.click()
+        group.get_by_label("Reason").fill("a break")
+        group.get_by_role("button", name="Pause", exact=True).click()
+        expect(group).to_have_count(0)
+        page.get_by_role("button", name="Layers").click()
+        expect(page.get_by_role("group", name="Layers")).to_be_visible()
+        page.locator(".jobs h2").click()
+        expect(page.get_by_role("group", name="Layers")).to_have_count(0)
+
+
+def test_an_address_of_no_room_is_said_to_be_none_and_shows_the_map(plant: Staffed) -> None:
+    with plant.at_work("lee", "crane") as page:
+        words = page.locator("header .why")
+        expect(words).to_have_text("There is no room crane on this page: this is the map.")
+        expect(page.locator(".map")).to_be_visible()
+        expect(page.locator(".legend .mark-unknown")).to_have_text("?")
+        page.get_by_role("navigation", name="Rooms").get_by_role("button", name="Jobs").click()
+        expect(words).not_to_contain_text("crane")
+
+
 def test_a_command_that_would_be_refused_is_not_offered_and_says_why_in_both_languages(plant: Staffed) -> None:
     plant.server.place("V002", "1002", mode="auto", oper="idle")
     with plant.at_work("mia", "map?vehicle=V002") as page:

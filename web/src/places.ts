@@ -1,4 +1,5 @@
 /** Where the marks of stations and chargers lie beside the track, and what is written at them. Pure. */
+import { NATURAL } from "./natural";
 import type { Spot, Track } from "./track";
 import type { Layout } from "./types";
 
@@ -55,7 +56,18 @@ export function clustersOf(layout: Layout, track: Track): Cluster[] {
       named.set(name, [...(named.get(name) ?? []), group]);
     }
   }
-  return groups.map(({ name, stands }) => ({ name, marks: beside(stands, sides, track) }));
+  return groups.map(({ name, stands }) => {
+    const marks = beside(stands, sides, track);
+    return { name: (named.get(name)?.length ?? 0) > 1 ? toldApart(name, marks) : name, marks };
+  });
+}
+
+/** The name of one of several groups that begin alike: with its first and its last station. */
+function toldApart(name: string, marks: Mark[]): string {
+  const shorts = marks.map(({ short }) => short).filter(Boolean).sort(NATURAL.compare);
+  const [first, last] = [shorts[0], shorts.at(-1)];
+  if (!first) return name;
+  return first === last ? `${name}-${first}` : `${name}-${first}…${last}`;
 }
 
 /** Barcodes that have a side buffer, by its side. */

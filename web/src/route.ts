@@ -1,6 +1,7 @@
 /** Which room of the page is open and what is chosen in it, kept in the address: it can be sent to somebody. */
 import { effect, signal } from "@preact/signals";
-import { type Selection, selected } from "./store";
+import { notice, type Selection, selected } from "./store";
+import { t } from "./texts";
 
 export const ROOMS = ["map", "vehicles", "jobs", "alarms", "closures", "stations", "walks", "teaching", "statistics", "playback", "layouts", "access", "audit", "webhooks"] as const;
 export type Room = (typeof ROOMS)[number];
@@ -20,17 +21,29 @@ const ALSO: Record<string, Room> = { layout: "layouts", users: "access", keys: "
 
 function read(): void {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-  room.value = isRoom(path) ? path : (ALSO[path] ?? "map");
+  const known = isRoom(path) ? path : ALSO[path];
+  room.value = known ?? "map";
+  strayed(path && !known ? t("no_room", path) : "");
   const asked = new URLSearchParams(query);
   momentAsked.value = room.value === "playback" ? asked.get("at") : null;
   const [kind, id] = [...asked].find(([name]) => KINDS.has(name)) ?? [];
   if (kind && id) selected.value = { kind, id } as Selection;
 }
 
+let said = "";
+
+/** Say once that there is no room of that name, until another is entered; "": there is. */
+function strayed(words: string): void {
+  if (said && notice.value === said) notice.value = "";
+  said = words;
+  if (words) notice.value = words;
+}
+
 /** Follow the address, and keep it up to date. */
 export function begin(): void {
   read();
   window.addEventListener("hashchange", read);
+  room.subscribe((now) => now !== "map" && strayed(""));
   effect(() => {
     const pick = selected.value;
     const asked = new URLSearchParams(pick ? { [pick.kind]: pick.id } : {});

@@ -8,14 +8,14 @@ import { type LinkState, type Sink, Stream, Watcher } from "./live";
 import type { Change } from "./past/reel";
 import { changedOf, ofThen } from "./past/then";
 import { type DeviceLook, lookOfDevice } from "./shows";
+import { NATURAL } from "./natural";
 import { Track } from "./track";
 import type { Alarm, Carrier, Closure, Controller, Device, Drive, Happening, Job, Layout, Objects, Station, Topic, Vehicle, Walk } from "./types";
 
 const EVENTS_SHOWN = 200;
 const ENDED_SHOWN = 100;
 const TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
-/** Compares names as people do: V2 before V10. */
-export const NATURAL = new Intl.Collator(undefined, { numeric: true });
+export { NATURAL };
 export const ENDED = new Set(["completed", "failed", "cancelled", "aborted"]);
 
 /** A device is a door, a buffer or a charger. */

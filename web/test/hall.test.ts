@@ -3,10 +3,12 @@ import { doorMarks } from "../src/doors";
 import { joins, worldOf } from "../src/ends";
 import { Glide } from "../src/glide";
 import { Labels } from "../src/paint/labels";
+import { Signs } from "../src/paint/vehicles";
 import { clustersOf } from "../src/places";
 import { colourOfDevice, DEVICE_LOOKS, lookOf, lookOfDevice, lookOfDrive, signOfDevice } from "../src/shows";
 import { Track } from "../src/track";
 import type { Device, Drive, Layout, Vehicle } from "../src/types";
+import { View } from "../src/view";
 
 const edge = (start: string, end: string) => ({ start, end, length: 1000, speed: 100, sensor: 0, curve: false });
 const point = (barcode: string, x: number, y = 0) => ({ barcode, x, y, park: false });
@@ -109,6 +111,24 @@ describe("names", () => {
     ];
     expect(labels.take(places, 20)).toBe(1);
     expect(labels.take(places, 20)).toBe(-1);
+  });
+});
+
+describe("names of vehicles", () => {
+  const said: string[] = [];
+  const ctx = { measureText: () => ({ width: 30 }), fillText: (words: string) => said.push(words), beginPath() {}, roundRect() {}, fill() {} };
+  const paint = (look: "idle" | "held", still: boolean): string[] => {
+    said.length = 0;
+    const view = new View();
+    const body = { vehicle: { id: "V1" } as Vehicle, look, agv: false, spot: { x: 0, y: 0, angle: 0 }, length: 900 };
+    new Signs().paint(ctx as unknown as CanvasRenderingContext2D, view, [body], () => false, () => still);
+    return said;
+  };
+
+  test("leave the names of stations free, unless the vehicle is in trouble", () => {
+    expect(paint("idle", true)).toEqual(["V1"]);
+    expect(paint("idle", false)).toEqual([]);
+    expect(paint("held", false)).toEqual(["V1 ‖"]);
   });
 });
 

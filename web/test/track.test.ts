@@ -67,6 +67,15 @@ describe("the track", () => {
   });
 });
 
+describe("groups whose stations begin alike", () => {
+  test("are told apart by their first and last, and one that is alone keeps the common name", () => {
+    const buffer = (id: string, barcode: string) => ({ id, kind: "sbfl", barcode, display: "", buffer: null });
+    const stations = [buffer("SBA-L10", "1"), buffer("SBA-L9", "2"), buffer("SBA-L2", "7"), buffer("SBB-L1", "4")];
+    const names = clustersOf({ ...LAYOUT, stations }, track).map(({ name }) => name);
+    expect(names).toEqual(["SBA-L9…L10", "SBA-L2", "SBB"]);
+  });
+});
+
 describe("a drawn vehicle", () => {
   const report = (barcode: string, granted: string[], moving = true, dist = 0) => ({ barcode, dist, granted, moving });
 

@@ -159,7 +159,7 @@ const LINE = 15;
 export class Signs {
   private readonly sides = new Map<string, number>();
 
-  /** `still`: whether a box is free of the names of what stands still; they are covered only where there is no other room. */
+  /** `still`: whether a box is free of the names of what stands still; only one that is looked at or in trouble covers them, where there is no other room. */
   paint(ctx: Ctx, view: View, seen: Body[], first: (body: Body) => boolean, still: (box: Box) => boolean): void {
     const labels = new Labels();
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
@@ -179,7 +179,7 @@ export class Signs {
     const side = this.sides.get(vehicle.id) ?? 0;
     const order = [side, ...places.keys()].filter((one) => one < places.length);
     const clear = order.filter((one) => labels.free(grown(places[one] as Place, width)));
-    const found = clear.find((one) => still(grown(places[one] as Place, width))) ?? clear[0] ?? (must ? 0 : undefined);
+    const found = clear.find((one) => still(grown(places[one] as Place, width))) ?? (must ? (clear[0] ?? 0) : undefined);
     if (found === undefined) return;
     this.sides.set(vehicle.id, found);
     const { x, y } = places[found] as Place;
@@ -235,5 +235,7 @@ function placesFor(view: View, body: Body, width: number, ringed: boolean): Plac
   const left = { x: hull.x0 - 5 - width / 2, y: py + 4 };
   const across = Math.abs(Math.sin(body.spot.angle)) > 0.7;
   const near = across ? [right, left, above, below] : [above, below, right, left];
-  return [...near, { x: px, y: above.y - LINE }, { x: px, y: below.y + LINE }];
+  const further = [-LINE, LINE].map((off) => ({ x: px, y: off < 0 ? above.y + off : below.y + off }));
+  const aslant = [right.x, left.x].flatMap((x) => [above.y, below.y].map((y) => ({ x, y })));
+  return [...near, ...further, ...aslant];
 }

@@ -6,6 +6,7 @@ import { clock } from "../shows";
 import { t } from "../texts";
 import { Field, Told, useAsking } from "./asking";
 import { Button } from "./Button";
+import { useClosed } from "./menu";
 import { Fact } from "./Panel";
 
 export function Account() {
@@ -40,8 +41,9 @@ function Actor() {
 
 function Menu({ name, roles, person }: { name: string; roles: string[]; person: boolean }) {
   const open = useSignal(false);
+  const box = useClosed(open);
   return (
-    <div class="layers master account" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+    <div ref={box} class="layers master account" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
       <button type="button" aria-expanded={open.value} title={inWords(roles)} onClick={() => (open.value = !open.value)}>
         <b>{name}</b> <small>{inWords(roles)}</small>
       </button>

@@ -3,13 +3,15 @@ import { useSignal } from "@preact/signals";
 import type { HeatKind } from "../heat";
 import { HEAT_HOURS, heatHours, heatShown, LAYERS, layers, show } from "../layers";
 import { t } from "../texts";
+import { useClosed } from "./menu";
 
 const HEATS: (HeatKind | null)[] = [null, "waiting", "traffic"];
 
 export function Layers() {
   const open = useSignal(false);
+  const box = useClosed(open);
   return (
-    <div class="layers" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+    <div ref={box} class="layers" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
       <button type="button" aria-expanded={open.value} onClick={() => (open.value = !open.value)}>
         {t("layers")}
       </button>

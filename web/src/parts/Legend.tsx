@@ -20,6 +20,10 @@ export function Legend() {
         </span>
       ))}
       <span>
+        <i class="mark-unknown">?</i>
+        {t("legend_unknown")}
+      </span>
+      <span>
         <i class="box" />
         {t("legend_carrier")}
       </span>

@@ -1,9 +1,11 @@
 /** The plant as a whole: pause, stop all, resume; fires and earthquakes and their end. */
 import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { post } from "../api";
 import { controller } from "../store";
 import { t, tell } from "../texts";
 import { Told, useAsking } from "./asking";
+import { useClosed } from "./menu";
 import { Reasoned } from "./Reasoned";
 import { Sure } from "./Sure";
 
@@ -23,12 +25,25 @@ export function StopAll() {
 
 export function Master() {
   const open = useSignal(false);
+  const asking = useAsking();
+  const box = useClosed(open);
   const now = controller.value;
+  const done = asking.done.value;
+  useEffect(() => {
+    if (done) open.value = false;
+  }, [done]);
   if (!now) return null;
   const emergencies = FIRES.filter((kind) => now.emergencies.some((words) => words.includes(kind)));
   return (
-    <div class="layers master" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
-      <button type="button" aria-expanded={open.value} onClick={() => (open.value = !open.value)}>
+    <div ref={box} class="layers master" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+      <button
+        type="button"
+        aria-expanded={open.value}
+        onClick={() => {
+          asking.done.value = "";
+          open.value = !open.value;
+        }}
+      >
         {t("master")}
       </button>
       {open.value && (
@@ -40,6 +55,7 @@ export function Master() {
           ))}
           <p class="calm">{t("reason_first")}</p>
           <Reasoned
+            asking={asking}
             decisions={[
               { label: t("pause"), needs: "POST /controller/pause", does: (reason) => post("/controller/pause", { reason }) },
               { label: t("stop_all"), needs: "POST /controller/stop", grave: true, does: (reason) => post("/controller/stop", { reason }) },

@@ -1231,7 +1231,7 @@ function freshKey() {
 	return `page-${Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
 }
 // ../app/texts/en.json
-var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"reason_first\":\"Write a reason first.\",\"stopped_here\":\"stopped from the page\",\"behind_it\":\"Behind it all:\",\"wait_behind\":\"{0} vehicles wait because of this one\",\"wait_for_it\":\"Waiting\",\"no_match\":\"No job fits the filter.\",\"no_marks\":\"No alarms, closures or pauses in this time.\",\"no_jobs\":\"No jobs here.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"restrained_to\":\"at most {0} hoists on their way with jobs now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat\",\"heat_over\":\"counted over\",\"heat_hours\":\"the last {0} h\",\"heat_seen\":\"since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"speed\":\"Speed\",\"speed_slow\":\"slow\",\"speed_normal\":\"normal\",\"speed_fast\":\"fast\",\"at_forks\":\"At forks\",\"by_hand\":\"By hand, until it is stopped\",\"hand_forward\":\"By hand: forward\",\"hand_backward\":\"By hand: backward\",\"hand_turn_left\":\"By hand: turn left\",\"hand_turn_right\":\"By hand: turn right\",\"tape_forward\":\"Along the tape\",\"tape_backward\":\"Back along the tape\",\"agv_alias\":\"To a destination by its name\",\"stands_at_tag\":\"It stands at tag\",\"tell_it\":\"Tell it so\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"stage_file\":\"Stage a plant file\",\"what_differs\":\"What differs\",\"text_not_kept\":\"Its text is not kept any more: it was rejected, and others after it.\",\"jobs_refused_meanwhile\":\"Until then jobs that were accepted go on; new ones to or from what goes are refused.\",\"layouts\":\"Layout\",\"no_versions\":\"No versions are kept here.\",\"version\":\"Version\",\"version_staged\":\"staged\",\"version_awaited\":\"awaited\",\"version_active\":\"active\",\"version_former\":\"former\",\"version_rejected\":\"rejected\",\"plant_file\":\"Choose a plant file…\",\"version_taken\":\"It is kept; nothing has changed in the plant.\",\"activate\":\"Activate\",\"activate_later\":\"Activate once nothing is in the way\",\"roll_back_to\":\"Roll back to it\",\"take_back\":\"Do not activate it\",\"save_file\":\"Save the file\",\"in_the_way\":\"In the way now\",\"nothing_in_the_way\":\"Nothing is in the way.\",\"lost_with_it\":\"Serves nobody any more\",\"lacking_with_it\":\"To be taught afterwards\",\"no_difference\":\"No difference to the version that runs.\",\"diff_added\":\"added\",\"diff_removed\":\"removed\",\"diff_changed\":\"changed\",\"diff_moved\":\"moved\",\"diff_renamed\":\"renamed\",\"how\":\"Change\",\"track\":\"Track\",\"at\":\"At\",\"actor\":\"Who\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\",\"legend_granted\":\"granted track\",\"legend_planned\":\"planned way\",\"newer_rows\":\"Newer\",\"older_rows\":\"Older\",\"jobs_ordered\":\"ordered\",\"vc_agv_stop\":\"Stop\",\"bit_foup\":\"carrier\",\"bit_trav\":\"drive\",\"bit_shft\":\"shifter\",\"bit_rota\":\"rotator\",\"bit_lift\":\"lifter\",\"bit_slid\":\"slider\",\"bit_grip\":\"gripper\",\"bit_sftb\":\"drop guard\",\"bit_mode\":\"mode\",\"bit_oper\":\"operation\",\"bit_at_barcode\":\"barcode recognised\",\"bit_all_home\":\"all devices at home\",\"bit_home_known\":\"home position known\",\"bit_servos_on\":\"all servos on\",\"bit_rsv1\":\"reserved\",\"bit_rsv2\":\"reserved\",\"bit_alarm_code\":\"alarm code\",\"bit_process_code\":\"process code\",\"servo_not_ready\":\"servo not ready\",\"servo_error\":\"servo error\",\"driver_error\":\"driver error\",\"driving\":\"driving\",\"front_bumper\":\"front bumper\",\"rear_bumper\":\"rear bumper\",\"at_stop_tag\":\"stopped at a port\",\"at_sbfl\":\"stopped at a left buffer\",\"at_sbfr\":\"stopped at a right buffer\",\"at_port_sbfl\":\"stopped at port and left buffer\",\"at_port_sbfr\":\"stopped at port and right buffer\",\"at_sbfl_sbfr\":\"stopped at both buffers\",\"at_port_sbfl_sbfr\":\"stopped at port and both buffers\",\"stop\":\"stopped\",\"home\":\"home\",\"left_limit\":\"left limit\",\"right_limit\":\"right limit\",\"cw_limit\":\"clockwise limit\",\"ccw_limit\":\"counter-clockwise limit\",\"left_side\":\"left side\",\"right_side\":\"right side\",\"left_destination\":\"left destination\",\"right_destination\":\"right destination\",\"wide\":\"wide open\",\"raised\":\"raised\",\"grip_open\":\"open\",\"grip_close\":\"closed\",\"mant\":\"MANT, maintenance\",\"semi\":\"SEMI\",\"run\":\"RUN\",\"pause_oper\":\"PAUSE, an obstacle\",\"cs_open\":\"under way\",\"cs_done\":\"done\",\"cs_failed\":\"failed\",\"cs_unknown\":\"not known\",\"cs_not_sent\":\"not sent\",\"cs_settled_done\":\"done, by its status\",\"cs_settled_not_done\":\"not done, by its status\",\"vc_move\":\"Move\",\"vc_xmove\":\"Move on\",\"vc_open\":\"Open\",\"vc_close\":\"Close\",\"vc_lock\":\"Lock\",\"vc_unlock\":\"Unlock\",\"vc_agv_charge\":\"Charging\",\"vc_agv_lift\":\"Lift\",\"reliability\":\"Reliability\",\"down_minutes\":\"Down (min)\",\"failures_of\":\"What failed\",\"catalogue\":\"Catalogue of the model\",\"default_value\":\"Default\",\"range\":\"Range\",\"read_only\":\"read only\",\"while_running\":\"while running too\",\"description\":\"Description\",\"no_catalogue\":\"Nothing is known of this model: parameters go by number.\",\"backup_contents\":\"Contents\",\"in_force\":\"Values in force\",\"period_other\":\"Other\",\"period_begin\":\"From\",\"period_end\":\"Until\",\"file_kind\":\"Files as\",\"print_report\":\"Open the report to print\",\"print\":\"Print\",\"count_connections\":\"connections\",\"count_frames_in\":\"frames in\",\"count_frames_out\":\"frames out\",\"count_garbled\":\"garbled\",\"count_resends\":\"resends\",\"count_sent\":\"sent\",\"count_answered\":\"answered\",\"count_timeouts\":\"timeouts\",\"count_naks\":\"NAKs\",\"count_busies\":\"busy\",\"count_strays\":\"strays\",\"normal\":\"normal\",\"keys_past\":\"Keys of playback\",\"period_month\":\"30 days\",\"did_AbandonWalk\":\"audit walk abandoned\",\"did_AbortJob\":\"job aborted\",\"did_AcceptWalk\":\"audit walk taken for true\",\"did_AcknowledgeAlarm\":\"alarm acknowledged\",\"did_AddWebhook\":\"webhook added\",\"did_ApproveProposal\":\"teaching approved\",\"did_AskDriveStatus\":\"drive asked for its status\",\"did_AssignProposal\":\"teaching assigned to a port\",\"did_BackUpDrive\":\"drive backed up\",\"did_CancelDriveOperation\":\"operation on a drive cancelled\",\"did_CancelJob\":\"job cancelled\",\"did_ChangeJob\":\"job changed\",\"did_ChangeWebhook\":\"webhook changed\",\"did_ClosePlace\":\"track closed\",\"did_CommandAgv\":\"AGV commanded\",\"did_CommandDevice\":\"device commanded\",\"did_CommandVehicle\":\"vehicle commanded\",\"did_CompareDrive\":\"drive compared\",\"did_CreateJob\":\"job ordered\",\"did_DisplayOnVehicle\":\"text shown on a vehicle\",\"did_EndTeaching\":\"teaching session closed\",\"did_EnterSights\":\"sights entered\",\"did_HandleOnce\":\"picked up or put down by hand\",\"did_HoldVehicle\":\"vehicle held\",\"did_ImportTaught\":\"taught values imported\",\"did_JogDrive\":\"drive jogged\",\"did_JogEnd\":\"jog ended\",\"did_LiftDeviceLockout\":\"lockout of a device lifted\",\"did_LockDrive\":\"drive locked out\",\"did_LockOutDevice\":\"device locked out\",\"did_LockVehicle\":\"vehicle locked out\",\"did_MoveVehicle\":\"vehicle moved\",\"did_OpenPlace\":\"track opened\",\"did_OpenTeaching\":\"teaching session opened\",\"did_ParkVehicle\":\"vehicle parked\",\"did_PauseController\":\"all paused\",\"did_PauseZone\":\"zone paused\",\"did_PinDoor\":\"door kept open or closed\",\"did_PressDriveKey\":\"key of a drive pressed\",\"did_RaiseEmergency\":\"emergency told\",\"did_ReadDrive\":\"parameters of a drive read\",\"did_RecoverAlarm\":\"recovered from an alarm\",\"did_RejectProposal\":\"teaching rejected\",\"did_ReleaseEmergency\":\"emergency released\",\"did_ReleaseVehicle\":\"vehicle released\",\"did_RemoveWebhook\":\"webhook removed\",\"did_RenewWebhookSecret\":\"secret of a webhook renewed\",\"did_ReplayWebhook\":\"events told again\",\"did_RestoreDrive\":\"drive restored\",\"did_ResumeController\":\"all resumed\",\"did_ResumeZone\":\"zone resumed\",\"did_RollBackDest\":\"DEST rolled back\",\"did_RollBackOffset\":\"OFFSET rolled back\",\"did_SetDeviceService\":\"device taken out or put back\",\"did_SetDriveInputs\":\"inputs of a drive set\",\"did_SetService\":\"vehicle taken out or put back\",\"did_StageVehicle\":\"vehicle staged\",\"did_StartTeaching\":\"teaching started\",\"did_StartWalk\":\"audit walk begun\",\"did_StopAll\":\"all stopped\",\"did_StopDriveLine\":\"drives of a line stopped\",\"did_UnlockDrive\":\"lockout of a drive lifted\",\"did_UnlockVehicle\":\"lockout of a vehicle lifted\",\"did_UnpinDoor\":\"door given back\",\"did_WriteCarrier\":\"carrier written down\",\"did_WriteDest\":\"DEST written\",\"did_WriteDrive\":\"parameter of a drive written\",\"did_WriteOffset\":\"OFFSET written\",\"did_WriteStation\":\"station written down\",\"did_BeginLayout\":\"first plant file\",\"did_LogIn\":\"logged in\",\"did_LogOut\":\"logged out\",\"did_ChangePassword\":\"password changed\",\"did_AddUser\":\"user added\",\"did_ChangeUser\":\"user changed\",\"did_AddKey\":\"key issued\",\"did_RevokeKey\":\"key revoked\",\"did_Forbidden\":\"not allowed by the role\",\"expired\":\"expired\",\"opened\":\"opened\",\"not_known_yet\":\"Nothing is known yet: the controller has not answered.\",\"not_known_since\":\"Not known since {0}: the controller does not answer.\",\"not_known_then\":\"Nothing is known of that moment yet.\",\"no_such\":\"There is none of that name.\",\"away_never\":\"The controller has not answered yet. What stands here empty is not known.\",\"away_since\":\"The controller does not answer since {0} ({1}). All that is shown is as it was then.\",\"state_then\":\"{0} at {1}\",\"past_away\":\"Playback · the controller does not answer\",\"link_lost\":\"No answer\",\"and_more\":\"and {0} more\",\"each_by_itself\":\"Each by itself\",\"acknowledge_all\":\"Acknowledge all {0}\",\"release_all\":\"Release {0} vehicles: their reports are right\",\"all_acknowledged\":\"All acknowledged\",\"note_or_reason\":\"Note, or the reason of a release\",\"done_of\":\"{0} of {1} done\",\"no_alarms_but\":\"No alarms, but kept back or not heard: {0}\",\"no_alarms_but_title\":\"Held or locked out by people, or not heard for less than ten seconds: not counted as alarms.\",\"alarm_count_title\":\"Alarms there are now, one for each machine and code; not acknowledged yet: {0}\",\"look_count_title\":\"Vehicles that look so on the map: {0}\",\"closures_by_people\":\"Closures by people\",\"closures_title\":\"Closures that people have ordered and not opened again. What routes keep off for other reasons stands below.\",\"kept_off_title\":\"Reasons for which routes keep off something, closures by people among them: {0}, about {1} places of the track\",\"cut_off_title\":\"Stations that nobody can reach for that; jobs to them wait.\",\"against_lockout\":\"It is locked out by {0}: {1}. Lift the lockout first.\",\"against_emergency\":\"Nothing moves while a fire or an earthquake is told. Release the emergency first (Plant…).\",\"against_work\":\"It stands where people are at work: {0}, closed by {1}. Open that first.\",\"against_link\":\"It is not connected. Look at its line and power.\",\"against_recovery\":\"An alarm recovery is under way. Wait for its end.\",\"against_not_mant\":\"It is in {0}, and this needs MANT. Press 'Stop (to MANT)' first.\",\"against_mant\":\"It is in MANT, and this needs AUTO or SEMI.\",\"against_off_rail\":\"It is off the rail. Release it first.\",\"against_hold\":\"It is on hold. Release it first.\",\"against_service\":\"It is out of service. Put it back in service first.\",\"against_job\":\"It is on job {0}. Cancel the job, or let it end.\",\"against_not_auto\":\"It is not in AUTO. Recover it, or press Servo on, Search home and Auto.\",\"against_alarm\":\"It has an alarm. Recover it first.\",\"against_settling\":\"It is being asked where it is. Try again shortly.\",\"against_roll_call\":\"The roll-call still misses {0}. Connect them, or release them.\",\"against_elsewhere\":\"It is not at the station (barcode {0}) but at {1}. Move it there first.\",\"against_loaded\":\"It is loaded: it can only put down.\",\"against_empty\":\"It is empty: it can only pick up.\",\"against_runs\":\"It does not stand still. Stop it, or wait.\",\"against_agv_manual\":\"It is not in auto. The mode is changed at the AGV alone.\",\"against_agv_auto\":\"It is not in manual. The mode is changed at the AGV alone.\",\"against_no_error\":\"It reports no error to reset.\",\"against_stands\":\"It stands: this is for an AGV that drives.\",\"against_no_charger\":\"It stands at no charger. Move it to one first.\",\"against_linked\":\"It is connected and reports its place itself. Switch it off first.\",\"against_nothing_held\":\"It is not on hold: there is nothing to release.\",\"against_unknown\":\"Nothing is known of it yet.\",\"against_silent\":\"It is silent. See its line and its power.\",\"against_locked_for\":\"It is locked for {0}. Wait until that is done.\",\"against_pin\":\"{0} keeps the door otherwise. Give it back to the vehicles first.\",\"against_engaged\":\"It cannot close: {0} is in it or on the way through.\",\"against_line\":\"Its line {0} is not connected. See the tab Lines.\",\"against_offline\":\"It does not answer. Switch it on, see to its cable and its id.\",\"against_operation\":\"Operation {0} is under way. Wait for it, or cancel it.\",\"against_drive_runs\":\"The axis moves. Stop it first.\",\"against_drive_error\":\"It is in error. See what is wrong, then press Stop/Reset.\",\"against_not_jog\":\"It is not in jog. Set it to jog at its panel.\",\"against_other_vehicle\":\"The carrier is aboard {0} or being picked up: no other vehicle can have the job.\",\"the_room\":\"‘{0}’ on this page\"}");
+var page$1 = /*#__PURE__*/ JSON.parse("{\"live\":\"Live\",\"connecting\":\"Connecting\",\"lost\":\"Reconnecting\",\"lost_age\":\"Reconnecting · data {0} s old\",\"lost_none\":\"The server does not answer; trying again\",\"controller\":\"Controller\",\"auto\":\"Auto\",\"pausing\":\"Pausing\",\"waiting_for\":\"Roll-call: waiting for {0}\",\"vehicles\":\"Vehicles\",\"choose_vehicle\":\"Choose a vehicle…\",\"jobs\":\"Jobs\",\"open_jobs\":\"Open jobs\",\"open\":\"Open\",\"ended\":\"Ended\",\"all\":\"All\",\"reason_first\":\"Write a reason first.\",\"stopped_here\":\"stopped from the page\",\"behind_it\":\"Behind it all:\",\"wait_behind\":\"{0} vehicles wait because of this one\",\"wait_for_it\":\"Waiting\",\"no_match\":\"No job fits the filter.\",\"no_marks\":\"No alarms, closures or pauses in this time.\",\"no_jobs\":\"No jobs here.\",\"events\":\"Events\",\"no_events\":\"Nothing has happened yet.\",\"new_transfer\":\"New transfer\",\"source\":\"From\",\"destination\":\"To\",\"carrier\":\"Carrier\",\"carrier_optional\":\"as it stands there\",\"priority\":\"Priority\",\"order\":\"Order\",\"ordering\":\"Ordering…\",\"ordered\":\"Job {0} accepted\",\"choose\":\"Choose…\",\"ports\":\"Ports\",\"buffers\":\"Side buffers\",\"agv_buffers\":\"AGV buffers\",\"loaded_vehicles\":\"Vehicles with a carrier\",\"cancel\":\"Cancel\",\"abort\":\"Abort\",\"sure\":\"Sure?\",\"close\":\"Close\",\"fit\":\"Fit\",\"zoom_in\":\"Zoom in\",\"zoom_out\":\"Zoom out\",\"map\":\"Map\",\"state\":\"State\",\"activity\":\"Activity\",\"mode\":\"Mode\",\"oper\":\"Operation\",\"place\":\"Place\",\"job\":\"Job\",\"goal\":\"Goal\",\"link\":\"Link\",\"link_up\":\"up since {0}\",\"link_down\":\"down since {0}\",\"round_trip\":\"Round trip\",\"frames_io\":\"Frames in / out\",\"trouble_counts\":\"Garbled / resent / repeated\",\"seen\":\"Last status\",\"ago\":\"{0} ago\",\"dialect\":\"Dialect\",\"address\":\"Address\",\"none\":\"none\",\"empty\":\"empty\",\"loaded\":\"loaded\",\"unknown\":\"not known\",\"waits\":\"Waits\",\"held_note\":\"Held\",\"held\":\"held\",\"locked\":\"Locked out by {0}\",\"hold\":\"Hold\",\"release\":\"Release\",\"reason\":\"Reason\",\"verdict\":\"What you found\",\"verdict_go_on\":\"What it reports is true: go on\",\"verdict_off_rail\":\"It is off the rail\",\"verdict_stands_at\":\"It stands at a barcode\",\"barcode\":\"Barcode\",\"your_name\":\"Your name\",\"name_hint\":\"Kept with everything that you ask for\",\"status_bits\":\"Status bits\",\"status\":\"Status\",\"tag\":\"Tag\",\"last_tag\":\"Last tag read\",\"beyond\":\"Stopped on its way to\",\"charges_now\":\"Charging\",\"cart\":\"Cart\",\"lift\":\"Lift\",\"steering\":\"Direction\",\"in_position\":\"In position\",\"path\":\"Moves taken\",\"agv_none\":\"none\",\"agv_present\":\"present\",\"agv_unknown\":\"not known\",\"agv_up\":\"up\",\"agv_down\":\"down\",\"agv_straight\":\"straight on\",\"agv_left\":\"left\",\"agv_right\":\"right\",\"agv_mark_stop\":\"stops at a mark\",\"no_status\":\"No status yet\",\"last_frames\":\"Last frames\",\"no_frames\":\"No traffic yet\",\"kind\":\"Kind\",\"port\":\"Port\",\"sbfl\":\"Side buffer, left\",\"sbfr\":\"Side buffer, right\",\"agv_buffer\":\"AGV buffer\",\"present\":\"Occupied\",\"yes\":\"yes\",\"no\":\"no\",\"believed\":\"believed\",\"verified\":\"verified\",\"provenance\":\"Known from\",\"host\":\"the host\",\"placed\":\"a vehicle put it there\",\"picked\":\"a vehicle took it\",\"person\":\"a person\",\"inferred\":\"inferred\",\"sensor\":\"its sensor\",\"plant\":\"the plant file\",\"reserved\":\"Reserved\",\"out_of_service\":\"Out of service\",\"target\":\"Target pulses\",\"use_source\":\"Order from here\",\"use_destination\":\"Order to here\",\"key_title\":\"This server wants an access key\",\"key_label\":\"Access key\",\"key_hint\":\"Kept in this tab only, until you close it.\",\"key_use\":\"Use key\",\"log_in\":\"Log in\",\"log_in_title\":\"Who are you?\",\"log_in_again\":\"Please log in again\",\"nothing_lost\":\"The server wants to know again who you are. What you were writing is still there.\",\"log_in_as_other\":\"Log in as somebody else\",\"log_out\":\"Log out\",\"password\":\"Password\",\"use_a_key\":\"Use a key instead\",\"use_password\":\"Use name and password instead\",\"account\":\"Who is here\",\"roles\":\"Roles\",\"good_until\":\"Log in again at\",\"machine_key\":\"a machine's key\",\"change_password\":\"Change the password\",\"old_password\":\"Old password\",\"new_password\":\"New password\",\"password_rule\":\"10 characters or more\",\"password_changed\":\"The new password holds\",\"needs_role\":\"This needs the role {0}. You are {1}, with {2}.\",\"role_viewer\":\"viewer\",\"role_operator\":\"operator\",\"role_maintenance\":\"maintenance\",\"role_mes\":\"MES\",\"role_admin\":\"administrator\",\"access\":\"Users and keys\",\"users\":\"Users\",\"machine_keys\":\"Keys\",\"no_users\":\"Nobody was added yet: nobody has to log in. The first one has to be an administrator.\",\"no_keys\":\"There are no keys.\",\"disabled\":\"disabled\",\"enabled\":\"may log in\",\"disable\":\"Disable\",\"enable\":\"Let log in again\",\"logged_in\":\"Last log-in\",\"never\":\"never\",\"added\":\"Added\",\"change_roles\":\"Change the roles\",\"reset_password\":\"Give a new password\",\"password_reset\":\"{0} has a new password, and is logged out\",\"add_user\":\"Add a person\",\"user_added\":\"{0} may log in now\",\"expires\":\"Good until\",\"last_used\":\"Last used\",\"revoke\":\"Revoke\",\"key_revoked\":\"{0} is good no longer\",\"key_active\":\"active\",\"key_expired\":\"expired\",\"key_revoked_state\":\"revoked\",\"issue_key\":\"Issue a key\",\"days_good\":\"Days\",\"until_revoked\":\"until it is revoked\",\"new_key\":\"The new key\",\"shown_once\":\"Copy it now: it is never shown again.\",\"copy\":\"Copy\",\"copied\":\"Copied\",\"put_away\":\"Put away\",\"audit\":\"Audit\",\"no_rows\":\"Nothing was asked for that fits.\",\"check_chain\":\"Check the chain\",\"chain_looking\":\"{0} rows looked at…\",\"chain_whole\":\"Whole: {0} rows up to #{1}, hash {2}…\",\"chain_broken\":\"Broken at #{0}: {1}\",\"what\":\"What\",\"on_what\":\"On what\",\"in_words\":\"In words\",\"carried_out\":\"carried out\",\"since_when\":\"From\",\"until_when\":\"Until\",\"newer\":\"Newer\",\"page_number\":\"page {0}\",\"walks\":\"Audit walks\",\"no_walks\":\"No walk yet.\",\"choose_walk\":\"Begin a walk, or choose one.\",\"begin_walk\":\"Begin a walk\",\"all_buffers\":\"every side buffer\",\"entered\":\"Entered\",\"begun\":\"Begun\",\"walk_open\":\"open\",\"walk_accepted\":\"accepted\",\"walk_abandoned\":\"abandoned\",\"finding\":\"Finding\",\"found_not_seen\":\"not seen\",\"found_differs\":\"differs\",\"found_moved\":\"moved since\",\"found_agrees\":\"agrees\",\"places\":\"Places\",\"expected\":\"Expected\",\"found\":\"Found\",\"enter\":\"Enter\",\"full\":\"full\",\"unread\":\"id not read\",\"entered_place\":\"{0} entered\",\"read_csv\":\"Read a CSV\",\"walk_file_columns\":\"The file needs the columns station and seen (full or empty), and perhaps seen_carrier. Save the list as CSV and fill that in.\",\"walk_file_word\":\"Line {0}: seen is full, empty, or nothing; not “{1}”.\",\"walk_file_nothing\":\"No line of the file says what was seen.\",\"walk_file_read\":\"{0} places entered from the file\",\"accept\":\"Take it for true\",\"accept_partial\":\"Take for true what was seen\",\"walk_doubtful\":\"{0} places were not seen, or have changed since: they stay as they are.\",\"stations_cut_off\":\"{0} stations cut off\",\"cut_off_now\":\"Stations that nobody can reach\",\"kept_off\":\"Routes keep off\",\"not_reachable\":\"Nobody can reach it:\",\"since_start\":\"Since the start\",\"led_round\":\"{0} vehicles led round what is closed\",\"led_quicker\":\"{0} led a quicker way\",\"slow_track\":\"{0} pieces of track slow for traffic now\",\"restrained_to\":\"at most {0} hoists on their way with jobs now\",\"weighed\":\"ways weighed anew {0} times\",\"closed_before\":\"Closed before\",\"watch\":\"Watch live\",\"watch_begin\":\"Watch\",\"watch_end\":\"End\",\"watch_hint\":\"up to {0} at a time\",\"inputs\":\"Status and inputs\",\"ask_status\":\"Ask for its status\",\"input_run\":\"Run\",\"input_home\":\"Home\",\"inputs_off\":\"All inputs off\",\"operations\":\"What was asked of it\",\"no_operations\":\"Nothing was asked of it yet.\",\"op_state_done\":\"done\",\"op_state_failed\":\"failed\",\"op_state_running\":\"under way\",\"op_state_unknown\":\"not known\",\"last_commands\":\"Last commands\",\"no_commands\":\"No command yet\",\"lines\":\"Lines\",\"no_lines\":\"No line carries several devices.\",\"stop_line\":\"Stop all drives of this line\",\"line_stopped\":\"Stop sent to all of them\",\"stage\":\"Send a vehicle here\",\"nearest_free\":\"the nearest that is free\",\"staged\":\"It is on its way\",\"park\":\"Park\",\"tell_fire\":\"There is a fire\",\"tell_earthquake\":\"There is an earthquake\",\"webhooks\":\"Webhooks\",\"no_webhooks\":\"Nobody is told of events by HTTP yet.\",\"behind\":\"Behind\",\"delivered\":\"Delivered\",\"failing_since\":\"Failing since\",\"hook_active\":\"active\",\"hook_paused\":\"paused\",\"hook_failed\":\"given up\",\"told_up_to\":\"Told up to\",\"ping\":\"Try it\",\"pinged\":\"It was taken\",\"new_secret\":\"Another secret\",\"both_sign\":\"For a day both secrets sign\",\"replay_after\":\"Again after event\",\"replay\":\"Tell again\",\"secret\":\"Secret\",\"deliveries\":\"Deliveries\",\"subscribe\":\"Tell somebody\",\"begin_after\":\"After event\",\"from_now\":\"from now on\",\"teaching_files\":\"Files\",\"teaching_raw\":\"Raw events\",\"dests_of_ports\":\"DEST of ports\",\"offsets_of_vehicles\":\"OFFSET of vehicles\",\"save_json\":\"Save as JSON\",\"save_history\":\"Save with all versions\",\"read_file\":\"Read a file\",\"imported\":\"Imported\",\"import\":\"Import\",\"import_wrong\":\"Nothing can be imported while a row is wrong.\",\"import_ready\":\"{0} was looked at; nothing has changed yet.\",\"import_none\":\"Read a file: what would become of each row stands here first.\",\"line_of_file\":\"Line\",\"fate_new\":\"new\",\"fate_changed\":\"changed\",\"fate_same\":\"the same\",\"fate_error\":\"wrong\",\"teaching_events\":\"What vehicles sent\",\"position\":\"Position\",\"from_start\":\"From the beginning\",\"compare_offsets\":\"OFFSET of two vehicles\",\"vehicle_other\":\"Other vehicle\",\"difference\":\"Difference\",\"write_by_hand\":\"Write by hand\",\"legend_carrier\":\"carrier\",\"legend_zone\":\"no-stop zone\",\"legend_door\":\"door closed, open\",\"look_idle\":\"idle\",\"look_moving\":\"moving\",\"look_waiting\":\"waiting\",\"look_handling\":\"pick / place\",\"look_charging\":\"charging\",\"look_held\":\"held\",\"look_alarm\":\"alarm\",\"look_gone\":\"absent\",\"idle\":\"idle\",\"moving\":\"moving\",\"waiting\":\"waiting\",\"busy\":\"busy\",\"settling\":\"settling\",\"absent\":\"absent\",\"off_rail\":\"off the rail\",\"locked_out\":\"locked out\",\"recovering\":\"recovering\",\"alarm\":\"alarm\",\"charging\":\"charging\",\"acquiring\":\"picking up\",\"depositing\":\"putting down\",\"paused\":\"paused\",\"removed\":\"removed\",\"not_assigned\":\"not assigned\",\"enroute\":\"en route\",\"parked\":\"parked\",\"queued\":\"queued\",\"transferring\":\"transferring\",\"cancelling\":\"cancelling\",\"aborting\":\"aborting\",\"completed\":\"completed\",\"failed\":\"failed\",\"cancelled\":\"cancelled\",\"aborted\":\"aborted\",\"in_service\":\"in service\",\"devices\":\"Devices\",\"door\":\"Door\",\"buffer\":\"Buffer\",\"charger\":\"Charger\",\"device_open\":\"open\",\"device_closed\":\"closed\",\"device_cart\":\"cart there\",\"device_no_cart\":\"no cart\",\"device_charging\":\"charging\",\"device_free\":\"free\",\"device_busy\":\"busy\",\"device_unknown\":\"not known\",\"device_error\":\"error\",\"device_silent\":\"not heard\",\"since\":\"since {0}\",\"last_word\":\"last said: {0}\",\"passing\":\"Passing\",\"charges\":\"Charging\",\"nobody\":\"nobody\",\"lock_for\":\"Locked for\",\"lock_unsure\":\"not confirmed\",\"not_locked\":\"nobody\",\"pinned\":\"Kept {0} by {1}\",\"pending\":\"Under way\",\"contradicts\":\"Differs from the books\",\"at_station\":\"Station\",\"on_line\":\"Line\",\"line_number\":\"{0} · number {1}\",\"cmd_open\":\"Open door\",\"cmd_close\":\"Close door\",\"cmd_lock\":\"Lock\",\"cmd_unlock\":\"Unlock\",\"asked\":\"Asked for: {0}\",\"drives\":\"Drives\",\"drive\":\"Drive\",\"drive_parameter_select\":\"parameter select\",\"drive_parameter_value\":\"parameter setting\",\"drive_monitoring\":\"monitoring\",\"drive_jog\":\"jog\",\"drive_error\":\"error\",\"drive_offline\":\"offline\",\"drive_not_heard\":\"not heard yet\",\"drive_online\":\"online\",\"error_fact\":\"Error\",\"operation_fact\":\"Operates\",\"output\":\"Output\",\"turn\":\"Turns\",\"cw\":\"clockwise\",\"ccw\":\"counter-clockwise\",\"distance\":\"Distance\",\"model\":\"Model\",\"moves\":\"Moves\",\"stop_reset\":\"Stop / reset\",\"parameters\":\"Parameters\",\"read_parameters\":\"Read parameters\",\"reading\":\"Read {0} of {1}\",\"no_parameters\":\"None read yet\",\"op_done\":\"{0}: done\",\"op_running\":\"{0}: asked for\",\"op_unknown\":\"It is not known whether it took effect\",\"no_model\":\"none: parameters by number\",\"map_label\":\"Map of the track. Drag to move, wheel to zoom, click what you want to know about.\",\"vehicle\":\"Vehicle\",\"alarms\":\"Alarms\",\"no_alarms\":\"Nothing is wrong.\",\"rooms\":\"Rooms\",\"find\":\"Find\",\"nothing_found\":\"Nothing of that name\",\"filter\":\"Filter\",\"more_rows\":\"{0} more\",\"show_more\":\"Show more\",\"layers\":\"Layers\",\"layer_grants\":\"Granted track\",\"layer_zones\":\"Zones\",\"layer_closures\":\"Closures\",\"layer_holds\":\"Holds and lockouts\",\"heat\":\"Heat\",\"heat_over\":\"counted over\",\"heat_hours\":\"the last {0} h\",\"heat_seen\":\"since this page was opened\",\"heat_off\":\"none\",\"heat_waiting\":\"Waiting\",\"heat_traffic\":\"Traffic\",\"little\":\"little\",\"much\":\"much\",\"follow\":\"Follow\",\"follow_hint\":\"Keep the chosen vehicle in the middle (F)\",\"keys\":\"Keys of the map\",\"key_find\":\"find something\",\"key_pan\":\"move the map\",\"key_zoom\":\"zoom\",\"key_fit\":\"show everything\",\"key_follow\":\"follow the chosen vehicle\",\"key_none\":\"choose nothing\",\"legend_soft\":\"soft zone\",\"theme_light\":\"Light colours\",\"theme_dark\":\"Dark colours\",\"idle_parked\":\"idle, parked\",\"why\":\"Why\",\"circle\":\"Circle of hoists\",\"circles_counted\":\"found {0}, over {1} since the start\",\"job_details\":\"All about this job\",\"fallbacks\":\"else {0}\",\"wished\":\"wished: {0}\",\"ordered_by\":\"Ordered by\",\"ordered_at\":\"Ordered\",\"result\":\"Result\",\"phases\":\"How long each phase took\",\"phase_queued\":\"queued\",\"phase_fetching\":\"fetching\",\"phase_carrying\":\"carrying\",\"why_vehicle\":\"Why this vehicle\",\"not_assigned_yet\":\"It has no vehicle yet.\",\"why_waits\":\"What it waited for\",\"never_waited\":\"It did not have to wait.\",\"still\":\"still\",\"left_out\":\"{0} between the first and the latest are left out\",\"to_source\":\"{0} to the source\",\"hot_lot\":\"hot lot\",\"instead_of\":\"instead of {0}: {1} nearer\",\"worth\":\"waiting counted for {0}, a change had to save {1}\",\"no_way\":\"no way\",\"change\":\"Change\",\"any\":\"any\",\"taken\":\"Done\",\"older\":\"Older ones\",\"takes\":\"Takes\",\"device\":\"Device\",\"commands\":\"Commands\",\"sent\":\"Sent\",\"recover\":\"Recover from the alarm\",\"homing_safe\":\"I have looked: homing is safe\",\"vc_status\":\"Status\",\"vc_stop_by_host\":\"Stop by host\",\"vc_stop\":\"Stop (to MANT)\",\"vc_auto\":\"Auto\",\"vc_alarm_clear\":\"Clear alarm\",\"vc_servo_on\":\"Servo on\",\"vc_servo_off\":\"Servo off\",\"vc_search_home\":\"Search home\",\"vc_go_home\":\"Go home\",\"vc_system_reset\":\"System reset\",\"vc_agv_mark_stop\":\"Stop at a mark\",\"vc_lift_up\":\"Lift up\",\"vc_lift_down\":\"Lift down\",\"vc_lift_stop\":\"Lift stop\",\"vc_charge_on\":\"Charge\",\"vc_charge_off\":\"End charging\",\"speed\":\"Speed\",\"speed_slow\":\"slow\",\"speed_normal\":\"normal\",\"speed_fast\":\"fast\",\"at_forks\":\"At forks\",\"by_hand\":\"By hand, until it is stopped\",\"hand_forward\":\"By hand: forward\",\"hand_backward\":\"By hand: backward\",\"hand_turn_left\":\"By hand: turn left\",\"hand_turn_right\":\"By hand: turn right\",\"tape_forward\":\"Along the tape\",\"tape_backward\":\"Back along the tape\",\"agv_alias\":\"To a destination by its name\",\"stands_at_tag\":\"It stands at tag\",\"tell_it\":\"Tell it so\",\"vc_pickup\":\"Pick up\",\"vc_place\":\"Put down\",\"vc_display\":\"Show\",\"display_text\":\"Text on the vehicle\",\"move\":\"Move\",\"move_to\":\"Move to barcode\",\"stop_action\":\"Stops for\",\"act_stop\":\"nothing\",\"lock_out\":\"Lock out\",\"lift_lockout\":\"Lift the lockout\",\"lockout\":\"Lockout\",\"take_out\":\"Take out of service\",\"put_back\":\"Put back in service\",\"decide\":\"Decide\",\"unpin\":\"Give back to the vehicles\",\"pin_open\":\"Keep open\",\"pin_closed\":\"Keep closed\",\"closures\":\"Closures\",\"nothing_closed\":\"Nothing is closed.\",\"draining\":\"draining\",\"closed\":\"closed\",\"ends_in\":\"ends in {0}\",\"release_wished\":\"opening wished by {0}\",\"open_it\":\"Open\",\"pause\":\"Pause\",\"resume\":\"Resume\",\"stop_zone\":\"Stop\",\"stopped\":\"stopped\",\"close_place\":\"Close\",\"close_stretch\":\"stretch of track\",\"close_edge\":\"one piece of track\",\"close_barcode\":\"barcodes\",\"close_zone\":\"zone\",\"close_from\":\"From barcode\",\"close_to\":\"To barcode\",\"purpose\":\"For\",\"traffic\":\"traffic\",\"work\":\"people at work\",\"minutes\":\"Minutes\",\"until_opened\":\"until it is opened\",\"closes_now\":\"Closed, or draining\",\"choose_on_map\":\"Click the track above, or write barcodes; then look what it would do.\",\"look_first\":\"Look first what it would do.\",\"preview\":\"Look what it would do\",\"stations_closed\":\"Stations closed:\",\"cut_off\":\"Cut off:\",\"drive_out\":\"Have to drive out:\",\"shut_in\":\"Shut in:\",\"jobs_touched\":\"{0} jobs touched\",\"routes_longer\":\"{0} of {1} routes longer\",\"routes_lost\":\"{0} lost\",\"routes_mean\":\"A route takes {0} s on average, then {1} s\",\"stations\":\"Stations\",\"carriers\":\"Carriers\",\"age\":\"Age\",\"remove\":\"Remove\",\"carrier_is\":\"A carrier is at a place\",\"write_down\":\"Write down\",\"name\":\"Name\",\"teaching\":\"Teaching\",\"proposals\":\"Proposals\",\"sessions\":\"Sessions\",\"drift\":\"Drift\",\"dry_run\":\"Dry run\",\"no_proposals\":\"Nothing was taught yet.\",\"no_sessions\":\"No session yet.\",\"no_drift\":\"Nothing is far from what it was before.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"Old\",\"new\":\"New\",\"when\":\"When\",\"who\":\"Who\",\"sent_positions\":\"Sent\",\"asked_by\":\"Asked by\",\"assign\":\"Assign\",\"approve\":\"Approve\",\"approve_anyway\":\"Approve all the same\",\"reject\":\"Reject\",\"teach_port\":\"Teach a port\",\"open_session\":\"Open a session\",\"close_session\":\"Close the session\",\"abandon\":\"Abandon\",\"teach_dest\":\"Teach DEST\",\"teach_offset\":\"Teach OFFSET\",\"reference_vehicle\":\"reference vehicle: zero\",\"refused\":\"Refused\",\"changes_nothing\":\"It changes nobody's pulses.\",\"never_taught\":\"Never taught.\",\"compare\":\"Compare\",\"roll_back\":\"Roll back to v{0}\",\"ready\":\"ready\",\"collecting\":\"collecting\",\"incomplete\":\"incomplete\",\"approved\":\"approved\",\"rejected\":\"rejected\",\"abandoned\":\"abandoned\",\"ambiguous\":\"ambiguous\",\"wrong_mode\":\"wrong mode\",\"out_of_range\":\"out of range\",\"jog\":\"Jog\",\"jog_hint\":\"runs while held\",\"backups\":\"Backups and comparison\",\"note\":\"Note\",\"back_up\":\"Back up\",\"compare_with\":\"Compare with drive\",\"restore\":\"Restore\",\"restore_dry\":\"Try to restore\",\"no_differences\":\"No differences.\",\"write\":\"Write\",\"master\":\"Plant…\",\"stop_all\":\"Stop all\",\"release_fire\":\"The fire is over\",\"release_earthquake\":\"The earthquake is over\",\"more\":\"More\",\"job_id\":\"Job id\",\"given_here\":\"given by Hoistway\",\"fallbacks_label\":\"Else to (several)\",\"statistics\":\"Statistics\",\"period_hour\":\"1 hour\",\"period_shift\":\"8 hours\",\"period_day\":\"1 day\",\"period_week\":\"7 days\",\"save_csv\":\"Save as CSV\",\"table_phases\":\"Phases\",\"table_intervals\":\"Intervals\",\"table_vehicles\":\"Vehicles\",\"table_waits\":\"Waits\",\"table_transfers\":\"Transfers\",\"report\":\"Report\",\"queue\":\"Queue\",\"empty_travel\":\"empty travel\",\"throughput\":\"Throughput\",\"delivery_time\":\"Delivery time\",\"waits_by_cause\":\"Waits by cause\",\"utilisation\":\"Utilisation\",\"failures\":\"Failures\",\"availability\":\"Availability\",\"phase\":\"Phase\",\"count\":\"Count\",\"mean\":\"Mean\",\"longest\":\"Longest\",\"phase_acquiring\":\"picking up\",\"phase_depositing\":\"putting down\",\"phase_total\":\"total\",\"alarms_now\":\"Now\",\"alarms_history\":\"History\",\"alarms_pareto\":\"Pareto\",\"known_to\":\"{0} knows of it since {1}\",\"acknowledge\":\"Acknowledge\",\"no_alarms_yet\":\"No alarms yet.\",\"cause\":\"Cause\",\"pareto_code\":\"by cause\",\"pareto_source\":\"by machine\",\"pareto_both\":\"by both\",\"stage_file\":\"Stage a plant file\",\"what_differs\":\"What differs\",\"text_not_kept\":\"Its text is not kept any more: it was rejected, and others after it.\",\"jobs_refused_meanwhile\":\"Until then jobs that were accepted go on; new ones to or from what goes are refused.\",\"layouts\":\"Layout\",\"no_versions\":\"No versions are kept here.\",\"version\":\"Version\",\"version_staged\":\"staged\",\"version_awaited\":\"awaited\",\"version_active\":\"active\",\"version_former\":\"former\",\"version_rejected\":\"rejected\",\"plant_file\":\"Choose a plant file…\",\"version_taken\":\"It is kept; nothing has changed in the plant.\",\"activate\":\"Activate\",\"activate_later\":\"Activate once nothing is in the way\",\"roll_back_to\":\"Roll back to it\",\"take_back\":\"Do not activate it\",\"save_file\":\"Save the file\",\"in_the_way\":\"In the way now\",\"nothing_in_the_way\":\"Nothing is in the way.\",\"lost_with_it\":\"Serves nobody any more\",\"lacking_with_it\":\"To be taught afterwards\",\"no_difference\":\"No difference to the version that runs.\",\"diff_added\":\"added\",\"diff_removed\":\"removed\",\"diff_changed\":\"changed\",\"diff_moved\":\"moved\",\"diff_renamed\":\"renamed\",\"how\":\"Change\",\"track\":\"Track\",\"at\":\"At\",\"actor\":\"Who\",\"playback\":\"Playback\",\"loading\":\"Loading …\",\"nothing_recorded\":\"Nothing was recorded yet. Playback needs playback_days above 0.\",\"past_recording\":\"A RECORDED INCIDENT\",\"past_here\":\"THE PAST\",\"past_ago\":\"{0} ago\",\"past_by\":\"exported by {0}, {1}\",\"past_no_commands\":\"Nothing can be commanded here.\",\"past_alarms_now\":\"{0} alarms now\",\"back_to_live\":\"Back to live\",\"events_of_note\":\"What happened\",\"event_before\":\"Event before\",\"event_next\":\"Next event\",\"play\":\"Play\",\"stop_playing\":\"Pause\",\"pace\":\"Pace\",\"stretch\":\"Stretch of time shown\",\"stretch_minutes\":\"10 min\",\"stretch_hour\":\"1 h\",\"stretch_shift\":\"8 h\",\"stretch_day\":\"1 day\",\"stretch_all\":\"all\",\"moment\":\"Moment\",\"link_hint\":\"Copy the address of this moment, to be sent to somebody\",\"link_copy\":\"Copy link\",\"link_copied\":\"Copied\",\"incident\":\"Incident\",\"from_moment\":\"from\",\"to_moment\":\"to\",\"take_moment\":\"take the moment shown\",\"incident_save\":\"Export as a file\",\"incident_hint\":\"opened elsewhere by: hoistway replay FILE\",\"saved_as\":\"Saved as {0}\",\"not_then\":\"There was nothing of that name at this moment, or it is not recorded.\",\"granted\":\"Granted track\",\"here\":\"here\",\"legend_granted\":\"granted track\",\"legend_planned\":\"planned way\",\"newer_rows\":\"Newer\",\"older_rows\":\"Older\",\"jobs_ordered\":\"ordered\",\"vc_agv_stop\":\"Stop\",\"bit_foup\":\"carrier\",\"bit_trav\":\"drive\",\"bit_shft\":\"shifter\",\"bit_rota\":\"rotator\",\"bit_lift\":\"lifter\",\"bit_slid\":\"slider\",\"bit_grip\":\"gripper\",\"bit_sftb\":\"drop guard\",\"bit_mode\":\"mode\",\"bit_oper\":\"operation\",\"bit_at_barcode\":\"barcode recognised\",\"bit_all_home\":\"all devices at home\",\"bit_home_known\":\"home position known\",\"bit_servos_on\":\"all servos on\",\"bit_rsv1\":\"reserved\",\"bit_rsv2\":\"reserved\",\"bit_alarm_code\":\"alarm code\",\"bit_process_code\":\"process code\",\"servo_not_ready\":\"servo not ready\",\"servo_error\":\"servo error\",\"driver_error\":\"driver error\",\"driving\":\"driving\",\"front_bumper\":\"front bumper\",\"rear_bumper\":\"rear bumper\",\"at_stop_tag\":\"stopped at a port\",\"at_sbfl\":\"stopped at a left buffer\",\"at_sbfr\":\"stopped at a right buffer\",\"at_port_sbfl\":\"stopped at port and left buffer\",\"at_port_sbfr\":\"stopped at port and right buffer\",\"at_sbfl_sbfr\":\"stopped at both buffers\",\"at_port_sbfl_sbfr\":\"stopped at port and both buffers\",\"stop\":\"stopped\",\"home\":\"home\",\"left_limit\":\"left limit\",\"right_limit\":\"right limit\",\"cw_limit\":\"clockwise limit\",\"ccw_limit\":\"counter-clockwise limit\",\"left_side\":\"left side\",\"right_side\":\"right side\",\"left_destination\":\"left destination\",\"right_destination\":\"right destination\",\"wide\":\"wide open\",\"raised\":\"raised\",\"grip_open\":\"open\",\"grip_close\":\"closed\",\"mant\":\"MANT, maintenance\",\"semi\":\"SEMI\",\"run\":\"RUN\",\"pause_oper\":\"PAUSE, an obstacle\",\"cs_open\":\"under way\",\"cs_done\":\"done\",\"cs_failed\":\"failed\",\"cs_unknown\":\"not known\",\"cs_not_sent\":\"not sent\",\"cs_settled_done\":\"done, by its status\",\"cs_settled_not_done\":\"not done, by its status\",\"vc_move\":\"Move\",\"vc_xmove\":\"Move on\",\"vc_open\":\"Open\",\"vc_close\":\"Close\",\"vc_lock\":\"Lock\",\"vc_unlock\":\"Unlock\",\"vc_agv_charge\":\"Charging\",\"vc_agv_lift\":\"Lift\",\"reliability\":\"Reliability\",\"down_minutes\":\"Down (min)\",\"failures_of\":\"What failed\",\"catalogue\":\"Catalogue of the model\",\"default_value\":\"Default\",\"range\":\"Range\",\"read_only\":\"read only\",\"while_running\":\"while running too\",\"description\":\"Description\",\"no_catalogue\":\"Nothing is known of this model: parameters go by number.\",\"backup_contents\":\"Contents\",\"in_force\":\"Values in force\",\"period_other\":\"Other\",\"period_begin\":\"From\",\"period_end\":\"Until\",\"file_kind\":\"Files as\",\"print_report\":\"Open the report to print\",\"print\":\"Print\",\"count_connections\":\"connections\",\"count_frames_in\":\"frames in\",\"count_frames_out\":\"frames out\",\"count_garbled\":\"garbled\",\"count_resends\":\"resends\",\"count_sent\":\"sent\",\"count_answered\":\"answered\",\"count_timeouts\":\"timeouts\",\"count_naks\":\"NAKs\",\"count_busies\":\"busy\",\"count_strays\":\"strays\",\"normal\":\"normal\",\"keys_past\":\"Keys of playback\",\"period_month\":\"30 days\",\"did_AbandonWalk\":\"audit walk abandoned\",\"did_AbortJob\":\"job aborted\",\"did_AcceptWalk\":\"audit walk taken for true\",\"did_AcknowledgeAlarm\":\"alarm acknowledged\",\"did_AddWebhook\":\"webhook added\",\"did_ApproveProposal\":\"teaching approved\",\"did_AskDriveStatus\":\"drive asked for its status\",\"did_AssignProposal\":\"teaching assigned to a port\",\"did_BackUpDrive\":\"drive backed up\",\"did_CancelDriveOperation\":\"operation on a drive cancelled\",\"did_CancelJob\":\"job cancelled\",\"did_ChangeJob\":\"job changed\",\"did_ChangeWebhook\":\"webhook changed\",\"did_ClosePlace\":\"track closed\",\"did_CommandAgv\":\"AGV commanded\",\"did_CommandDevice\":\"device commanded\",\"did_CommandVehicle\":\"vehicle commanded\",\"did_CompareDrive\":\"drive compared\",\"did_CreateJob\":\"job ordered\",\"did_DisplayOnVehicle\":\"text shown on a vehicle\",\"did_EndTeaching\":\"teaching session closed\",\"did_EnterSights\":\"sights entered\",\"did_HandleOnce\":\"picked up or put down by hand\",\"did_HoldVehicle\":\"vehicle held\",\"did_ImportTaught\":\"taught values imported\",\"did_JogDrive\":\"drive jogged\",\"did_JogEnd\":\"jog ended\",\"did_LiftDeviceLockout\":\"lockout of a device lifted\",\"did_LockDrive\":\"drive locked out\",\"did_LockOutDevice\":\"device locked out\",\"did_LockVehicle\":\"vehicle locked out\",\"did_MoveVehicle\":\"vehicle moved\",\"did_OpenPlace\":\"track opened\",\"did_OpenTeaching\":\"teaching session opened\",\"did_ParkVehicle\":\"vehicle parked\",\"did_PauseController\":\"all paused\",\"did_PauseZone\":\"zone paused\",\"did_PinDoor\":\"door kept open or closed\",\"did_PressDriveKey\":\"key of a drive pressed\",\"did_RaiseEmergency\":\"emergency told\",\"did_ReadDrive\":\"parameters of a drive read\",\"did_RecoverAlarm\":\"recovered from an alarm\",\"did_RejectProposal\":\"teaching rejected\",\"did_ReleaseEmergency\":\"emergency released\",\"did_ReleaseVehicle\":\"vehicle released\",\"did_RemoveWebhook\":\"webhook removed\",\"did_RenewWebhookSecret\":\"secret of a webhook renewed\",\"did_ReplayWebhook\":\"events told again\",\"did_RestoreDrive\":\"drive restored\",\"did_ResumeController\":\"all resumed\",\"did_ResumeZone\":\"zone resumed\",\"did_RollBackDest\":\"DEST rolled back\",\"did_RollBackOffset\":\"OFFSET rolled back\",\"did_SetDeviceService\":\"device taken out or put back\",\"did_SetDriveInputs\":\"inputs of a drive set\",\"did_SetService\":\"vehicle taken out or put back\",\"did_StageVehicle\":\"vehicle staged\",\"did_StartTeaching\":\"teaching started\",\"did_StartWalk\":\"audit walk begun\",\"did_StopAll\":\"all stopped\",\"did_StopDriveLine\":\"drives of a line stopped\",\"did_UnlockDrive\":\"lockout of a drive lifted\",\"did_UnlockVehicle\":\"lockout of a vehicle lifted\",\"did_UnpinDoor\":\"door given back\",\"did_WriteCarrier\":\"carrier written down\",\"did_WriteDest\":\"DEST written\",\"did_WriteDrive\":\"parameter of a drive written\",\"did_WriteOffset\":\"OFFSET written\",\"did_WriteStation\":\"station written down\",\"did_BeginLayout\":\"first plant file\",\"did_LogIn\":\"logged in\",\"did_LogOut\":\"logged out\",\"did_ChangePassword\":\"password changed\",\"did_AddUser\":\"user added\",\"did_ChangeUser\":\"user changed\",\"did_AddKey\":\"key issued\",\"did_RevokeKey\":\"key revoked\",\"did_Forbidden\":\"not allowed by the role\",\"expired\":\"expired\",\"opened\":\"opened\",\"not_known_yet\":\"Nothing is known yet: the controller has not answered.\",\"not_known_since\":\"Not known since {0}: the controller does not answer.\",\"not_known_then\":\"Nothing is known of that moment yet.\",\"no_such\":\"There is none of that name.\",\"away_never\":\"The controller has not answered yet. What stands here empty is not known.\",\"away_since\":\"The controller does not answer since {0} ({1}). All that is shown is as it was then.\",\"state_then\":\"{0} at {1}\",\"past_away\":\"Playback · the controller does not answer\",\"link_lost\":\"No answer\",\"and_more\":\"and {0} more\",\"each_by_itself\":\"Each by itself\",\"acknowledge_all\":\"Acknowledge all {0}\",\"release_all\":\"Release {0} vehicles: their reports are right\",\"all_acknowledged\":\"All acknowledged\",\"note_or_reason\":\"Note, or the reason of a release\",\"done_of\":\"{0} of {1} done\",\"no_alarms_but\":\"No alarms, but kept back or not heard: {0}\",\"no_alarms_but_title\":\"Held or locked out by people, or not heard for less than ten seconds: not counted as alarms.\",\"alarm_count_title\":\"Alarms there are now, one for each machine and code; not acknowledged yet: {0}\",\"look_count_title\":\"Vehicles that look so on the map: {0}\",\"closures_by_people\":\"Closures by people\",\"closures_title\":\"Closures that people have ordered and not opened again. What routes keep off for other reasons stands below.\",\"kept_off_title\":\"Reasons for which routes keep off something, closures by people among them: {0}, about {1} places of the track\",\"cut_off_title\":\"Stations that nobody can reach for that; jobs to them wait.\",\"against_lockout\":\"It is locked out by {0}: {1}. Lift the lockout first.\",\"against_emergency\":\"Nothing moves while a fire or an earthquake is told. Release the emergency first (Plant…).\",\"against_work\":\"It stands where people are at work: {0}, closed by {1}. Open that first.\",\"against_link\":\"It is not connected. Look at its line and power.\",\"against_recovery\":\"An alarm recovery is under way. Wait for its end.\",\"against_not_mant\":\"It is in {0}, and this needs MANT. Press 'Stop (to MANT)' first.\",\"against_mant\":\"It is in MANT, and this needs AUTO or SEMI.\",\"against_off_rail\":\"It is off the rail. Release it first.\",\"against_hold\":\"It is on hold. Release it first.\",\"against_service\":\"It is out of service. Put it back in service first.\",\"against_job\":\"It is on job {0}. Cancel the job, or let it end.\",\"against_not_auto\":\"It is not in AUTO. Recover it, or press Servo on, Search home and Auto.\",\"against_alarm\":\"It has an alarm. Recover it first.\",\"against_settling\":\"It is being asked where it is. Try again shortly.\",\"against_roll_call\":\"The roll-call still misses {0}. Connect them, or release them.\",\"against_elsewhere\":\"It is not at the station (barcode {0}) but at {1}. Move it there first.\",\"against_loaded\":\"It is loaded: it can only put down.\",\"against_empty\":\"It is empty: it can only pick up.\",\"against_runs\":\"It does not stand still. Stop it, or wait.\",\"against_agv_manual\":\"It is not in auto. The mode is changed at the AGV alone.\",\"against_agv_auto\":\"It is not in manual. The mode is changed at the AGV alone.\",\"against_no_error\":\"It reports no error to reset.\",\"against_stands\":\"It stands: this is for an AGV that drives.\",\"against_no_charger\":\"It stands at no charger. Move it to one first.\",\"against_linked\":\"It is connected and reports its place itself. Switch it off first.\",\"against_nothing_held\":\"It is not on hold: there is nothing to release.\",\"against_unknown\":\"Nothing is known of it yet.\",\"against_silent\":\"It is silent. See its line and its power.\",\"against_locked_for\":\"It is locked for {0}. Wait until that is done.\",\"against_pin\":\"{0} keeps the door otherwise. Give it back to the vehicles first.\",\"against_engaged\":\"It cannot close: {0} is in it or on the way through.\",\"against_line\":\"Its line {0} is not connected. See the tab Lines.\",\"against_offline\":\"It does not answer. Switch it on, see to its cable and its id.\",\"against_operation\":\"Operation {0} is under way. Wait for it, or cancel it.\",\"against_drive_runs\":\"The axis moves. Stop it first.\",\"against_drive_error\":\"It is in error. See what is wrong, then press Stop/Reset.\",\"against_not_jog\":\"It is not in jog. Set it to jog at its panel.\",\"against_other_vehicle\":\"The carrier is aboard {0} or being picked up: no other vehicle can have the job.\",\"the_room\":\"‘{0}’ on this page\",\"legend_unknown\":\"not known what stands there, or doubted\",\"no_room\":\"There is no room {0} on this page: this is the map.\"}");
 var remedies$1 = {
 	"malformed": "Send a body that is JSON in UTF-8.",
 	"method": "The paths and their methods are listed at /api/docs.",
@@ -1386,7 +1386,7 @@ var pages$1 = {
 	"look_there_and_enter_it": "look there and enter it, or accept only what was seen"
 };
 // ../app/texts/ko.json
-var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"reason_first\":\"사유를 먼저 입력하세요.\",\"stopped_here\":\"화면에서 정지\",\"behind_it\":\"근본 원인:\",\"wait_behind\":\"이 차량 때문에 {0}대 대기 중\",\"wait_for_it\":\"대기 차량\",\"no_match\":\"조건에 맞는 작업이 없습니다.\",\"no_marks\":\"이 기간에 알람·폐쇄·일시정지가 없습니다.\",\"no_jobs\":\"작업이 없습니다.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"로그인\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사용자 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"위·변조 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"작업 내용\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"재고 실사\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"restrained_to\":\"현재 작업 중 주행 호이스트 최대 {0}대\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"적재·하역\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"하역 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"히트맵\",\"heat_over\":\"집계 기간\",\"heat_hours\":\"최근 {0}시간\",\"heat_seen\":\"페이지를 연 이후\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"출발지 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"speed\":\"속도\",\"speed_slow\":\"느리게\",\"speed_normal\":\"보통\",\"speed_fast\":\"빠르게\",\"at_forks\":\"갈림길에서\",\"by_hand\":\"수동, 정지할 때까지\",\"hand_forward\":\"수동: 앞으로\",\"hand_backward\":\"수동: 뒤로\",\"hand_turn_left\":\"수동: 왼쪽 회전\",\"hand_turn_right\":\"수동: 오른쪽 회전\",\"tape_forward\":\"테이프 따라 앞으로\",\"tape_backward\":\"테이프 따라 뒤로\",\"agv_alias\":\"이름으로 목적지 이동\",\"stands_at_tag\":\"현재 태그\",\"tell_it\":\"알리기\",\"vc_pickup\":\"적재\",\"vc_place\":\"하역\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"하역\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"stage_file\":\"플랜트 파일 올리기\",\"what_differs\":\"달라지는 것\",\"text_not_kept\":\"거부된 뒤 다른 버전도 거부되어 파일 내용은 더 이상 보관되지 않습니다.\",\"jobs_refused_meanwhile\":\"그때까지 접수된 작업은 계속되며, 없어질 곳으로 또는 그곳에서 출발하는 새 작업은 거절됩니다.\",\"layouts\":\"레이아웃\",\"no_versions\":\"보관된 버전이 없습니다.\",\"version\":\"버전\",\"version_staged\":\"준비됨\",\"version_awaited\":\"적용 대기\",\"version_active\":\"운영 중\",\"version_former\":\"이전 버전\",\"version_rejected\":\"거부됨\",\"plant_file\":\"플랜트 파일 선택…\",\"version_taken\":\"보관했습니다. 플랜트는 그대로입니다.\",\"activate\":\"적용\",\"activate_later\":\"막는 것이 없어지면 적용\",\"roll_back_to\":\"이 버전으로 되돌리기\",\"take_back\":\"적용 취소\",\"save_file\":\"파일 저장\",\"in_the_way\":\"지금 막고 있는 것\",\"nothing_in_the_way\":\"막고 있는 것이 없습니다.\",\"lost_with_it\":\"더 이상 쓰이지 않게 되는 것\",\"lacking_with_it\":\"적용 뒤 티칭할 것\",\"no_difference\":\"운영 중인 버전과 차이가 없습니다.\",\"diff_added\":\"추가\",\"diff_removed\":\"삭제\",\"diff_changed\":\"변경\",\"diff_moved\":\"이동\",\"diff_renamed\":\"이름 변경\",\"how\":\"변화\",\"track\":\"트랙\",\"at\":\"시각\",\"actor\":\"누가\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\",\"legend_granted\":\"허가 구간\",\"legend_planned\":\"계획 경로\",\"newer_rows\":\"최근\",\"older_rows\":\"이전\",\"jobs_ordered\":\"접수\",\"vc_agv_stop\":\"정지\",\"bit_foup\":\"캐리어\",\"bit_trav\":\"주행\",\"bit_shft\":\"시프터\",\"bit_rota\":\"로테이터\",\"bit_lift\":\"리프터\",\"bit_slid\":\"슬라이더\",\"bit_grip\":\"그리퍼\",\"bit_sftb\":\"낙하 방지\",\"bit_mode\":\"모드\",\"bit_oper\":\"운전\",\"bit_at_barcode\":\"바코드 인식\",\"bit_all_home\":\"전체 원점\",\"bit_home_known\":\"원점 인식\",\"bit_servos_on\":\"전체 서보 온\",\"bit_rsv1\":\"예약\",\"bit_rsv2\":\"예약\",\"bit_alarm_code\":\"알람 코드\",\"bit_process_code\":\"공정 코드\",\"servo_not_ready\":\"서보 준비 안 됨\",\"servo_error\":\"서보 에러\",\"driver_error\":\"드라이버 에러\",\"driving\":\"구동 중\",\"front_bumper\":\"전방 범퍼 감지\",\"rear_bumper\":\"후방 범퍼 감지\",\"at_stop_tag\":\"포트 위치 정지\",\"at_sbfl\":\"좌측 버퍼 위치 정지\",\"at_sbfr\":\"우측 버퍼 위치 정지\",\"at_port_sbfl\":\"포트·좌측 버퍼 위치 정지\",\"at_port_sbfr\":\"포트·우측 버퍼 위치 정지\",\"at_sbfl_sbfr\":\"양쪽 버퍼 위치 정지\",\"at_port_sbfl_sbfr\":\"포트·양쪽 버퍼 위치 정지\",\"stop\":\"정지\",\"home\":\"원점\",\"left_limit\":\"좌측 리미트\",\"right_limit\":\"우측 리미트\",\"cw_limit\":\"시계 방향 리미트\",\"ccw_limit\":\"반시계 방향 리미트\",\"left_side\":\"좌측\",\"right_side\":\"우측\",\"left_destination\":\"좌측 목적 위치\",\"right_destination\":\"우측 목적 위치\",\"wide\":\"넓게 열림\",\"raised\":\"올림\",\"grip_open\":\"열림\",\"grip_close\":\"닫힘\",\"mant\":\"MANT, 정비\",\"semi\":\"SEMI, 반자동\",\"run\":\"동작 중\",\"pause_oper\":\"일시정지, 장애물\",\"cs_open\":\"진행 중\",\"cs_done\":\"완료\",\"cs_failed\":\"실패\",\"cs_unknown\":\"알 수 없음\",\"cs_not_sent\":\"전송 안 됨\",\"cs_settled_done\":\"완료, 상태로 확인\",\"cs_settled_not_done\":\"미완료, 상태로 확인\",\"vc_move\":\"이동\",\"vc_xmove\":\"이동 연장\",\"vc_open\":\"열기\",\"vc_close\":\"닫기\",\"vc_lock\":\"잠금\",\"vc_unlock\":\"잠금 해제\",\"vc_agv_charge\":\"충전\",\"vc_agv_lift\":\"리프트\",\"reliability\":\"신뢰성\",\"down_minutes\":\"정지 시간(분)\",\"failures_of\":\"고장 이력\",\"catalogue\":\"모델 카탈로그\",\"default_value\":\"기본값\",\"range\":\"범위\",\"read_only\":\"읽기 전용\",\"while_running\":\"운전 중 쓰기 가능\",\"description\":\"설명\",\"no_catalogue\":\"이 모델의 카탈로그가 없습니다. 파라미터는 번호로 다룹니다.\",\"backup_contents\":\"내용\",\"in_force\":\"현재 적용 값\",\"period_other\":\"직접 지정\",\"period_begin\":\"시작\",\"period_end\":\"끝\",\"file_kind\":\"파일 형식\",\"print_report\":\"보고서 열어 인쇄\",\"print\":\"인쇄\",\"count_connections\":\"연결\",\"count_frames_in\":\"수신 프레임\",\"count_frames_out\":\"송신 프레임\",\"count_garbled\":\"손상\",\"count_resends\":\"재전송\",\"count_sent\":\"전송\",\"count_answered\":\"응답\",\"count_timeouts\":\"시간 초과\",\"count_naks\":\"NAK\",\"count_busies\":\"사용 중\",\"count_strays\":\"요청하지 않은 응답\",\"normal\":\"정상\",\"keys_past\":\"재생 단축키\",\"period_month\":\"30일\",\"did_AbandonWalk\":\"재고 실사 포기\",\"did_AbortJob\":\"작업 중단\",\"did_AcceptWalk\":\"재고 실사 확정\",\"did_AcknowledgeAlarm\":\"알람 확인\",\"did_AddWebhook\":\"웹훅 추가\",\"did_ApproveProposal\":\"티칭 승인\",\"did_AskDriveStatus\":\"드라이브 상태 요청\",\"did_AssignProposal\":\"티칭 포트 지정\",\"did_BackUpDrive\":\"드라이브 백업\",\"did_CancelDriveOperation\":\"드라이브 작업 취소\",\"did_CancelJob\":\"작업 취소\",\"did_ChangeJob\":\"작업 변경\",\"did_ChangeWebhook\":\"웹훅 변경\",\"did_ClosePlace\":\"폐쇄\",\"did_CommandAgv\":\"AGV 명령\",\"did_CommandDevice\":\"장치 명령\",\"did_CommandVehicle\":\"차량 명령\",\"did_CompareDrive\":\"드라이브 비교\",\"did_CreateJob\":\"작업 등록\",\"did_DisplayOnVehicle\":\"차량 표시\",\"did_EndTeaching\":\"티칭 세션 닫기\",\"did_EnterSights\":\"실물 확인 입력\",\"did_HandleOnce\":\"단독 적재·하역\",\"did_HoldVehicle\":\"차량 보류\",\"did_ImportTaught\":\"티칭 값 가져오기\",\"did_JogDrive\":\"드라이브 조그\",\"did_JogEnd\":\"조그 종료\",\"did_LiftDeviceLockout\":\"장치 정비 잠금 해제\",\"did_LockDrive\":\"드라이브 정비 잠금\",\"did_LockOutDevice\":\"장치 정비 잠금\",\"did_LockVehicle\":\"차량 정비 잠금\",\"did_MoveVehicle\":\"차량 이동\",\"did_OpenPlace\":\"폐쇄 해제\",\"did_OpenTeaching\":\"티칭 세션 열기\",\"did_ParkVehicle\":\"차량 주차\",\"did_PauseController\":\"전체 일시정지\",\"did_PauseZone\":\"구역 일시정지\",\"did_PinDoor\":\"도어 상태 유지\",\"did_PressDriveKey\":\"드라이브 키 입력\",\"did_RaiseEmergency\":\"비상 상황 알림\",\"did_ReadDrive\":\"드라이브 파라미터 읽기\",\"did_RecoverAlarm\":\"알람 복구\",\"did_RejectProposal\":\"티칭 반려\",\"did_ReleaseEmergency\":\"비상 상황 해제\",\"did_ReleaseVehicle\":\"차량 보류 해제\",\"did_RemoveWebhook\":\"웹훅 삭제\",\"did_RenewWebhookSecret\":\"웹훅 비밀 값 갱신\",\"did_ReplayWebhook\":\"이벤트 다시 전달\",\"did_RestoreDrive\":\"드라이브 복원\",\"did_ResumeController\":\"전체 재개\",\"did_ResumeZone\":\"구역 재개\",\"did_RollBackDest\":\"DEST 되돌리기\",\"did_RollBackOffset\":\"OFFSET 되돌리기\",\"did_SetDeviceService\":\"장치 사용 여부 변경\",\"did_SetDriveInputs\":\"드라이브 입력 설정\",\"did_SetService\":\"차량 사용 여부 변경\",\"did_StageVehicle\":\"차량 미리 보내기\",\"did_StartTeaching\":\"티칭 시작\",\"did_StartWalk\":\"재고 실사 시작\",\"did_StopAll\":\"전체 정지\",\"did_StopDriveLine\":\"회선 드라이브 정지\",\"did_UnlockDrive\":\"드라이브 정비 잠금 해제\",\"did_UnlockVehicle\":\"차량 정비 잠금 해제\",\"did_UnpinDoor\":\"도어 제어 반환\",\"did_WriteCarrier\":\"캐리어 기록\",\"did_WriteDest\":\"DEST 입력\",\"did_WriteDrive\":\"드라이브 파라미터 쓰기\",\"did_WriteOffset\":\"OFFSET 입력\",\"did_WriteStation\":\"스테이션 기록\",\"did_BeginLayout\":\"첫 플랜트 파일\",\"did_LogIn\":\"로그인\",\"did_LogOut\":\"로그아웃\",\"did_ChangePassword\":\"암호 변경\",\"did_AddUser\":\"사용자 추가\",\"did_ChangeUser\":\"사용자 변경\",\"did_AddKey\":\"키 발급\",\"did_RevokeKey\":\"키 폐기\",\"did_Forbidden\":\"역할로 허용되지 않음\",\"expired\":\"만료됨\",\"opened\":\"해제됨\",\"not_known_yet\":\"아직 알 수 없습니다: 제어기가 응답하지 않았습니다.\",\"not_known_since\":\"{0}부터 알 수 없습니다: 제어기가 응답하지 않습니다.\",\"not_known_then\":\"그 시점에 대해 아직 알 수 없습니다.\",\"no_such\":\"그런 이름은 없습니다.\",\"away_never\":\"제어기가 아직 응답하지 않았습니다. 비어 있는 것은 없는 것이 아니라 모르는 것입니다.\",\"away_since\":\"제어기가 {0}부터 응답하지 않습니다({1}). 표시된 것은 모두 그때의 상태입니다.\",\"state_then\":\"{1} 당시 {0}\",\"past_away\":\"재생 · 제어기 응답 없음\",\"link_lost\":\"응답 없음\",\"and_more\":\"외 {0}개\",\"each_by_itself\":\"하나씩 보기\",\"acknowledge_all\":\"{0}건 모두 확인\",\"release_all\":\"{0}대 해제: 보고가 맞음\",\"all_acknowledged\":\"모두 확인됨\",\"note_or_reason\":\"메모 또는 해제 사유\",\"done_of\":\"{1}건 중 {0}건 처리\",\"no_alarms_but\":\"알람은 아니지만 보류되었거나 응답 없음: {0}\",\"no_alarms_but_title\":\"사람이 보류·잠금했거나 10초 미만 응답이 없는 것으로, 알람 수에 넣지 않습니다.\",\"alarm_count_title\":\"현재 알람 수(기계·코드마다 하나); 미확인 {0}\",\"look_count_title\":\"지도에서 '{0}' 상태인 차량 수\",\"closures_by_people\":\"사람이 폐쇄한 곳\",\"closures_title\":\"사람이 폐쇄하고 아직 열지 않은 것. 다른 이유로 경로가 피하는 곳은 아래에 있습니다.\",\"kept_off_title\":\"경로가 피하는 이유(사람의 폐쇄 포함): {0}가지, 선로의 {1}곳\",\"cut_off_title\":\"그 때문에 아무도 갈 수 없는 스테이션. 그곳의 작업은 대기합니다.\",\"against_lockout\":\"{0} 님이 잠금: {1}. 먼저 잠금을 해제하세요.\",\"against_emergency\":\"화재나 지진 통보 중에는 아무것도 움직이지 않습니다. 먼저 비상을 해제하세요(플랜트…).\",\"against_work\":\"작업 중인 구간에 서 있습니다: {0}, {1} 님이 폐쇄. 먼저 여세요.\",\"against_link\":\"연결되어 있지 않습니다. 회선과 전원을 확인하세요.\",\"against_recovery\":\"알람 복구가 진행 중입니다. 끝날 때까지 기다리세요.\",\"against_not_mant\":\"현재 {0}이며 MANT가 필요합니다. 먼저 '정지 (MANT)'를 누르세요.\",\"against_mant\":\"현재 MANT이며 AUTO나 SEMI가 필요합니다.\",\"against_off_rail\":\"레일에서 제거된 상태입니다. 먼저 해제하세요.\",\"against_hold\":\"보류 상태입니다. 먼저 해제하세요.\",\"against_service\":\"사용 제외 상태입니다. 먼저 사용으로 되돌리세요.\",\"against_job\":\"작업 {0} 수행 중입니다. 작업을 취소하거나 끝날 때까지 기다리세요.\",\"against_not_auto\":\"AUTO가 아닙니다. 복구하거나 서보 켜기, 원점 탐색, 자동을 누르세요.\",\"against_alarm\":\"알람 상태입니다. 먼저 복구하세요.\",\"against_settling\":\"위치를 확인하는 중입니다. 잠시 뒤 다시 하세요.\",\"against_roll_call\":\"아직 확인되지 않은 차량: {0}. 연결하거나 해제하세요.\",\"against_elsewhere\":\"스테이션(바코드 {0})이 아니라 {1}에 있습니다. 먼저 그곳으로 이동하세요.\",\"against_loaded\":\"이미 싣고 있어 하역만 할 수 있습니다.\",\"against_empty\":\"비어 있어 적재만 할 수 있습니다.\",\"against_runs\":\"정지 상태가 아닙니다. 정지하거나 기다리세요.\",\"against_agv_manual\":\"자동 모드가 아닙니다. 모드는 AGV에서만 바꿀 수 있습니다.\",\"against_agv_auto\":\"수동 모드가 아닙니다. 모드는 AGV에서만 바꿀 수 있습니다.\",\"against_no_error\":\"리셋할 오류가 없습니다.\",\"against_stands\":\"정지해 있습니다. 주행 중인 AGV에만 쓸 수 있습니다.\",\"against_no_charger\":\"충전기 위치가 아닙니다. 먼저 충전기로 이동하세요.\",\"against_linked\":\"연결되어 위치를 직접 보고합니다. 먼저 전원을 끄세요.\",\"against_nothing_held\":\"보류 상태가 아니므로 해제할 것이 없습니다.\",\"against_unknown\":\"아직 알려진 것이 없습니다.\",\"against_silent\":\"응답이 없습니다. 회선과 전원을 확인하세요.\",\"against_locked_for\":\"{0}을(를) 위해 잠겨 있습니다. 끝날 때까지 기다리세요.\",\"against_pin\":\"{0} 님이 문을 고정했습니다. 먼저 고정을 해제하세요.\",\"against_engaged\":\"닫을 수 없습니다: {0}이(가) 통과 중입니다.\",\"against_line\":\"회선 {0}이(가) 연결되어 있지 않습니다. 회선 탭을 보세요.\",\"against_offline\":\"응답이 없습니다. 전원, 케이블, ID를 확인하세요.\",\"against_operation\":\"작동 {0}이(가) 진행 중입니다. 기다리거나 취소하세요.\",\"against_drive_runs\":\"축이 움직이고 있습니다. 먼저 정지하세요.\",\"against_drive_error\":\"오류 상태입니다. 원인을 확인하고 정지/리셋을 누르세요.\",\"against_not_jog\":\"조그 모드가 아닙니다. 드라이브 패널에서 조그로 바꾸세요.\",\"against_other_vehicle\":\"캐리어가 {0}에 있거나 싣는 중이라 다른 차량에 줄 수 없습니다.\",\"the_room\":\"이 페이지의 ‘{0}’\"}");
+var page = /*#__PURE__*/ JSON.parse("{\"live\":\"실시간\",\"connecting\":\"연결 중\",\"lost\":\"재연결 중\",\"lost_age\":\"재연결 중 · {0}초 전 데이터\",\"lost_none\":\"서버가 응답하지 않습니다. 다시 시도합니다\",\"controller\":\"제어기\",\"auto\":\"자동\",\"pausing\":\"일시정지 중\",\"waiting_for\":\"점호: {0} 대기\",\"vehicles\":\"차량\",\"choose_vehicle\":\"차량 선택…\",\"jobs\":\"작업\",\"open_jobs\":\"진행 작업\",\"open\":\"진행\",\"ended\":\"종료\",\"all\":\"전체\",\"reason_first\":\"사유를 먼저 입력하세요.\",\"stopped_here\":\"화면에서 정지\",\"behind_it\":\"근본 원인:\",\"wait_behind\":\"이 차량 때문에 {0}대 대기 중\",\"wait_for_it\":\"대기 차량\",\"no_match\":\"조건에 맞는 작업이 없습니다.\",\"no_marks\":\"이 기간에 알람·폐쇄·일시정지가 없습니다.\",\"no_jobs\":\"작업이 없습니다.\",\"events\":\"이벤트\",\"no_events\":\"아직 이벤트가 없습니다.\",\"new_transfer\":\"새 반송\",\"source\":\"출발\",\"destination\":\"도착\",\"carrier\":\"캐리어\",\"carrier_optional\":\"현재 캐리어\",\"priority\":\"우선순위\",\"order\":\"등록\",\"ordering\":\"등록 중…\",\"ordered\":\"작업 {0} 접수됨\",\"choose\":\"선택…\",\"ports\":\"포트\",\"buffers\":\"사이드 버퍼\",\"agv_buffers\":\"AGV 버퍼\",\"loaded_vehicles\":\"적재 차량\",\"cancel\":\"취소\",\"abort\":\"중단\",\"sure\":\"확인?\",\"close\":\"닫기\",\"fit\":\"전체 보기\",\"zoom_in\":\"확대\",\"zoom_out\":\"축소\",\"map\":\"지도\",\"state\":\"상태\",\"activity\":\"동작\",\"mode\":\"모드\",\"oper\":\"운전\",\"place\":\"위치\",\"job\":\"작업\",\"goal\":\"목표\",\"link\":\"링크\",\"link_up\":\"{0}부터 연결\",\"link_down\":\"{0}부터 끊김\",\"round_trip\":\"왕복 시간\",\"frames_io\":\"프레임 수신 / 송신\",\"trouble_counts\":\"손상 / 재전송 / 중복\",\"seen\":\"최근 상태 보고\",\"ago\":\"{0} 전\",\"dialect\":\"프로토콜 변형\",\"address\":\"주소\",\"none\":\"없음\",\"empty\":\"비어 있음\",\"loaded\":\"적재\",\"unknown\":\"모름\",\"waits\":\"대기\",\"held_note\":\"보류\",\"held\":\"보류\",\"locked\":\"{0} 정비 잠금\",\"hold\":\"보류\",\"release\":\"해제\",\"reason\":\"사유\",\"verdict\":\"확인 결과\",\"verdict_go_on\":\"보고가 맞음: 계속\",\"verdict_off_rail\":\"레일에서 제거됨\",\"verdict_stands_at\":\"바코드 위치에 서 있음\",\"barcode\":\"바코드\",\"your_name\":\"이름\",\"name_hint\":\"모든 요청에 기록됩니다\",\"status_bits\":\"상태 비트\",\"status\":\"상태 보고 내용\",\"tag\":\"태그\",\"last_tag\":\"마지막 태그\",\"beyond\":\"정지 전 이동 목표\",\"charges_now\":\"충전 중\",\"cart\":\"카트\",\"lift\":\"리프트\",\"steering\":\"방향\",\"in_position\":\"정위치\",\"path\":\"수락한 이동\",\"agv_none\":\"없음\",\"agv_present\":\"있음\",\"agv_unknown\":\"모름\",\"agv_up\":\"상승\",\"agv_down\":\"하강\",\"agv_straight\":\"직진\",\"agv_left\":\"좌\",\"agv_right\":\"우\",\"agv_mark_stop\":\"마크 정지\",\"no_status\":\"상태 보고 없음\",\"last_frames\":\"최근 프레임\",\"no_frames\":\"통신 없음\",\"kind\":\"종류\",\"port\":\"포트\",\"sbfl\":\"좌측 사이드 버퍼\",\"sbfr\":\"우측 사이드 버퍼\",\"agv_buffer\":\"AGV 버퍼\",\"present\":\"점유\",\"yes\":\"예\",\"no\":\"아니오\",\"believed\":\"추정\",\"verified\":\"확인됨\",\"provenance\":\"근거\",\"host\":\"호스트\",\"placed\":\"차량이 내려놓음\",\"picked\":\"차량이 가져감\",\"person\":\"작업자\",\"inferred\":\"추론\",\"sensor\":\"센서\",\"plant\":\"플랜트 파일\",\"reserved\":\"예약\",\"out_of_service\":\"사용 중지\",\"target\":\"목표 펄스\",\"use_source\":\"여기서 출발\",\"use_destination\":\"여기로 도착\",\"key_title\":\"접근 키가 필요합니다\",\"key_label\":\"접근 키\",\"key_hint\":\"이 탭에만 저장되며 닫으면 지워집니다.\",\"key_use\":\"사용\",\"log_in\":\"로그인\",\"log_in_title\":\"로그인\",\"log_in_again\":\"다시 로그인하십시오\",\"nothing_lost\":\"서버가 누구인지 다시 묻습니다. 쓰던 내용은 그대로 있습니다.\",\"log_in_as_other\":\"다른 사람으로 로그인\",\"log_out\":\"로그아웃\",\"password\":\"암호\",\"use_a_key\":\"대신 키 사용\",\"use_password\":\"대신 이름과 암호 사용\",\"account\":\"현재 사용자\",\"roles\":\"역할\",\"good_until\":\"다시 로그인할 시각\",\"machine_key\":\"기계의 키\",\"change_password\":\"암호 변경\",\"old_password\":\"이전 암호\",\"new_password\":\"새 암호\",\"password_rule\":\"10자 이상\",\"password_changed\":\"새 암호가 적용되었습니다\",\"needs_role\":\"{0} 역할이 필요합니다. 지금은 {1}, 역할: {2}.\",\"role_viewer\":\"보기\",\"role_operator\":\"운전원\",\"role_maintenance\":\"정비\",\"role_mes\":\"MES\",\"role_admin\":\"관리자\",\"access\":\"사용자와 키\",\"users\":\"사용자\",\"machine_keys\":\"키\",\"no_users\":\"아직 추가된 사용자가 없어 로그인하지 않아도 됩니다. 첫 사용자는 관리자여야 합니다.\",\"no_keys\":\"키가 없습니다.\",\"disabled\":\"사용 중지\",\"enabled\":\"로그인 가능\",\"disable\":\"사용 중지\",\"enable\":\"다시 허용\",\"logged_in\":\"마지막 로그인\",\"never\":\"없음\",\"added\":\"추가\",\"change_roles\":\"역할 변경\",\"reset_password\":\"새 암호 부여\",\"password_reset\":\"{0}: 새 암호가 적용되고 로그아웃되었습니다\",\"add_user\":\"사용자 추가\",\"user_added\":\"{0}: 이제 로그인할 수 있습니다\",\"expires\":\"만료\",\"last_used\":\"마지막 사용\",\"revoke\":\"폐기\",\"key_revoked\":\"{0}: 더 이상 유효하지 않습니다\",\"key_active\":\"유효\",\"key_expired\":\"만료됨\",\"key_revoked_state\":\"폐기됨\",\"issue_key\":\"키 발급\",\"days_good\":\"일수\",\"until_revoked\":\"폐기할 때까지\",\"new_key\":\"새 키\",\"shown_once\":\"지금 복사하십시오. 다시 표시되지 않습니다.\",\"copy\":\"복사\",\"copied\":\"복사됨\",\"put_away\":\"닫기\",\"audit\":\"감사 기록\",\"no_rows\":\"해당하는 기록이 없습니다.\",\"check_chain\":\"위·변조 확인\",\"chain_looking\":\"{0}행 확인…\",\"chain_whole\":\"온전함: {0}행, #{1}까지, 해시 {2}…\",\"chain_broken\":\"#{0}에서 끊어짐: {1}\",\"what\":\"작업 내용\",\"on_what\":\"대상\",\"in_words\":\"내용\",\"carried_out\":\"수행\",\"since_when\":\"시작\",\"until_when\":\"끝\",\"newer\":\"최근\",\"page_number\":\"{0}쪽\",\"walks\":\"재고 실사\",\"no_walks\":\"점검이 없습니다.\",\"choose_walk\":\"점검을 시작하거나 선택하십시오.\",\"begin_walk\":\"점검 시작\",\"all_buffers\":\"모든 사이드 버퍼\",\"entered\":\"입력\",\"begun\":\"시작\",\"walk_open\":\"진행 중\",\"walk_accepted\":\"확정\",\"walk_abandoned\":\"포기\",\"finding\":\"결과\",\"found_not_seen\":\"미확인\",\"found_differs\":\"다름\",\"found_moved\":\"이후 변동\",\"found_agrees\":\"일치\",\"places\":\"장소\",\"expected\":\"예상\",\"found\":\"실제\",\"enter\":\"입력\",\"full\":\"있음\",\"unread\":\"ID 미확인\",\"entered_place\":\"{0} 입력됨\",\"read_csv\":\"CSV 읽기\",\"walk_file_columns\":\"파일에 station과 seen(full 또는 empty) 열이 필요하며 seen_carrier는 선택입니다. 목록을 CSV로 저장해 채우십시오.\",\"walk_file_word\":\"{0}행: seen은 full, empty 또는 빈칸이어야 합니다. “{1}”은 안 됩니다.\",\"walk_file_nothing\":\"파일에 확인된 내용이 없습니다.\",\"walk_file_read\":\"파일에서 {0}곳 입력됨\",\"accept\":\"확정\",\"accept_partial\":\"확인된 것만 확정\",\"walk_doubtful\":\"{0}곳은 미확인이거나 이후 변동되어 그대로 둡니다.\",\"stations_cut_off\":\"도달 불가 {0}곳\",\"cut_off_now\":\"도달할 수 없는 스테이션\",\"kept_off\":\"경로가 피하는 곳\",\"not_reachable\":\"도달할 수 없음:\",\"since_start\":\"시작 이후\",\"led_round\":\"폐쇄 구간 우회 {0}대\",\"led_quicker\":\"더 빠른 길로 {0}대\",\"slow_track\":\"현재 혼잡 구간 {0}개\",\"restrained_to\":\"현재 작업 중 주행 호이스트 최대 {0}대\",\"weighed\":\"경로 재평가 {0}회\",\"closed_before\":\"이전 폐쇄\",\"watch\":\"실시간 관찰\",\"watch_begin\":\"관찰 시작\",\"watch_end\":\"종료\",\"watch_hint\":\"한 번에 {0}개까지\",\"inputs\":\"상태와 입력\",\"ask_status\":\"상태 요청\",\"input_run\":\"운전\",\"input_home\":\"원점\",\"inputs_off\":\"모든 입력 끄기\",\"operations\":\"요청 이력\",\"no_operations\":\"요청 이력이 없습니다.\",\"op_state_done\":\"완료\",\"op_state_failed\":\"실패\",\"op_state_running\":\"진행 중\",\"op_state_unknown\":\"알 수 없음\",\"last_commands\":\"최근 명령\",\"no_commands\":\"명령 없음\",\"lines\":\"회선\",\"no_lines\":\"여러 장치를 연결한 회선이 없습니다.\",\"stop_line\":\"이 회선의 드라이브 모두 정지\",\"line_stopped\":\"모두에 정지를 보냈습니다\",\"stage\":\"차량 미리 보내기\",\"nearest_free\":\"가장 가까운 빈 차량\",\"staged\":\"가는 중입니다\",\"park\":\"주차\",\"tell_fire\":\"화재 발생\",\"tell_earthquake\":\"지진 발생\",\"webhooks\":\"웹훅\",\"no_webhooks\":\"HTTP로 알리는 곳이 없습니다.\",\"behind\":\"지연\",\"delivered\":\"전달\",\"failing_since\":\"실패 시작\",\"hook_active\":\"동작 중\",\"hook_paused\":\"일시정지\",\"hook_failed\":\"중단됨\",\"told_up_to\":\"전달 위치\",\"ping\":\"시험 전송\",\"pinged\":\"수신되었습니다\",\"new_secret\":\"새 비밀 값\",\"both_sign\":\"하루 동안 두 비밀 값으로 서명합니다\",\"replay_after\":\"다시 보낼 이벤트 번호(이후)\",\"replay\":\"다시 전달\",\"secret\":\"비밀 값\",\"deliveries\":\"전달 이력\",\"subscribe\":\"알림 추가\",\"begin_after\":\"이벤트 번호 이후\",\"from_now\":\"지금부터\",\"teaching_files\":\"파일\",\"teaching_raw\":\"원시 이벤트\",\"dests_of_ports\":\"포트 DEST\",\"offsets_of_vehicles\":\"차량 OFFSET\",\"save_json\":\"JSON 저장\",\"save_history\":\"전체 버전 저장\",\"read_file\":\"파일 읽기\",\"imported\":\"가져왔습니다\",\"import\":\"가져오기\",\"import_wrong\":\"잘못된 행이 있으면 가져올 수 없습니다.\",\"import_ready\":\"{0}을(를) 확인했습니다. 아직 바뀐 것은 없습니다.\",\"import_none\":\"파일을 읽으면 각 행의 결과가 먼저 표시됩니다.\",\"line_of_file\":\"행\",\"fate_new\":\"신규\",\"fate_changed\":\"변경\",\"fate_same\":\"동일\",\"fate_error\":\"오류\",\"teaching_events\":\"차량이 보낸 값\",\"position\":\"위치\",\"from_start\":\"처음부터\",\"compare_offsets\":\"두 차량의 OFFSET 비교\",\"vehicle_other\":\"다른 차량\",\"difference\":\"차이\",\"write_by_hand\":\"직접 입력\",\"legend_carrier\":\"캐리어\",\"legend_zone\":\"정지 금지 구역\",\"legend_door\":\"도어 닫힘, 열림\",\"look_idle\":\"유휴\",\"look_moving\":\"이동\",\"look_waiting\":\"대기\",\"look_handling\":\"적재·하역\",\"look_charging\":\"충전\",\"look_held\":\"보류\",\"look_alarm\":\"알람\",\"look_gone\":\"부재\",\"idle\":\"유휴\",\"moving\":\"이동 중\",\"waiting\":\"대기\",\"busy\":\"작업 중\",\"settling\":\"확인 중\",\"absent\":\"응답 없음\",\"off_rail\":\"레일 밖\",\"locked_out\":\"정비 잠금\",\"recovering\":\"복구 중\",\"alarm\":\"알람\",\"charging\":\"충전 중\",\"acquiring\":\"적재 중\",\"depositing\":\"하역 중\",\"paused\":\"일시정지\",\"removed\":\"제거됨\",\"not_assigned\":\"미할당\",\"enroute\":\"이동 중\",\"parked\":\"정차\",\"queued\":\"대기열\",\"transferring\":\"반송 중\",\"cancelling\":\"취소 중\",\"aborting\":\"중단 중\",\"completed\":\"완료\",\"failed\":\"실패\",\"cancelled\":\"취소됨\",\"aborted\":\"중단됨\",\"in_service\":\"사용 중\",\"devices\":\"장치\",\"door\":\"도어\",\"buffer\":\"버퍼\",\"charger\":\"충전기\",\"device_open\":\"열림\",\"device_closed\":\"닫힘\",\"device_cart\":\"카트 있음\",\"device_no_cart\":\"카트 없음\",\"device_charging\":\"충전 중\",\"device_free\":\"비어 있음\",\"device_busy\":\"동작 중\",\"device_unknown\":\"상태 모름\",\"device_error\":\"오류\",\"device_silent\":\"응답 없음\",\"since\":\"{0}부터\",\"last_word\":\"마지막 상태: {0}\",\"passing\":\"통과 차량\",\"charges\":\"충전 차량\",\"nobody\":\"없음\",\"lock_for\":\"잠금 요청자\",\"lock_unsure\":\"확인되지 않음\",\"not_locked\":\"잠금 없음\",\"pinned\":\"{1} 님이 {0} 상태로 유지\",\"pending\":\"진행 중 명령\",\"contradicts\":\"기록과 다름\",\"at_station\":\"스테이션\",\"on_line\":\"라인\",\"line_number\":\"{0} · 번호 {1}\",\"cmd_open\":\"도어 열기\",\"cmd_close\":\"도어 닫기\",\"cmd_lock\":\"잠금\",\"cmd_unlock\":\"잠금 해제\",\"asked\":\"요청됨: {0}\",\"drives\":\"드라이브\",\"drive\":\"드라이브\",\"drive_parameter_select\":\"파라미터 선택\",\"drive_parameter_value\":\"파라미터 설정\",\"drive_monitoring\":\"모니터링\",\"drive_jog\":\"조그\",\"drive_error\":\"오류\",\"drive_offline\":\"오프라인\",\"drive_not_heard\":\"아직 응답 없음\",\"drive_online\":\"온라인\",\"error_fact\":\"오류\",\"operation_fact\":\"운전 방식\",\"output\":\"출력\",\"turn\":\"회전 방향\",\"cw\":\"시계 방향\",\"ccw\":\"반시계 방향\",\"distance\":\"이동 거리\",\"model\":\"모델\",\"moves\":\"움직임\",\"stop_reset\":\"정지 / 리셋\",\"parameters\":\"파라미터\",\"read_parameters\":\"파라미터 읽기\",\"reading\":\"{1}개 중 {0}개 읽음\",\"no_parameters\":\"아직 읽지 않음\",\"op_done\":\"{0}: 완료\",\"op_running\":\"{0}: 요청됨\",\"op_unknown\":\"적용 여부를 알 수 없음\",\"no_model\":\"없음: 번호로만 파라미터 접근\",\"map_label\":\"트랙 지도. 드래그로 이동, 휠로 확대, 알고 싶은 것을 클릭하세요.\",\"vehicle\":\"차량\",\"alarms\":\"알람\",\"no_alarms\":\"이상이 없습니다.\",\"rooms\":\"화면\",\"find\":\"찾기\",\"nothing_found\":\"일치하는 항목 없음\",\"filter\":\"필터\",\"more_rows\":\"{0}개 더 있음\",\"show_more\":\"더 보기\",\"layers\":\"레이어\",\"layer_grants\":\"허가된 경로\",\"layer_zones\":\"구역\",\"layer_closures\":\"폐쇄\",\"layer_holds\":\"보류·정비 잠금\",\"heat\":\"히트맵\",\"heat_over\":\"집계 기간\",\"heat_hours\":\"최근 {0}시간\",\"heat_seen\":\"페이지를 연 이후\",\"heat_off\":\"없음\",\"heat_waiting\":\"대기 시간\",\"heat_traffic\":\"통행량\",\"little\":\"적음\",\"much\":\"많음\",\"follow\":\"따라가기\",\"follow_hint\":\"선택한 차량을 가운데에 유지 (F)\",\"keys\":\"지도 단축키\",\"key_find\":\"찾기\",\"key_pan\":\"지도 이동\",\"key_zoom\":\"확대·축소\",\"key_fit\":\"전체 보기\",\"key_follow\":\"선택한 차량 따라가기\",\"key_none\":\"선택 해제\",\"legend_soft\":\"완화 구역\",\"theme_light\":\"밝은 화면\",\"theme_dark\":\"어두운 화면\",\"idle_parked\":\"유휴, 주차\",\"why\":\"사유\",\"circle\":\"호이스트 순환 대기\",\"circles_counted\":\"시작 이후 발견 {0}, 해소 {1}\",\"job_details\":\"작업 상세\",\"fallbacks\":\"대체 {0}\",\"wished\":\"지정 차량: {0}\",\"ordered_by\":\"등록자\",\"ordered_at\":\"등록 시각\",\"result\":\"결과\",\"phases\":\"단계별 소요 시간\",\"phase_queued\":\"대기\",\"phase_fetching\":\"출발지 이동\",\"phase_carrying\":\"운반\",\"why_vehicle\":\"왜 이 차량인가\",\"not_assigned_yet\":\"아직 배정된 차량이 없습니다.\",\"why_waits\":\"무엇을 기다렸나\",\"never_waited\":\"기다리지 않았습니다.\",\"still\":\"계속\",\"left_out\":\"처음과 최근 사이 {0}건 생략\",\"to_source\":\"출발지까지 {0}\",\"hot_lot\":\"긴급 로트\",\"instead_of\":\"{0} 대신: {1} 가까움\",\"worth\":\"대기 가산 {0}, 변경 최소 이득 {1}\",\"no_way\":\"경로 없음\",\"change\":\"변경\",\"any\":\"아무 차량\",\"taken\":\"완료\",\"older\":\"이전 작업\",\"takes\":\"소요\",\"device\":\"장치\",\"commands\":\"명령\",\"sent\":\"전송됨\",\"recover\":\"알람 복구\",\"homing_safe\":\"확인함: 원점 복귀가 안전함\",\"vc_status\":\"상태 요청\",\"vc_stop_by_host\":\"호스트 정지\",\"vc_stop\":\"정지 (MANT)\",\"vc_auto\":\"자동\",\"vc_alarm_clear\":\"알람 해제\",\"vc_servo_on\":\"서보 켜기\",\"vc_servo_off\":\"서보 끄기\",\"vc_search_home\":\"원점 탐색\",\"vc_go_home\":\"원점 이동\",\"vc_system_reset\":\"시스템 리셋\",\"vc_agv_mark_stop\":\"마크 정지\",\"vc_lift_up\":\"리프트 상승\",\"vc_lift_down\":\"리프트 하강\",\"vc_lift_stop\":\"리프트 정지\",\"vc_charge_on\":\"충전 시작\",\"vc_charge_off\":\"충전 종료\",\"speed\":\"속도\",\"speed_slow\":\"느리게\",\"speed_normal\":\"보통\",\"speed_fast\":\"빠르게\",\"at_forks\":\"갈림길에서\",\"by_hand\":\"수동, 정지할 때까지\",\"hand_forward\":\"수동: 앞으로\",\"hand_backward\":\"수동: 뒤로\",\"hand_turn_left\":\"수동: 왼쪽 회전\",\"hand_turn_right\":\"수동: 오른쪽 회전\",\"tape_forward\":\"테이프 따라 앞으로\",\"tape_backward\":\"테이프 따라 뒤로\",\"agv_alias\":\"이름으로 목적지 이동\",\"stands_at_tag\":\"현재 태그\",\"tell_it\":\"알리기\",\"vc_pickup\":\"적재\",\"vc_place\":\"하역\",\"vc_display\":\"표시\",\"display_text\":\"차량 표시 문구\",\"move\":\"이동\",\"move_to\":\"이동할 바코드\",\"stop_action\":\"정지 유형\",\"act_stop\":\"정지만\",\"lock_out\":\"정비 잠금\",\"lift_lockout\":\"정비 잠금 해제\",\"lockout\":\"정비 잠금\",\"take_out\":\"사용 중지\",\"put_back\":\"사용 재개\",\"decide\":\"조치\",\"unpin\":\"차량 제어로 되돌리기\",\"pin_open\":\"열린 상태 유지\",\"pin_closed\":\"닫힌 상태 유지\",\"closures\":\"폐쇄\",\"nothing_closed\":\"폐쇄된 곳이 없습니다.\",\"draining\":\"비우는 중\",\"closed\":\"폐쇄됨\",\"ends_in\":\"{0} 후 종료\",\"release_wished\":\"{0} 님이 해제 요청\",\"open_it\":\"해제\",\"pause\":\"일시정지\",\"resume\":\"재개\",\"stop_zone\":\"정지\",\"stopped\":\"정지됨\",\"close_place\":\"폐쇄\",\"close_stretch\":\"트랙 구간\",\"close_edge\":\"트랙 한 칸\",\"close_barcode\":\"바코드\",\"close_zone\":\"구역\",\"close_from\":\"시작 바코드\",\"close_to\":\"끝 바코드\",\"purpose\":\"목적\",\"traffic\":\"교통\",\"work\":\"작업자 작업\",\"minutes\":\"분\",\"until_opened\":\"해제할 때까지\",\"closes_now\":\"폐쇄됨 또는 비우는 중\",\"choose_on_map\":\"위 지도에서 트랙을 클릭하거나 바코드를 입력한 뒤 영향을 확인하세요.\",\"look_first\":\"먼저 영향을 확인하세요.\",\"preview\":\"영향 미리 보기\",\"stations_closed\":\"폐쇄되는 스테이션:\",\"cut_off\":\"도달 불가:\",\"drive_out\":\"빠져나와야 할 차량:\",\"shut_in\":\"갇히는 차량:\",\"jobs_touched\":\"작업 {0}건 영향\",\"routes_longer\":\"경로 {1}개 중 {0}개 길어짐\",\"routes_lost\":\"{0}개 끊김\",\"routes_mean\":\"평균 소요 {0}초 → {1}초\",\"stations\":\"스테이션\",\"carriers\":\"캐리어\",\"age\":\"경과\",\"remove\":\"삭제\",\"carrier_is\":\"캐리어 위치 기록\",\"write_down\":\"기록\",\"name\":\"이름\",\"teaching\":\"티칭\",\"proposals\":\"제안\",\"sessions\":\"세션\",\"drift\":\"편차\",\"dry_run\":\"모의 계산\",\"no_proposals\":\"아직 티칭 이력이 없습니다.\",\"no_sessions\":\"세션이 없습니다.\",\"no_drift\":\"이전 값과 크게 다른 항목이 없습니다.\",\"dest\":\"DEST\",\"offset\":\"OFFSET\",\"old\":\"이전\",\"new\":\"신규\",\"when\":\"시각\",\"who\":\"담당\",\"sent_positions\":\"수신 위치\",\"asked_by\":\"요청자\",\"assign\":\"지정\",\"approve\":\"승인\",\"approve_anyway\":\"그래도 승인\",\"reject\":\"반려\",\"teach_port\":\"포트 티칭\",\"open_session\":\"세션 열기\",\"close_session\":\"세션 닫기\",\"abandon\":\"포기\",\"teach_dest\":\"DEST 티칭\",\"teach_offset\":\"OFFSET 티칭\",\"reference_vehicle\":\"기준 차량: 0\",\"refused\":\"거부\",\"changes_nothing\":\"바뀌는 펄스가 없습니다.\",\"never_taught\":\"티칭된 적 없음.\",\"compare\":\"비교\",\"roll_back\":\"v{0}(으)로 되돌리기\",\"ready\":\"승인 대기\",\"collecting\":\"수집 중\",\"incomplete\":\"불완전\",\"approved\":\"승인됨\",\"rejected\":\"반려됨\",\"abandoned\":\"포기됨\",\"ambiguous\":\"포트 불명확\",\"wrong_mode\":\"모드 오류\",\"out_of_range\":\"범위 초과\",\"jog\":\"조그\",\"jog_hint\":\"누르는 동안만 동작\",\"backups\":\"백업·비교\",\"note\":\"메모\",\"back_up\":\"백업\",\"compare_with\":\"비교할 드라이브\",\"restore\":\"복원\",\"restore_dry\":\"복원 시험\",\"no_differences\":\"차이가 없습니다.\",\"write\":\"쓰기\",\"master\":\"플랜트…\",\"stop_all\":\"전체 정지\",\"release_fire\":\"화재 상황 해제\",\"release_earthquake\":\"지진 상황 해제\",\"more\":\"더 보기\",\"job_id\":\"작업 ID\",\"given_here\":\"자동 부여\",\"fallbacks_label\":\"대체 도착지(여럿)\",\"statistics\":\"통계\",\"period_hour\":\"1시간\",\"period_shift\":\"8시간\",\"period_day\":\"1일\",\"period_week\":\"7일\",\"save_csv\":\"CSV로 저장\",\"table_phases\":\"단계\",\"table_intervals\":\"구간\",\"table_vehicles\":\"차량\",\"table_waits\":\"대기\",\"table_transfers\":\"반송\",\"report\":\"보고서\",\"queue\":\"대기열\",\"empty_travel\":\"공차 주행\",\"throughput\":\"처리량\",\"delivery_time\":\"반송 시간\",\"waits_by_cause\":\"원인별 대기\",\"utilisation\":\"가동률\",\"failures\":\"고장\",\"availability\":\"가용도\",\"phase\":\"단계\",\"count\":\"건수\",\"mean\":\"평균\",\"longest\":\"최장\",\"phase_acquiring\":\"적재\",\"phase_depositing\":\"하역\",\"phase_total\":\"전체\",\"alarms_now\":\"현재\",\"alarms_history\":\"이력\",\"alarms_pareto\":\"파레토\",\"known_to\":\"{0} 님이 {1}에 확인\",\"acknowledge\":\"확인\",\"no_alarms_yet\":\"알람 이력이 없습니다.\",\"cause\":\"원인\",\"pareto_code\":\"원인별\",\"pareto_source\":\"설비별\",\"pareto_both\":\"둘 다\",\"stage_file\":\"플랜트 파일 올리기\",\"what_differs\":\"달라지는 것\",\"text_not_kept\":\"거부된 뒤 다른 버전도 거부되어 파일 내용은 더 이상 보관되지 않습니다.\",\"jobs_refused_meanwhile\":\"그때까지 접수된 작업은 계속되며, 없어질 곳으로 또는 그곳에서 출발하는 새 작업은 거절됩니다.\",\"layouts\":\"레이아웃\",\"no_versions\":\"보관된 버전이 없습니다.\",\"version\":\"버전\",\"version_staged\":\"준비됨\",\"version_awaited\":\"적용 대기\",\"version_active\":\"운영 중\",\"version_former\":\"이전 버전\",\"version_rejected\":\"거부됨\",\"plant_file\":\"플랜트 파일 선택…\",\"version_taken\":\"보관했습니다. 플랜트는 그대로입니다.\",\"activate\":\"적용\",\"activate_later\":\"막는 것이 없어지면 적용\",\"roll_back_to\":\"이 버전으로 되돌리기\",\"take_back\":\"적용 취소\",\"save_file\":\"파일 저장\",\"in_the_way\":\"지금 막고 있는 것\",\"nothing_in_the_way\":\"막고 있는 것이 없습니다.\",\"lost_with_it\":\"더 이상 쓰이지 않게 되는 것\",\"lacking_with_it\":\"적용 뒤 티칭할 것\",\"no_difference\":\"운영 중인 버전과 차이가 없습니다.\",\"diff_added\":\"추가\",\"diff_removed\":\"삭제\",\"diff_changed\":\"변경\",\"diff_moved\":\"이동\",\"diff_renamed\":\"이름 변경\",\"how\":\"변화\",\"track\":\"트랙\",\"at\":\"시각\",\"actor\":\"누가\",\"playback\":\"재생\",\"loading\":\"불러오는 중…\",\"nothing_recorded\":\"아직 기록이 없습니다. 재생하려면 playback_days가 0보다 커야 합니다.\",\"past_recording\":\"기록된 사건\",\"past_here\":\"과거\",\"past_ago\":\"{0} 전\",\"past_by\":\"{0} 내보냄, {1}\",\"past_no_commands\":\"여기서는 명령할 수 없습니다.\",\"past_alarms_now\":\"현재 알람 {0}\",\"back_to_live\":\"실시간으로\",\"events_of_note\":\"주요 사건\",\"event_before\":\"이전 이벤트\",\"event_next\":\"다음 이벤트\",\"play\":\"재생\",\"stop_playing\":\"일시정지\",\"pace\":\"배속\",\"stretch\":\"표시 구간\",\"stretch_minutes\":\"10분\",\"stretch_hour\":\"1시간\",\"stretch_shift\":\"8시간\",\"stretch_day\":\"1일\",\"stretch_all\":\"전체\",\"moment\":\"시점\",\"link_hint\":\"이 시점의 주소를 복사합니다\",\"link_copy\":\"링크 복사\",\"link_copied\":\"복사됨\",\"incident\":\"사건\",\"from_moment\":\"부터\",\"to_moment\":\"까지\",\"take_moment\":\"표시된 시점 사용\",\"incident_save\":\"파일로 내보내기\",\"incident_hint\":\"다른 곳에서 열기: hoistway replay FILE\",\"saved_as\":\"{0}(으)로 저장됨\",\"not_then\":\"이 시점에 없거나 기록되지 않았습니다.\",\"granted\":\"허가 구간\",\"here\":\"여기\",\"legend_granted\":\"허가 구간\",\"legend_planned\":\"계획 경로\",\"newer_rows\":\"최근\",\"older_rows\":\"이전\",\"jobs_ordered\":\"접수\",\"vc_agv_stop\":\"정지\",\"bit_foup\":\"캐리어\",\"bit_trav\":\"주행\",\"bit_shft\":\"시프터\",\"bit_rota\":\"로테이터\",\"bit_lift\":\"리프터\",\"bit_slid\":\"슬라이더\",\"bit_grip\":\"그리퍼\",\"bit_sftb\":\"낙하 방지\",\"bit_mode\":\"모드\",\"bit_oper\":\"운전\",\"bit_at_barcode\":\"바코드 인식\",\"bit_all_home\":\"전체 원점\",\"bit_home_known\":\"원점 인식\",\"bit_servos_on\":\"전체 서보 온\",\"bit_rsv1\":\"예약\",\"bit_rsv2\":\"예약\",\"bit_alarm_code\":\"알람 코드\",\"bit_process_code\":\"공정 코드\",\"servo_not_ready\":\"서보 준비 안 됨\",\"servo_error\":\"서보 에러\",\"driver_error\":\"드라이버 에러\",\"driving\":\"구동 중\",\"front_bumper\":\"전방 범퍼 감지\",\"rear_bumper\":\"후방 범퍼 감지\",\"at_stop_tag\":\"포트 위치 정지\",\"at_sbfl\":\"좌측 버퍼 위치 정지\",\"at_sbfr\":\"우측 버퍼 위치 정지\",\"at_port_sbfl\":\"포트·좌측 버퍼 위치 정지\",\"at_port_sbfr\":\"포트·우측 버퍼 위치 정지\",\"at_sbfl_sbfr\":\"양쪽 버퍼 위치 정지\",\"at_port_sbfl_sbfr\":\"포트·양쪽 버퍼 위치 정지\",\"stop\":\"정지\",\"home\":\"원점\",\"left_limit\":\"좌측 리미트\",\"right_limit\":\"우측 리미트\",\"cw_limit\":\"시계 방향 리미트\",\"ccw_limit\":\"반시계 방향 리미트\",\"left_side\":\"좌측\",\"right_side\":\"우측\",\"left_destination\":\"좌측 목적 위치\",\"right_destination\":\"우측 목적 위치\",\"wide\":\"넓게 열림\",\"raised\":\"올림\",\"grip_open\":\"열림\",\"grip_close\":\"닫힘\",\"mant\":\"MANT, 정비\",\"semi\":\"SEMI, 반자동\",\"run\":\"동작 중\",\"pause_oper\":\"일시정지, 장애물\",\"cs_open\":\"진행 중\",\"cs_done\":\"완료\",\"cs_failed\":\"실패\",\"cs_unknown\":\"알 수 없음\",\"cs_not_sent\":\"전송 안 됨\",\"cs_settled_done\":\"완료, 상태로 확인\",\"cs_settled_not_done\":\"미완료, 상태로 확인\",\"vc_move\":\"이동\",\"vc_xmove\":\"이동 연장\",\"vc_open\":\"열기\",\"vc_close\":\"닫기\",\"vc_lock\":\"잠금\",\"vc_unlock\":\"잠금 해제\",\"vc_agv_charge\":\"충전\",\"vc_agv_lift\":\"리프트\",\"reliability\":\"신뢰성\",\"down_minutes\":\"정지 시간(분)\",\"failures_of\":\"고장 이력\",\"catalogue\":\"모델 카탈로그\",\"default_value\":\"기본값\",\"range\":\"범위\",\"read_only\":\"읽기 전용\",\"while_running\":\"운전 중 쓰기 가능\",\"description\":\"설명\",\"no_catalogue\":\"이 모델의 카탈로그가 없습니다. 파라미터는 번호로 다룹니다.\",\"backup_contents\":\"내용\",\"in_force\":\"현재 적용 값\",\"period_other\":\"직접 지정\",\"period_begin\":\"시작\",\"period_end\":\"끝\",\"file_kind\":\"파일 형식\",\"print_report\":\"보고서 열어 인쇄\",\"print\":\"인쇄\",\"count_connections\":\"연결\",\"count_frames_in\":\"수신 프레임\",\"count_frames_out\":\"송신 프레임\",\"count_garbled\":\"손상\",\"count_resends\":\"재전송\",\"count_sent\":\"전송\",\"count_answered\":\"응답\",\"count_timeouts\":\"시간 초과\",\"count_naks\":\"NAK\",\"count_busies\":\"사용 중\",\"count_strays\":\"요청하지 않은 응답\",\"normal\":\"정상\",\"keys_past\":\"재생 단축키\",\"period_month\":\"30일\",\"did_AbandonWalk\":\"재고 실사 포기\",\"did_AbortJob\":\"작업 중단\",\"did_AcceptWalk\":\"재고 실사 확정\",\"did_AcknowledgeAlarm\":\"알람 확인\",\"did_AddWebhook\":\"웹훅 추가\",\"did_ApproveProposal\":\"티칭 승인\",\"did_AskDriveStatus\":\"드라이브 상태 요청\",\"did_AssignProposal\":\"티칭 포트 지정\",\"did_BackUpDrive\":\"드라이브 백업\",\"did_CancelDriveOperation\":\"드라이브 작업 취소\",\"did_CancelJob\":\"작업 취소\",\"did_ChangeJob\":\"작업 변경\",\"did_ChangeWebhook\":\"웹훅 변경\",\"did_ClosePlace\":\"폐쇄\",\"did_CommandAgv\":\"AGV 명령\",\"did_CommandDevice\":\"장치 명령\",\"did_CommandVehicle\":\"차량 명령\",\"did_CompareDrive\":\"드라이브 비교\",\"did_CreateJob\":\"작업 등록\",\"did_DisplayOnVehicle\":\"차량 표시\",\"did_EndTeaching\":\"티칭 세션 닫기\",\"did_EnterSights\":\"실물 확인 입력\",\"did_HandleOnce\":\"단독 적재·하역\",\"did_HoldVehicle\":\"차량 보류\",\"did_ImportTaught\":\"티칭 값 가져오기\",\"did_JogDrive\":\"드라이브 조그\",\"did_JogEnd\":\"조그 종료\",\"did_LiftDeviceLockout\":\"장치 정비 잠금 해제\",\"did_LockDrive\":\"드라이브 정비 잠금\",\"did_LockOutDevice\":\"장치 정비 잠금\",\"did_LockVehicle\":\"차량 정비 잠금\",\"did_MoveVehicle\":\"차량 이동\",\"did_OpenPlace\":\"폐쇄 해제\",\"did_OpenTeaching\":\"티칭 세션 열기\",\"did_ParkVehicle\":\"차량 주차\",\"did_PauseController\":\"전체 일시정지\",\"did_PauseZone\":\"구역 일시정지\",\"did_PinDoor\":\"도어 상태 유지\",\"did_PressDriveKey\":\"드라이브 키 입력\",\"did_RaiseEmergency\":\"비상 상황 알림\",\"did_ReadDrive\":\"드라이브 파라미터 읽기\",\"did_RecoverAlarm\":\"알람 복구\",\"did_RejectProposal\":\"티칭 반려\",\"did_ReleaseEmergency\":\"비상 상황 해제\",\"did_ReleaseVehicle\":\"차량 보류 해제\",\"did_RemoveWebhook\":\"웹훅 삭제\",\"did_RenewWebhookSecret\":\"웹훅 비밀 값 갱신\",\"did_ReplayWebhook\":\"이벤트 다시 전달\",\"did_RestoreDrive\":\"드라이브 복원\",\"did_ResumeController\":\"전체 재개\",\"did_ResumeZone\":\"구역 재개\",\"did_RollBackDest\":\"DEST 되돌리기\",\"did_RollBackOffset\":\"OFFSET 되돌리기\",\"did_SetDeviceService\":\"장치 사용 여부 변경\",\"did_SetDriveInputs\":\"드라이브 입력 설정\",\"did_SetService\":\"차량 사용 여부 변경\",\"did_StageVehicle\":\"차량 미리 보내기\",\"did_StartTeaching\":\"티칭 시작\",\"did_StartWalk\":\"재고 실사 시작\",\"did_StopAll\":\"전체 정지\",\"did_StopDriveLine\":\"회선 드라이브 정지\",\"did_UnlockDrive\":\"드라이브 정비 잠금 해제\",\"did_UnlockVehicle\":\"차량 정비 잠금 해제\",\"did_UnpinDoor\":\"도어 제어 반환\",\"did_WriteCarrier\":\"캐리어 기록\",\"did_WriteDest\":\"DEST 입력\",\"did_WriteDrive\":\"드라이브 파라미터 쓰기\",\"did_WriteOffset\":\"OFFSET 입력\",\"did_WriteStation\":\"스테이션 기록\",\"did_BeginLayout\":\"첫 플랜트 파일\",\"did_LogIn\":\"로그인\",\"did_LogOut\":\"로그아웃\",\"did_ChangePassword\":\"암호 변경\",\"did_AddUser\":\"사용자 추가\",\"did_ChangeUser\":\"사용자 변경\",\"did_AddKey\":\"키 발급\",\"did_RevokeKey\":\"키 폐기\",\"did_Forbidden\":\"역할로 허용되지 않음\",\"expired\":\"만료됨\",\"opened\":\"해제됨\",\"not_known_yet\":\"아직 알 수 없습니다: 제어기가 응답하지 않았습니다.\",\"not_known_since\":\"{0}부터 알 수 없습니다: 제어기가 응답하지 않습니다.\",\"not_known_then\":\"그 시점에 대해 아직 알 수 없습니다.\",\"no_such\":\"그런 이름은 없습니다.\",\"away_never\":\"제어기가 아직 응답하지 않았습니다. 비어 있는 것은 없는 것이 아니라 모르는 것입니다.\",\"away_since\":\"제어기가 {0}부터 응답하지 않습니다({1}). 표시된 것은 모두 그때의 상태입니다.\",\"state_then\":\"{1} 당시 {0}\",\"past_away\":\"재생 · 제어기 응답 없음\",\"link_lost\":\"응답 없음\",\"and_more\":\"외 {0}개\",\"each_by_itself\":\"하나씩 보기\",\"acknowledge_all\":\"{0}건 모두 확인\",\"release_all\":\"{0}대 해제: 보고가 맞음\",\"all_acknowledged\":\"모두 확인됨\",\"note_or_reason\":\"메모 또는 해제 사유\",\"done_of\":\"{1}건 중 {0}건 처리\",\"no_alarms_but\":\"알람은 아니지만 보류되었거나 응답 없음: {0}\",\"no_alarms_but_title\":\"사람이 보류·잠금했거나 10초 미만 응답이 없는 것으로, 알람 수에 넣지 않습니다.\",\"alarm_count_title\":\"현재 알람 수(기계·코드마다 하나); 미확인 {0}\",\"look_count_title\":\"지도에서 '{0}' 상태인 차량 수\",\"closures_by_people\":\"사람이 폐쇄한 곳\",\"closures_title\":\"사람이 폐쇄하고 아직 열지 않은 것. 다른 이유로 경로가 피하는 곳은 아래에 있습니다.\",\"kept_off_title\":\"경로가 피하는 이유(사람의 폐쇄 포함): {0}가지, 선로의 {1}곳\",\"cut_off_title\":\"그 때문에 아무도 갈 수 없는 스테이션. 그곳의 작업은 대기합니다.\",\"against_lockout\":\"{0} 님이 잠금: {1}. 먼저 잠금을 해제하세요.\",\"against_emergency\":\"화재나 지진 통보 중에는 아무것도 움직이지 않습니다. 먼저 비상을 해제하세요(플랜트…).\",\"against_work\":\"작업 중인 구간에 서 있습니다: {0}, {1} 님이 폐쇄. 먼저 여세요.\",\"against_link\":\"연결되어 있지 않습니다. 회선과 전원을 확인하세요.\",\"against_recovery\":\"알람 복구가 진행 중입니다. 끝날 때까지 기다리세요.\",\"against_not_mant\":\"현재 {0}이며 MANT가 필요합니다. 먼저 '정지 (MANT)'를 누르세요.\",\"against_mant\":\"현재 MANT이며 AUTO나 SEMI가 필요합니다.\",\"against_off_rail\":\"레일에서 제거된 상태입니다. 먼저 해제하세요.\",\"against_hold\":\"보류 상태입니다. 먼저 해제하세요.\",\"against_service\":\"사용 제외 상태입니다. 먼저 사용으로 되돌리세요.\",\"against_job\":\"작업 {0} 수행 중입니다. 작업을 취소하거나 끝날 때까지 기다리세요.\",\"against_not_auto\":\"AUTO가 아닙니다. 복구하거나 서보 켜기, 원점 탐색, 자동을 누르세요.\",\"against_alarm\":\"알람 상태입니다. 먼저 복구하세요.\",\"against_settling\":\"위치를 확인하는 중입니다. 잠시 뒤 다시 하세요.\",\"against_roll_call\":\"아직 확인되지 않은 차량: {0}. 연결하거나 해제하세요.\",\"against_elsewhere\":\"스테이션(바코드 {0})이 아니라 {1}에 있습니다. 먼저 그곳으로 이동하세요.\",\"against_loaded\":\"이미 싣고 있어 하역만 할 수 있습니다.\",\"against_empty\":\"비어 있어 적재만 할 수 있습니다.\",\"against_runs\":\"정지 상태가 아닙니다. 정지하거나 기다리세요.\",\"against_agv_manual\":\"자동 모드가 아닙니다. 모드는 AGV에서만 바꿀 수 있습니다.\",\"against_agv_auto\":\"수동 모드가 아닙니다. 모드는 AGV에서만 바꿀 수 있습니다.\",\"against_no_error\":\"리셋할 오류가 없습니다.\",\"against_stands\":\"정지해 있습니다. 주행 중인 AGV에만 쓸 수 있습니다.\",\"against_no_charger\":\"충전기 위치가 아닙니다. 먼저 충전기로 이동하세요.\",\"against_linked\":\"연결되어 위치를 직접 보고합니다. 먼저 전원을 끄세요.\",\"against_nothing_held\":\"보류 상태가 아니므로 해제할 것이 없습니다.\",\"against_unknown\":\"아직 알려진 것이 없습니다.\",\"against_silent\":\"응답이 없습니다. 회선과 전원을 확인하세요.\",\"against_locked_for\":\"{0}을(를) 위해 잠겨 있습니다. 끝날 때까지 기다리세요.\",\"against_pin\":\"{0} 님이 문을 고정했습니다. 먼저 고정을 해제하세요.\",\"against_engaged\":\"닫을 수 없습니다: {0}이(가) 통과 중입니다.\",\"against_line\":\"회선 {0}이(가) 연결되어 있지 않습니다. 회선 탭을 보세요.\",\"against_offline\":\"응답이 없습니다. 전원, 케이블, ID를 확인하세요.\",\"against_operation\":\"작동 {0}이(가) 진행 중입니다. 기다리거나 취소하세요.\",\"against_drive_runs\":\"축이 움직이고 있습니다. 먼저 정지하세요.\",\"against_drive_error\":\"오류 상태입니다. 원인을 확인하고 정지/리셋을 누르세요.\",\"against_not_jog\":\"조그 모드가 아닙니다. 드라이브 패널에서 조그로 바꾸세요.\",\"against_other_vehicle\":\"캐리어가 {0}에 있거나 싣는 중이라 다른 차량에 줄 수 없습니다.\",\"the_room\":\"이 페이지의 ‘{0}’\",\"legend_unknown\":\"무엇이 있는지 모르거나 의심됨\",\"no_room\":\"이 페이지에 {0} 화면이 없어 지도를 표시합니다.\"}");
 var remedies = {
 	"malformed": "UTF-8 JSON 본문을 보내세요.",
 	"method": "경로와 메서드는 /api/docs에 있습니다.",
@@ -1653,12 +1653,12 @@ function t(word, ...values) {
 	return values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
 }
 /** The server's word for a state, translated if we know it. */
-function said(word) {
+function said$1(word) {
 	return Object.hasOwn(page$1, word) ? t(word) : word.replaceAll("_", " ");
 }
 /** A sentence of the server, translated as far as the catalogue knows it, with the page's names for what it says to call. */
 function tell(sentence) {
-	if (language.value === "ko" && Object.hasOwn(page, sentence)) return said(sentence);
+	if (language.value === "ko" && Object.hasOwn(page, sentence)) return said$1(sentence);
 	return withRooms((language.value === "ko" ? korean : english).translate(sentence));
 }
 var CALL = /(?:\b(?:GET|POST|PUT|PATCH|DELETE) )?\/api\/v1\/([a-z]+)(?:\/[\w/:-]+)?/g;
@@ -1719,7 +1719,7 @@ var allRoles = O(() => {
 	return [...rulings.value.values()].map(({ roles }) => roles).reduce((longest, roles) => roles.length > longest.length ? roles : longest, []);
 });
 /** Roles in words, for people. */
-var inWords$1 = (roles) => roles.map((role) => said(`role_${role}`)).join(", ");
+var inWords$1 = (roles) => roles.map((role) => said$1(`role_${role}`)).join(", ");
 /** Why who is here may not make a call; "" where they may, or where the server is to say so itself. */
 function refusal(call) {
 	const who = me.value;
@@ -2262,6 +2262,9 @@ function clock(iso) {
 	const at = new Date(iso);
 	return Number.isNaN(at.getTime()) ? "" : at.toLocaleTimeString("en-GB", { hour12: false });
 }
+// src/natural.ts
+/** Compares names as people do: V2 before V10. */
+var NATURAL = new Intl.Collator(void 0, { numeric: true });
 // src/grid.ts
 /** Things by where they are, in squares: whoever looks for neighbours need not look at all. Pure. */
 var CELL$1 = 5e3;
@@ -2497,8 +2500,6 @@ function least(values, pick) {
 var EVENTS_SHOWN = 200;
 var ENDED_SHOWN = 100;
 var TOPICS = "controller,vehicles,jobs,stations,carriers,devices,drives,closures,teaching,alarms,walks,events";
-/** Compares names as people do: V2 before V10. */
-var NATURAL = new Intl.Collator(void 0, { numeric: true });
 var ENDED = /* @__PURE__ */ new Set([
 	"completed",
 	"failed",
@@ -2920,7 +2921,9 @@ var ALSO = {
 };
 function read() {
 	const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-	room$1.value = isRoom(path) ? path : ALSO[path] ?? "map";
+	const known = isRoom(path) ? path : ALSO[path];
+	room$1.value = known ?? "map";
+	strayed(path && !known ? t("no_room", path) : "");
 	const asked = new URLSearchParams(query);
 	momentAsked.value = room$1.value === "playback" ? asked.get("at") : null;
 	const [kind, id] = [...asked].find(([name]) => KINDS$3.has(name)) ?? [];
@@ -2929,10 +2932,18 @@ function read() {
 		id
 	};
 }
+var said = "";
+/** Say once that there is no room of that name, until another is entered; "": there is. */
+function strayed(words) {
+	if (said && notice.value === said) notice.value = "";
+	said = words;
+	if (words) notice.value = words;
+}
 /** Follow the address, and keep it up to date. */
 function begin$4() {
 	read();
 	window.addEventListener("hashchange", read);
+	room$1.subscribe((now) => now !== "map" && strayed(""));
 	x(() => {
 		const pick = selected.value;
 		const asked = new URLSearchParams(pick ? { [pick.kind]: pick.id } : {});
@@ -3771,7 +3782,7 @@ function Service({ vehicle, path }) {
 /** A command by its button's word, if it has one. */
 function commandName(kind) {
 	const word = `vc_${kind}`;
-	return said(word) === word.replaceAll("_", " ") ? kind.replaceAll("_", " ") : said(word);
+	return said$1(word) === word.replaceAll("_", " ") ? kind.replaceAll("_", " ") : said$1(word);
 }
 function Past$2({ path }) {
 	const round = Math.floor(changes.vehicles.value / 30);
@@ -3784,7 +3795,7 @@ function Past$2({ path }) {
 				/* @__PURE__ */ a("th", { children: clock(command.opened) }),
 				/* @__PURE__ */ a("td", { children: commandName(command.kind) }),
 				/* @__PURE__ */ a("td", { children: [
-					said(`cs_${command.state}`),
+					said$1(`cs_${command.state}`),
 					" ",
 					/* @__PURE__ */ a("small", {
 						class: "calm",
@@ -3815,7 +3826,7 @@ function Sign({ kind }) {
 	const grave = GRAVE.has(kind);
 	return /* @__PURE__ */ a("span", {
 		class: `sign ${grave ? "" : "wait"}`,
-		title: said(kind),
+		title: said$1(kind),
 		children: grave ? "!" : "‖"
 	});
 }
@@ -3835,7 +3846,7 @@ function Line$4({ alarm }) {
 						"· ",
 						clock(alarm.begun),
 						" · ",
-						said(alarm.kind)
+						said$1(alarm.kind)
 					]
 				})
 			] }),
@@ -3895,7 +3906,7 @@ function Together({ group }) {
 						"· ",
 						t("since", clock(first)),
 						" · ",
-						said(kind)
+						said$1(kind)
 					]
 				})
 			] }),
@@ -4140,7 +4151,7 @@ function AlarmHistory({ source }) {
 						children: t("all")
 					}), KINDS$2.map((name) => /* @__PURE__ */ a("option", {
 						value: name,
-						children: said(name)
+						children: said$1(name)
 					}, name))]
 				})] }),
 				/* @__PURE__ */ a("button", {
@@ -4171,7 +4182,7 @@ function AlarmHistory({ source }) {
 				{
 					name: t("kind"),
 					by: (row) => row.kind,
-					of: (row) => said(row.kind)
+					of: (row) => said$1(row.kind)
 				},
 				{
 					name: t("name"),
@@ -4441,7 +4452,7 @@ function Pareto() {
 				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((row) => {
 					sum += row.share;
 					return /* @__PURE__ */ a("tr", { children: [
-						/* @__PURE__ */ a("td", { children: row.kind ? said(row.kind) : "" }),
+						/* @__PURE__ */ a("td", { children: row.kind ? said$1(row.kind) : "" }),
 						/* @__PURE__ */ a("td", { children: [row.source, row.code && tell(row.code)].filter(Boolean).join(" · ") }),
 						/* @__PURE__ */ a("td", {
 							class: "number",
@@ -4765,7 +4776,7 @@ function Rows() {
 }
 /** What was asked for in words, and by the name that it is looked for by. */
 function Did({ action }) {
-	const word = said(`did_${action}`);
+	const word = said$1(`did_${action}`);
 	const named = word !== `did ${action}`;
 	return /* @__PURE__ */ a($, { children: [named && /* @__PURE__ */ a($, { children: [word, " "] }), /* @__PURE__ */ a("small", {
 		class: named ? "calm technical" : "calm",
@@ -4923,7 +4934,7 @@ function Row$2({ drive }) {
 	const { word, tone } = lookOfDrive(drive);
 	const chosen = selected.value?.kind === "drive" && selected.value.id === drive.id;
 	const heard = drive.online === true;
-	const why = drive.online ? said(drive.meaning) : tell(drive.reason);
+	const why = drive.online ? said$1(drive.meaning) : tell(drive.reason);
 	const choose = () => {
 		selected.value = chosen ? null : {
 			kind: "drive",
@@ -5005,7 +5016,7 @@ function Line$3({ event }) {
 					event.job,
 					event.carrier,
 					where,
-					event.result && said(event.result),
+					event.result && said$1(event.result),
 					tell(event.detail)
 				])].filter(Boolean).join(" · ")
 			})
@@ -5114,7 +5125,7 @@ function LineList() {
 }
 /** A count by its word, if it has one. */
 function countName(name) {
-	const word = said(`count_${name}`);
+	const word = said$1(`count_${name}`);
 	return word === `count ${name.replaceAll("_", " ")}` ? name.replaceAll("_", " ") : word;
 }
 function Row$1({ line }) {
@@ -5271,7 +5282,7 @@ function ClosedBefore() {
 				/* @__PURE__ */ a("span", {
 					class: "calm",
 					children: [
-						said(closure.state),
+						said$1(closure.state),
 						" ",
 						closure.ended_by
 					]
@@ -5424,9 +5435,9 @@ function Line$2({ closure }) {
 			/* @__PURE__ */ a("span", { children: [
 				/* @__PURE__ */ a("b", { children: placed(closure.place) }),
 				" · ",
-				said(closure.state),
+				said$1(closure.state),
 				" · ",
-				said(closure.purpose),
+				said$1(closure.purpose),
 				": ",
 				closure.reason
 			] }),
@@ -5476,7 +5487,7 @@ function Zones() {
 				/* @__PURE__ */ a("span", { children: [
 					/* @__PURE__ */ a("b", { children: zone.name || zone.id }),
 					" · ",
-					said(zone.state),
+					said$1(zone.state),
 					" · ",
 					zone.vehicles.length,
 					" / ",
@@ -5790,7 +5801,7 @@ function Past$1({ path }) {
 				class: "bits",
 				children: /* @__PURE__ */ a("tbody", { children: value?.items.map((command) => /* @__PURE__ */ a("tr", { children: [
 					/* @__PURE__ */ a("th", { children: clock(command.opened) }),
-					/* @__PURE__ */ a("td", { children: said(`cs_${command.state}`) }),
+					/* @__PURE__ */ a("td", { children: said$1(`cs_${command.state}`) }),
 					/* @__PURE__ */ a("td", { children: [
 						commandName(command.kind),
 						" · ",
@@ -6341,10 +6352,10 @@ function Operations({ path, drive }) {
 						/* @__PURE__ */ a("th", { children: ["#", one.id] }),
 						/* @__PURE__ */ a("td", {
 							class: one.state === "done" ? "good" : one.state === "running" ? "wait" : "bad",
-							children: said(`op_state_${one.state}`)
+							children: said$1(`op_state_${one.state}`)
 						}),
 						/* @__PURE__ */ a("td", { children: [
-							said(one.kind),
+							said$1(one.kind),
 							" · ",
 							one.actor,
 							" · ",
@@ -10672,7 +10683,7 @@ function DrivePanel({ id }) {
 				now.mode !== null && /* @__PURE__ */ a(Fact, {
 					name: t(now.mode === "error" ? "error_fact" : "operation_fact"),
 					children: [
-						said(tell(now.meaning)) || "–",
+						said$1(tell(now.meaning)) || "–",
 						" ",
 						/* @__PURE__ */ a("small", { children: now.code })
 					]
@@ -10690,7 +10701,7 @@ function DrivePanel({ id }) {
 					children: [
 						hundredths(now.distance),
 						" ",
-						now.turn && /* @__PURE__ */ a("small", { children: ["· ", said(now.turn)] })
+						now.turn && /* @__PURE__ */ a("small", { children: ["· ", said$1(now.turn)] })
 					]
 				}),
 				/* @__PURE__ */ a(Fact, {
@@ -10767,6 +10778,20 @@ function Notes$1({ drive }) {
 		})
 	] });
 }
+// src/parts/menu.ts
+/** Give the ref of the box with button and menu. */
+function useClosed(open) {
+	const box = T(null);
+	A$1(() => {
+		if (!open.value) return void 0;
+		const press = (event) => {
+			if (!box.current?.contains(event.target)) open.value = false;
+		};
+		document.addEventListener("pointerdown", press);
+		return () => document.removeEventListener("pointerdown", press);
+	}, [open.value]);
+	return box;
+}
 // src/parts/Account.tsx
 /** Who is here, with which roles; the password, and the way out. Where nobody logs in, only the name that they give themselves. */
 function Account() {
@@ -10798,6 +10823,7 @@ function Actor() {
 function Menu({ name, roles, person }) {
 	const open = useSignal(false);
 	return /* @__PURE__ */ a("div", {
+		ref: useClosed(open),
 		class: "layers master account",
 		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
 		children: [/* @__PURE__ */ a("button", {
@@ -10915,16 +10941,26 @@ function StopAll() {
 }
 function Master() {
 	const open = useSignal(false);
+	const asking = useAsking();
+	const box = useClosed(open);
 	const now = controller.value;
+	const done = asking.done.value;
+	A$1(() => {
+		if (done) open.value = false;
+	}, [done]);
 	if (!now) return null;
 	const emergencies = FIRES.filter((kind) => now.emergencies.some((words) => words.includes(kind)));
 	return /* @__PURE__ */ a("div", {
+		ref: box,
 		class: "layers master",
 		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
 		children: [/* @__PURE__ */ a("button", {
 			type: "button",
 			"aria-expanded": open.value,
-			onClick: () => open.value = !open.value,
+			onClick: () => {
+				asking.done.value = "";
+				open.value = !open.value;
+			},
 			children: t("master")
 		}), open.value && /* @__PURE__ */ a("div", {
 			role: "group",
@@ -10938,44 +10974,47 @@ function Master() {
 					class: "calm",
 					children: t("reason_first")
 				}),
-				/* @__PURE__ */ a(Reasoned, { decisions: [
-					{
-						label: t("pause"),
-						needs: "POST /controller/pause",
-						does: (reason) => post("/controller/pause", { reason })
-					},
-					{
-						label: t("stop_all"),
-						needs: "POST /controller/stop",
-						grave: true,
-						does: (reason) => post("/controller/stop", { reason })
-					},
-					...FIRES.filter((kind) => !emergencies.includes(kind)).map((kind) => ({
-						label: t(`tell_${kind}`),
-						needs: "POST /controller/emergency",
-						grave: true,
-						does: (reason) => post("/controller/emergency", {
-							kind,
-							reason
-						})
-					})),
-					{
-						label: t("resume"),
-						needs: "POST /controller/resume",
-						bare: true,
-						idle: now.state === "auto",
-						does: () => post("/controller/resume")
-					},
-					...emergencies.map((kind) => ({
-						label: t(`release_${kind}`),
-						needs: "POST /controller/emergency/release",
-						grave: true,
-						does: (reason) => post("/controller/emergency/release", {
-							kind,
-							reason
-						})
-					}))
-				] })
+				/* @__PURE__ */ a(Reasoned, {
+					asking,
+					decisions: [
+						{
+							label: t("pause"),
+							needs: "POST /controller/pause",
+							does: (reason) => post("/controller/pause", { reason })
+						},
+						{
+							label: t("stop_all"),
+							needs: "POST /controller/stop",
+							grave: true,
+							does: (reason) => post("/controller/stop", { reason })
+						},
+						...FIRES.filter((kind) => !emergencies.includes(kind)).map((kind) => ({
+							label: t(`tell_${kind}`),
+							needs: "POST /controller/emergency",
+							grave: true,
+							does: (reason) => post("/controller/emergency", {
+								kind,
+								reason
+							})
+						})),
+						{
+							label: t("resume"),
+							needs: "POST /controller/resume",
+							bare: true,
+							idle: now.state === "auto",
+							does: () => post("/controller/resume")
+						},
+						...emergencies.map((kind) => ({
+							label: t(`release_${kind}`),
+							needs: "POST /controller/emergency/release",
+							grave: true,
+							does: (reason) => post("/controller/emergency/release", {
+								kind,
+								reason
+							})
+						}))
+					]
+				})
 			]
 		})]
 	});
@@ -11066,7 +11105,7 @@ function ControllerState() {
 	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("span", {
 		class: `pill ${away.value ? "" : tone}`,
 		title: t("controller"),
-		children: away.value ? t("state_then", said(now.state), lastHeard()) : said(now.state)
+		children: away.value ? t("state_then", said$1(now.state), lastHeard()) : said$1(now.state)
 	}), /* @__PURE__ */ a("span", {
 		class: `why ${grave ? "bad" : ""}`,
 		role: "status",
@@ -11186,7 +11225,7 @@ function JobPanel({ id }) {
 	const tone = TONES$2[job.state] ?? "calm";
 	return /* @__PURE__ */ a(Panel, {
 		title: job.id,
-		tag: said(job.state),
+		tag: said$1(job.state),
 		colour: COLOURS[tone],
 		children: [
 			job.reason && !over && /* @__PURE__ */ a("p", {
@@ -11230,7 +11269,7 @@ function JobPanel({ id }) {
 				}),
 				over && /* @__PURE__ */ a(Fact, {
 					name: t("result"),
-					children: tell(job.result || job.reason) || said(job.state)
+					children: tell(job.result || job.reason) || said$1(job.state)
 				})
 			] }),
 			whole.value && /* @__PURE__ */ a(Phases$1, {
@@ -11344,7 +11383,7 @@ function History({ events }) {
 					" ",
 					[
 						event.vehicle,
-						event.result && said(event.result),
+						event.result && said$1(event.result),
 						event.detail !== event.result && tell(event.detail)
 					].filter(Boolean).join(" · ")
 				] })
@@ -11531,7 +11570,7 @@ function JobRoom() {
 						}),
 						STATES.map((name) => /* @__PURE__ */ a("option", {
 							value: name,
-							children: said(name)
+							children: said$1(name)
 						}, name))
 					]
 				}),
@@ -11569,10 +11608,10 @@ function JobRoom() {
 				},
 				{
 					name: t("state"),
-					by: (job) => said(job.state),
+					by: (job) => said$1(job.state),
 					of: (job) => /* @__PURE__ */ a("span", {
 						class: `state ${TONES$2[job.state] ?? "calm"}`,
-						children: said(job.state)
+						children: said$1(job.state)
 					})
 				},
 				{
@@ -12402,7 +12441,7 @@ function Row({ job, ask }) {
 		children: [
 			/* @__PURE__ */ a("span", {
 				class: `state ${TONES$2[job.state] ?? "calm"}`,
-				children: said(job.state)
+				children: said$1(job.state)
 			}),
 			/* @__PURE__ */ a("span", {
 				class: "facts",
@@ -12470,7 +12509,7 @@ function leg(job) {
 	if (waiting) return waiting;
 	if (job.leg === "to_source") return `${job.vehicle} → ${job.source}`;
 	if (job.leg === "to_destination") return `${job.vehicle} → ${job.destination}`;
-	return job.leg === "none" ? "" : `${job.vehicle}: ${said(job.leg)}`;
+	return job.leg === "none" ? "" : `${job.vehicle}: ${said$1(job.leg)}`;
 }
 function Place$1({ id }) {
 	const kind = vehicles.has(id) ? "vehicle" : "station";
@@ -12942,7 +12981,7 @@ function Breaks({ list, tone }) {
 			/* @__PURE__ */ a("b", {
 				class: tone,
 				children: [
-					said(one.what),
+					said$1(one.what),
 					" ",
 					one.name
 				]
@@ -12977,7 +13016,7 @@ function Changes$1({ difference, error }) {
 				{
 					name: t("what"),
 					by: (row) => row.what,
-					of: (row) => said(row.what)
+					of: (row) => said$1(row.what)
 				},
 				{
 					name: t("name"),
@@ -13224,7 +13263,7 @@ function Versions({ kind, id }) {
 						/* @__PURE__ */ a("th", { children: ["v", version.version] }),
 						/* @__PURE__ */ a("td", { children: /* @__PURE__ */ a(Pulses, { axes: version }) }),
 						/* @__PURE__ */ a("td", { children: [
-							tell(said(version.source)),
+							tell(said$1(version.source)),
 							" · ",
 							version.actor,
 							" · ",
@@ -13313,7 +13352,7 @@ var GROUPS = [
 ];
 /** Idle at a parking place is said so: else one would look for why it does not move. */
 function doing(vehicle) {
-	return vehicle.parked && vehicle.activity === "idle" ? t("idle_parked") : said(vehicle.activity);
+	return vehicle.parked && vehicle.activity === "idle" ? t("idle_parked") : said$1(vehicle.activity);
 }
 function Vehicles() {
 	const letters = useSignal("");
@@ -13440,9 +13479,9 @@ function VehiclePanel({ id }) {
 				/* @__PURE__ */ a(Fact, {
 					name: t("state"),
 					children: [
-						said(now.state),
+						said$1(now.state),
 						" · ",
-						said(now.service)
+						said$1(now.service)
 					]
 				}),
 				/* @__PURE__ */ a(Fact, {
@@ -13565,7 +13604,7 @@ function Bits({ vehicle }) {
 					"data-bit": bit.name,
 					children: [
 						/* @__PURE__ */ a("th", {
-							title: said(`bit_${bit.name}`),
+							title: said$1(`bit_${bit.name}`),
 							children: bit.name.toUpperCase()
 						}),
 						/* @__PURE__ */ a("td", { children: bit.value }),
@@ -13574,7 +13613,7 @@ function Bits({ vehicle }) {
 							" ",
 							/* @__PURE__ */ a("small", {
 								class: "calm",
-								children: said(`bit_${bit.name}`)
+								children: said$1(`bit_${bit.name}`)
 							})
 						] })
 					]
@@ -13585,12 +13624,12 @@ function Bits({ vehicle }) {
 }
 /** A gripper's open and close are other words than a door's; what has no word is a number. */
 function meaningOf({ name, meaning }) {
-	if (name === "grip" && (meaning === "open" || meaning === "close")) return said(`grip_${meaning}`);
-	if (name === "oper" && meaning === "pause") return said("pause_oper");
-	return said(meaning);
+	if (name === "grip" && (meaning === "open" || meaning === "close")) return said$1(`grip_${meaning}`);
+	if (name === "oper" && meaning === "pause") return said$1("pause_oper");
+	return said$1(meaning);
 }
 function AgvFacts({ agv }) {
-	const word = (name) => said(`agv_${name}`);
+	const word = (name) => said$1(`agv_${name}`);
 	const flag = (on) => t(on ? "yes" : "no");
 	return /* @__PURE__ */ a("section", {
 		class: "part",
@@ -13780,9 +13819,9 @@ function PastVehicle({ id }) {
 			/* @__PURE__ */ a(Fact, {
 				name: t("state"),
 				children: [
-					said(then.state),
+					said$1(then.state),
 					" · ",
-					said(then.service)
+					said$1(then.service)
 				]
 			}),
 			/* @__PURE__ */ a(Fact, {
@@ -13824,7 +13863,7 @@ function PastStation({ id }) {
 	const buffer = layout.value?.stations.find((station) => station.id === id)?.buffer;
 	return /* @__PURE__ */ a(Panel, {
 		title: id,
-		tag: said(then.kind),
+		tag: said$1(then.kind),
 		colour: then.present ? "var(--ink-carrier)" : "var(--ink-mark)",
 		children: /* @__PURE__ */ a("dl", { children: [
 			/* @__PURE__ */ a(Fact, {
@@ -13867,7 +13906,7 @@ function PastJob({ id }) {
 	if (!then) return /* @__PURE__ */ a(Unknown, { id });
 	return /* @__PURE__ */ a(Panel, {
 		title: id,
-		tag: said(then.state),
+		tag: said$1(then.state),
 		colour: COLOURS$1[TONES$2[then.state] ?? "calm"],
 		children: [then.reason && !ENDED.has(then.state) && /* @__PURE__ */ a("p", {
 			class: "note waits",
@@ -13955,7 +13994,7 @@ function PastDrive({ id }) {
 			/* @__PURE__ */ a(Fact, {
 				name: t(then.mode === "error" ? "error_fact" : "operation_fact"),
 				children: [
-					said(tell(then.meaning)) || "–",
+					said$1(tell(then.meaning)) || "–",
 					" ",
 					/* @__PURE__ */ a("small", { children: then.code })
 				]
@@ -14738,6 +14777,7 @@ function paintName$1(ctx, view, mark, now, labels) {
 	if (place) text(ctx, words, place.x, place.y, DEVICE_INK[device?.alarm ? "error" : look], letters);
 }
 // src/places.ts
+/** Where the marks of stations and chargers lie beside the track, and what is written at them. Pure. */
 var OFFSET = {
 	port: 720,
 	agv_buffer: 1150,
@@ -14784,10 +14824,20 @@ function clustersOf(layout, track) {
 			named.set(name, [...named.get(name) ?? [], group]);
 		}
 	}
-	return groups.map(({ name, stands }) => ({
-		name,
-		marks: beside(stands, sides, track)
-	}));
+	return groups.map(({ name, stands }) => {
+		const marks = beside(stands, sides, track);
+		return {
+			name: (named.get(name)?.length ?? 0) > 1 ? toldApart(name, marks) : name,
+			marks
+		};
+	});
+}
+/** The name of one of several groups that begin alike: with its first and its last station. */
+function toldApart(name, marks) {
+	const shorts = marks.map(({ short }) => short).filter(Boolean).sort(NATURAL.compare);
+	const [first, last] = [shorts[0], shorts.at(-1)];
+	if (!first) return name;
+	return first === last ? `${name}-${first}` : `${name}-${first}…${last}`;
 }
 function sidesOf(layout) {
 	const of = (kind) => new Set(layout.stations.filter((station) => station.kind === kind).map((station) => station.barcode));
@@ -15419,7 +15469,7 @@ var LINE = 15;
 */
 var Signs = class {
 	sides = /* @__PURE__ */ new Map();
-	/** `still`: whether a box is free of the names of what stands still; they are covered only where there is no other room. */
+	/** `still`: whether a box is free of the names of what stands still; only one that is looked at or in trouble covers them, where there is no other room. */
 	paint(ctx, view, seen, first, still) {
 		const labels = new Labels();
 		const rank = (body) => first(body) ? 0 : urgent(body) ? 1 : 2;
@@ -15434,7 +15484,7 @@ var Signs = class {
 		const width = widthOf(ctx, words, font(11, 700)) + 8;
 		const places = placesFor(view, body, width, ringed);
 		const clear = [this.sides.get(vehicle.id) ?? 0, ...places.keys()].filter((one) => one < places.length).filter((one) => labels.free(grown(places[one], width)));
-		const found = clear.find((one) => still(grown(places[one], width))) ?? clear[0] ?? (must ? 0 : void 0);
+		const found = clear.find((one) => still(grown(places[one], width))) ?? (must ? clear[0] ?? 0 : void 0);
 		if (found === void 0) return;
 		this.sides.set(vehicle.id, found);
 		const { x, y } = places[found];
@@ -15511,26 +15561,29 @@ function placesFor(view, body, width, ringed) {
 		x: hull.x0 - 5 - width / 2,
 		y: py + 4
 	};
+	const near = Math.abs(Math.sin(body.spot.angle)) > .7 ? [
+		right,
+		left,
+		above,
+		below
+	] : [
+		above,
+		below,
+		right,
+		left
+	];
+	const further = [-15, LINE].map((off) => ({
+		x: px,
+		y: off < 0 ? above.y + off : below.y + off
+	}));
+	const aslant = [right.x, left.x].flatMap((x) => [above.y, below.y].map((y) => ({
+		x,
+		y
+	})));
 	return [
-		...Math.abs(Math.sin(body.spot.angle)) > .7 ? [
-			right,
-			left,
-			above,
-			below
-		] : [
-			above,
-			below,
-			right,
-			left
-		],
-		{
-			x: px,
-			y: above.y - LINE
-		},
-		{
-			x: px,
-			y: below.y + LINE
-		}
+		...near,
+		...further,
+		...aslant
 	];
 }
 // src/paint/over.ts
@@ -16303,6 +16356,7 @@ var HEATS = [
 function Layers() {
 	const open = useSignal(false);
 	return /* @__PURE__ */ a("div", {
+		ref: useClosed(open),
 		class: "layers",
 		onKeyDown: (event) => event.key === "Escape" && (open.value = false),
 		children: [/* @__PURE__ */ a("button", {
@@ -16357,6 +16411,10 @@ function Legend() {
 				" ",
 				SIGNS[look]
 			] }, look)),
+			/* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", {
+				class: "mark-unknown",
+				children: "?"
+			}), t("legend_unknown")] }),
 			/* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "box" }), t("legend_carrier")] }),
 			layers.value.grants && /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "path granted" }), t("legend_granted")] }),
 			plan.value.length > 0 && /* @__PURE__ */ a("span", { children: [/* @__PURE__ */ a("i", { class: "path planned" }), t("legend_planned")] }),
@@ -16412,7 +16470,7 @@ function linesFor(kind, id) {
 		if (!vehicle) return null;
 		const load = vehicle.loaded ? vehicle.carrier ?? t("loaded") : t("empty");
 		return [
-			`${said(vehicle.activity)} · ${load}`,
+			`${said$1(vehicle.activity)} · ${load}`,
 			tell(vehicle.waiting),
 			tell(vehicle.hold?.reason ?? "")
 		];
@@ -16431,7 +16489,7 @@ function linesFor(kind, id) {
 	const content = station.present === null ? t("unknown") : station.present ? station.carrier ?? t("loaded") : t("empty");
 	const name = layout.value?.stations.find((one) => one.id === id)?.buffer;
 	const buffer = name ? devices.get(name) : void 0;
-	return [`${said(station.kind)} · ${content}`, buffer ? `${buffer.id} · ${t(`device_${lookAt(buffer.id)}`)}` : ""];
+	return [`${said$1(station.kind)} · ${content}`, buffer ? `${buffer.id} · ${t(`device_${lookAt(buffer.id)}`)}` : ""];
 }
 function TrackMap() {
 	const frame = T(null);
@@ -16898,7 +16956,7 @@ function StationPanel({ id }) {
 	const occupied = now.present === null ? t("unknown") : now.present ? t("yes") : t("no");
 	return /* @__PURE__ */ a(Panel, {
 		title: now.id,
-		tag: said(now.kind),
+		tag: said$1(now.kind),
 		colour: now.present ? "var(--ink-carrier)" : "var(--ink-mark)",
 		children: [
 			/* @__PURE__ */ a(CutOff, { id }),
@@ -16921,7 +16979,7 @@ function StationPanel({ id }) {
 				}),
 				/* @__PURE__ */ a(Fact, {
 					name: t("provenance"),
-					children: [said(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
+					children: [said$1(now.provenance), now.at && /* @__PURE__ */ a("small", { children: [" · ", t("ago", span(serverNow() - Date.parse(now.at)))] })]
 				}),
 				/* @__PURE__ */ a(Fact, {
 					name: t("reserved"),
@@ -17064,7 +17122,7 @@ function Roles({ value }) {
 				onChange: (event) => turn(role, event.currentTarget.checked)
 			}),
 			" ",
-			said(`role_${role}`)
+			said$1(`role_${role}`)
 		] }, role))]
 	});
 }
@@ -17264,7 +17322,7 @@ function Keys() {
 					by: (row) => row.state,
 					of: (row) => /* @__PURE__ */ a("span", {
 						class: row.state === "active" ? "good" : "bad",
-						children: said(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
+						children: said$1(row.state === "revoked" ? "key_revoked_state" : `key_${row.state}`)
 					})
 				},
 				{
@@ -17415,7 +17473,7 @@ function Stations() {
 					onChange: (event) => group.value = event.currentTarget.value,
 					children: Object.keys(groups).map((name) => /* @__PURE__ */ a("option", {
 						value: name,
-						children: name === "free" ? t("empty") : said(name)
+						children: name === "free" ? t("empty") : said$1(name)
 					}, name))
 				}),
 				/* @__PURE__ */ a("input", {
@@ -17445,7 +17503,7 @@ function Stations() {
 				{
 					name: t("kind"),
 					by: ({ kind }) => kind,
-					of: ({ kind }) => said(kind)
+					of: ({ kind }) => said$1(kind)
 				},
 				{
 					name: t("barcode"),
@@ -17465,7 +17523,7 @@ function Stations() {
 				{
 					name: t("provenance"),
 					by: ({ provenance }) => provenance,
-					of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+					of: ({ provenance, verified }) => `${said$1(provenance)} · ${t(verified ? "verified" : "believed")}`
 				},
 				{
 					name: t("age"),
@@ -17504,7 +17562,7 @@ function Stations() {
 					{
 						name: t("provenance"),
 						by: ({ provenance }) => provenance,
-						of: ({ provenance, verified }) => `${said(provenance)} · ${t(verified ? "verified" : "believed")}`
+						of: ({ provenance, verified }) => `${said$1(provenance)} · ${t(verified ? "verified" : "believed")}`
 					},
 					{
 						name: t("age"),
@@ -17878,7 +17936,7 @@ function Shown({ found }) {
 			children: [Object.entries(found.jobs).map(([state, count]) => /* @__PURE__ */ a("span", { children: [
 				/* @__PURE__ */ a("b", { children: count }),
 				" ",
-				said(state)
+				said$1(state)
 			] }, state)), /* @__PURE__ */ a("span", { children: [
 				/* @__PURE__ */ a("b", { children: found.empty_share === null ? "–" : `${Math.round(found.empty_share * 100)} %` }),
 				" ",
@@ -17902,7 +17960,7 @@ function Shown({ found }) {
 		/* @__PURE__ */ a("table", {
 			class: "list",
 			children: /* @__PURE__ */ a("tbody", { children: found.waits.map((one) => /* @__PURE__ */ a("tr", { children: [
-				/* @__PURE__ */ a("td", { children: tell(said(one.cause)) }),
+				/* @__PURE__ */ a("td", { children: tell(said$1(one.cause)) }),
 				/* @__PURE__ */ a("td", {
 					class: "number",
 					children: one.times
@@ -18383,7 +18441,7 @@ function Proposals() {
 					by: (row) => row.state,
 					of: (row) => /* @__PURE__ */ a("span", {
 						class: `state ${tone$1(row.state)}`,
-						children: said(row.state)
+						children: said$1(row.state)
 					})
 				},
 				{
@@ -18489,7 +18547,7 @@ function Detail$1({ id }) {
 						children: proposal.asked_by
 					}),
 					over && /* @__PURE__ */ a(Fact, {
-						name: said(proposal.state),
+						name: said$1(proposal.state),
 						children: [
 							proposal.closed_by,
 							" · ",
@@ -18578,7 +18636,7 @@ function Sessions() {
 				{
 					name: t("state"),
 					by: (row) => row.state,
-					of: (row) => said(row.state)
+					of: (row) => said$1(row.state)
 				},
 				{
 					name: t("at_station"),
@@ -18665,7 +18723,7 @@ function Session({ id }) {
 					" · ",
 					session.vehicle,
 					" · ",
-					said(session.state)
+					said$1(session.state)
 				]
 			}),
 			/* @__PURE__ */ a("p", {
@@ -18701,7 +18759,7 @@ function Session({ id }) {
 				"#",
 				proposal.id,
 				" ",
-				said(proposal.state),
+				said$1(proposal.state),
 				" ",
 				/* @__PURE__ */ a(Pulses, { axes: proposal.result })
 			] }, proposal.id))
@@ -19071,7 +19129,7 @@ function WalkDetail({ walk }) {
 							" ",
 							walk.reason,
 							" · ",
-							said(`walk_${walk.state}`)
+							said$1(`walk_${walk.state}`)
 						]
 					}),
 					/* @__PURE__ */ a("div", {
@@ -19122,7 +19180,7 @@ function WalkDetail({ walk }) {
 						by: (row) => row.finding,
 						of: (row) => /* @__PURE__ */ a("b", {
 							class: TONES[row.finding] ?? "",
-							children: said(`found_${row.finding}`)
+							children: said$1(`found_${row.finding}`)
 						})
 					},
 					...open ? [{
@@ -19297,7 +19355,7 @@ function Walks() {
 						by: (row) => row.state,
 						of: (row) => /* @__PURE__ */ a("span", {
 							class: row.state === "open" ? "wait" : "",
-							children: said(`walk_${row.state}`)
+							children: said$1(`walk_${row.state}`)
 						})
 					},
 					{
@@ -19420,7 +19478,7 @@ function Webhooks() {
 						by: (row) => row.state,
 						of: (row) => /* @__PURE__ */ a("span", {
 							class: tone(row.state),
-							children: said(`hook_${row.state}`)
+							children: said$1(`hook_${row.state}`)
 						})
 					},
 					{
