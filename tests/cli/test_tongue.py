@@ -40,6 +40,17 @@ FRAME = {
     "Missing argument '{0}'.",
     "Invalid value for '{0}': {1}",
     "Got unexpected extra argument(s) ({0})",
+    "Input should be a valid integer, unable to parse string as an integer",
+    "Input should be a valid number, unable to parse string as a number",
+    "Input should be a valid boolean, unable to interpret input",
+    "Input should be a finite number",
+    "Input should be greater than {0}",
+    "Input should be greater than or equal to {0}",
+    "Input should be less than {0}",
+    "Input should be less than or equal to {0}",
+    "Value error, {0} is not one of {1}.",
+    "Option '{0}' requires an argument.",
+    "Option '{0}' does not take a value.",
 }
 """What the library says that reads the command line."""
 
@@ -179,7 +190,16 @@ def test_help_is_korean_from_its_head_to_its_remarks() -> None:
         (["users", "add"], 2, ("인수 'name'이(가) 필요합니다.",)),
         (["serve"], 1, ("hoistway: 어느 플랜트입니까? --plant 파일을 쓰거나 HOISTWAY_PLANT를 정하십시오.",)),
         (["serve", "--plant", "no.yaml"], 1, ("no.yaml을 읽을 수 없습니다",)),
-        (["decode", "itsc", "zz"], 2, ()),
+        (["decode", "itsc", "zz"], 2, ("1번째 'z'는 16진수 숫자가 아님",)),
+        (
+            ["layout", "import", "a", "--format", "x"],
+            2,
+            ("'x'는 쓸 수 있는 값이 아닙니다. 쓸 수 있는 값: 'csv', 'xlsx'",),
+        ),
+        (["fuzz", "--jobs", "0"], 2, ("'--jobs'의 값이 잘못되었습니다: 1 이상이어야 합니다",)),
+        (["workload", "--keep", "few"], 2, ("정수여야 합니다",)),
+        (["serve", "--plant"], 2, ("옵션 '--plant'에 값이 필요합니다.",)),
+        (["serve", "--port", "99999"], 1, ("설정 port: 99999는 65535 이하가 아님",)),
     ],
 )
 def test_what_is_wrong_is_told_in_korean_with_the_usual_exit_code(
