@@ -85,6 +85,8 @@ class Callers:
         if settings.access_key is not None:
             shared = Caller(SHARED, frozenset({Role.ADMIN}), person=False)
             self._fixed.append((settings.access_key.get_secret_value().encode(), shared))
+        self.following: dict[Callable[[], None], None] = {}
+        """What ends the answers that would go on for ever: called when the server stops, which waits for answers to end."""
         self._watched: dict[int, tuple[Caller | None, Callable[[], None]]] = {}
         closed = bool(self._fixed)
         if settings.metrics_key is not None:
@@ -142,6 +144,11 @@ class Callers:
             self._watched.pop(id(watched), None)
 
         return take_back
+
+    def leave(self) -> None:
+        """Let the answers that would go on for ever end: the server stops."""
+        for end in list(self.following):
+            end()
 
     def look(self) -> None:
         """End what those hold open who would not be let in now."""

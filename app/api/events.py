@@ -47,14 +47,18 @@ async def list_events(
 
     A number that no event has yet is refused: it is of another database, and nothing would come for a long time.
     """
-    newest = controller.model.last_event
-    # What was just kept may have been read before it is published.
-    if after > newest and not await read(controller.reader.events, after - 1, 1):
-        remedy = "If the database is another one than before, begin with after=0."
-        raise Problem("conflict", f"There is no event {after} yet: the newest is {newest}.", remedy, "after")
+    await _known(controller, after, "after")
     events = await read(controller.reader.events, after, limit, job=job, vehicle=vehicle)
     last = events[-1].seq if len(events) == limit else None
     return items((shown(view_of_event(event)) for event in events), last)
+
+
+async def _known(controller: Controller, after: int, field: str) -> None:
+    """Refuse a number that no event has yet, unless it was just kept and is not published so far. Raises Problem."""
+    newest = controller.model.last_event
+    if after > newest and not await read(controller.reader.events, after - 1, 1):
+        remedy = "If the database is another one than before, begin with after=0."
+        raise Problem("conflict", f"There is no event {after} yet: the newest is {newest}.", remedy, field)
 
 
 LastId = Annotated[
@@ -63,7 +67,9 @@ LastId = Annotated[
 From = Annotated[
     int | None,
     Query(
-        ge=0, le=(1 << 53) - 1, description="Start above this number; else (or if it is no event's yet) with the next."
+        ge=0,
+        le=(1 << 53) - 1,
+        description="Start above this number, else with the next event. One that no event has yet is refused.",
     ),
 ]
 
@@ -81,11 +87,19 @@ async def stream_events(
     """Follow events: ``curl -N .../events/stream``. None is left out; a client that reconnects resumes by itself."""
     admit(request, controller)
     start = int(last_event_id) if last_event_id else after
+    if start is not None:
+        await _known(controller, start, "Last-Event-ID" if last_event_id else "after")
     subscription = controller.hub.subscribe([Topic.EVENTS], after=start, replay=replay_of(controller))
     headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
     callers: Callers = request.app.state.callers
-    take_back = callers.watch(caller_of(request.scope), subscription.close)
-    return StreamingResponse(_lines(subscription, take_back), media_type="text/event-stream", headers=headers)
+    give_back = callers.watch(caller_of(request.scope), subscription.close)
+    callers.following[subscription.close] = None
+
+    def over() -> None:
+        give_back()
+        callers.following.pop(subscription.close, None)
+
+    return StreamingResponse(_lines(subscription, over), media_type="text/event-stream", headers=headers)
 
 
 async def _lines(subscription: Subscription, take_back: Callable[[], None]) -> AsyncIterator[bytes]:

@@ -8,6 +8,7 @@ from starlette.responses import Response
 
 from app.api.calls import (
     Ctl,
+    Person,
     Who,
     answer_of,
     answer_view,
@@ -113,8 +114,8 @@ def versions(rows: Sequence[StationDest | VehicleOffset]) -> Response:
 
 
 @router.put("/{station}/dest", **gives("Station"))
-async def write_dest(station: PathId, body: Target, request: Request, controller: Ctl, actor: Who) -> Response:
-    """Write a new version of a port's DEST; with If-Match only if nobody else did meanwhile."""
+async def write_dest(station: PathId, body: Target, request: Request, controller: Ctl, actor: Person) -> Response:
+    """Write a new version of a port's DEST, as a named person; with If-Match only if nobody else did meanwhile."""
     expected = version_expected(request)
     asked = requests.WriteDest(actor, StationId(station), body.pulses(), expected)
     return await _written(controller, station, asked)

@@ -176,7 +176,7 @@ async def list_offsets(vehicle: PathId, controller: Ctl) -> Response:
 
 
 @router.put("/{vehicle}/offset", **gives("Vehicle"))
-async def write_offset(vehicle: PathId, body: Target, request: Request, controller: Ctl, actor: Who) -> Response:
-    """Write a new version of a vehicle's OFFSET; with If-Match only if nobody else did meanwhile."""
+async def write_offset(vehicle: PathId, body: Target, request: Request, controller: Ctl, actor: Person) -> Response:
+    """Write a new version of a vehicle's OFFSET, as a named person; with If-Match only if nobody else did meanwhile."""
     expected = version_expected(request)
     return await _decided(controller, vehicle, requests.WriteOffset(actor, VehicleId(vehicle), body.pulses(), expected))

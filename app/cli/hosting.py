@@ -11,6 +11,7 @@ from contextlib import asynccontextmanager, contextmanager
 from typing import Any
 
 import uvicorn
+from fastapi import FastAPI
 from structlog.typing import FilteringBoundLogger
 
 from app.api import application
@@ -134,7 +135,8 @@ async def _answering(
     controller: Shown, settings: Settings, listening: socket.socket, context: ssl.SSLContext | None = None
 ) -> AsyncIterator[asyncio.Task[None]]:
     """Answer requests within; it gives the task that does. Raises CannotStart: it did not come up."""
-    server = _Server(_configured(controller, settings, context))
+    app = application(controller, settings)
+    server = _Server(_configured(app, settings, context))
     serving = asyncio.create_task(server.serve([listening]))
     while not server.started and not serving.done():
         await asyncio.sleep(0.01)
@@ -146,6 +148,7 @@ async def _answering(
     try:
         yield serving
     finally:
+        app.state.callers.leave()
         server.should_exit = True
         await serving
 
@@ -267,9 +270,9 @@ class _Config(uvicorn.Config):
         self.ssl = self.context
 
 
-def _configured(controller: Shown, settings: Settings, context: ssl.SSLContext | None = None) -> uvicorn.Config:
+def _configured(app: FastAPI, settings: Settings, context: ssl.SSLContext | None = None) -> uvicorn.Config:
     config = _Config(
-        application(controller, settings),
+        app,
         loop="none",
         http=bounded(min(settings.connections, _files() // 2)),
         ws=Stream,

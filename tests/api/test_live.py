@@ -193,6 +193,30 @@ async def test_a_silent_stream_of_events_shows_that_it_is_alive(
     assert await _stream(app, controller, {}) == [": events\n\n", ": alive\n\n"]
 
 
+async def test_a_stream_of_events_ends_by_itself_when_the_server_stops(app: FastAPI, controller: Scripted) -> None:
+    sent: list[dict[str, object]] = []
+    begun = asyncio.Event()
+
+    async def receive() -> dict[str, object]:
+        await asyncio.Event().wait()
+        raise AssertionError
+
+    async def send(message: dict[str, object]) -> None:
+        sent.append(message)
+        begun.set()
+
+    scope = {"type": "http", "asgi": {"version": "3.0"}, "method": "GET", "path": "/api/v1/events/stream"}
+    scope |= {"query_string": b"", "headers": [(b"host", b"localhost")], "scheme": "http", "server": ("localhost", 80)}
+    task = asyncio.ensure_future(app(scope, receive, send))  # type: ignore[arg-type]
+    await begun.wait()
+    app.state.callers.leave()
+    async with asyncio.timeout(60):
+        await task
+    assert sent[-1] == {"type": "http.response.body", "body": b"", "more_body": False}
+    assert controller.hub.watchers == 0
+    assert not app.state.callers.following
+
+
 async def test_too_many_streams_of_events_are_refused(app: FastAPI) -> None:
     async with Socket(app) as one, Socket(app) as two:
         await one.accepted()

@@ -185,21 +185,26 @@ async def test_a_host_writes_the_state_of_a_station(client: httpx.AsyncClient, c
 
 async def test_two_people_do_not_overwrite_each_others_pulses(client: httpx.AsyncClient, controller: Scripted) -> None:
     pulses = {"shft": 1, "rota": 2, "lift": 3}
+    for place in ("/stations/P1/dest", "/vehicles/V001/offset"):
+        nobody = await client.put(place, json=pulses)
+        assert (nobody.status_code, nobody.json()["field"]) == (422, "X-Actor"), "pulses are a named person's"
     none = await client.get("/stations/P1/dest")
     assert (none.headers["etag"], none.json()["items"]) == ('"0"', [])
-    first = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"0"'})
+    first = await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": '"0"'})
     assert first.status_code == 200
-    late = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"0"'})
+    late = await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": '"0"'})
     assert (late.status_code, late.json()["code"]) == (412, "stale")
-    assert (await client.put("/stations/P1/dest", json=pulses)).status_code == 200
-    assert (await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": "*"})).status_code == 200
-    wrong = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": '"x"'})
+    assert (await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim"})).status_code == 200
+    assert (
+        await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": "*"})
+    ).status_code == 200
+    wrong = await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": '"x"'})
     assert (wrong.status_code, wrong.json()["field"]) == (422, "If-Match")
     history = await client.get("/stations/P1/dest")
     assert [row["version"] for row in history.json()["items"]] == [1, 2, 3]
     assert history.headers["etag"] == '"3"'
     assert (await client.get("/stations/P9/dest")).status_code == 404
-    await client.put("/vehicles/V001/offset", json=pulses)
+    await client.put("/vehicles/V001/offset", json=pulses, headers={"X-Actor": "kim"})
     assert (await client.get("/vehicles/V001/offset")).json()["items"][0]["lift"] == 3
 
 

@@ -163,8 +163,8 @@ async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scri
     command = (await client.post("/vehicles/V001/commands", json={"command": "status"})).json()["cmd_id"]
     opened = (await client.post("/devices/DOOR1/commands", json={"command": "open"})).json()["cmd_id"]
     await client.put("/carriers/F1", json={"place": "P1"})
-    await client.put("/stations/P1/dest", json=pulses)
-    await client.put("/vehicles/V001/offset", json=pulses)
+    await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim"})
+    await client.put("/vehicles/V001/offset", json=pulses, headers={"X-Actor": "kim"})
     await client.post("/drives/D1/jog", json={"direction": "cw"})
     controller.drives.keep_backup()
     controller.drives.traffic = [(NOW, "out", b"\x02M1SSQ@#8\x03"), (NOW, "in", b"\x06")]
@@ -177,8 +177,8 @@ async def _every_answer_is_described(client: httpx.AsyncClient, controller: Scri
         "number": "1C",
         "link": "AXES",
     }
-    await client.put("/stations/P1/dest", json=pulses)
-    await client.put("/vehicles/V001/offset", json=pulses)
+    await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim"})
+    await client.put("/vehicles/V001/offset", json=pulses, headers={"X-Actor": "kim"})
     controller.teach()
     await client.post("/zones/Z1/pause", json={"reason": "look"})
     await client.post("/closures", json=CLOSE, headers={"X-Actor": "kim"})

@@ -96,5 +96,9 @@ async def test_a_number_that_no_event_has_yet_is_refused_not_waited_for(
     answer = await client.get("/events", params={"after": 99})
     assert (answer.status_code, answer.json()["field"]) == (409, "after")
     assert answer.json()["detail"] == "There is no event 99 yet: the newest is 1."
+    stream = await client.get("/events/stream", params={"after": 99})
+    assert (stream.status_code, stream.json()["field"]) == (409, "after")
+    resumed = await client.get("/events/stream", headers={"Last-Event-ID": "99"})
+    assert (resumed.status_code, resumed.json()["field"]) == (409, "Last-Event-ID")
     controller.model.last_event = 0  # it is kept, and not published yet
     assert (await client.get("/events", params={"after": 1})).json()["items"] == []

@@ -50,8 +50,8 @@ async def test_a_proposal_shows_what_it_changes_and_how_far_that_is(
     client: httpx.AsyncClient, controller: Scripted
 ) -> None:
     for lift in (3, 1000):
-        await client.put("/stations/P1/dest", json={"shft": 1, "rota": 2, "lift": lift})
-    await client.put("/vehicles/V001/offset", json={"shft": 0, "rota": 0, "lift": 10})
+        await client.put("/stations/P1/dest", json={"shft": 1, "rota": 2, "lift": lift}, headers={"X-Actor": "kim"})
+    await client.put("/vehicles/V001/offset", json={"shft": 0, "rota": 0, "lift": 10}, headers={"X-Actor": "kim"})
     controller.teach()
     answer = await client.get("/teaching/proposals/1", params={"lift": 1000})
     shown = answer.json()

@@ -62,9 +62,9 @@ async def test_what_hosts_write_is_kept_with_its_version(tmp_path: Path) -> None
     pulses = {"shft": 1, "rota": 2, "lift": 3}
     async with running(tmp_path / "plant.db") as client:
         tag = (await client.get("/stations/P1/dest")).headers["etag"]
-        written = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": tag})
+        written = await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": tag})
         assert (written.status_code, written.json()["target"]) == (200, [1, 2, 3])
-        late = await client.put("/stations/P1/dest", json=pulses, headers={"If-Match": tag})
+        late = await client.put("/stations/P1/dest", json=pulses, headers={"X-Actor": "kim", "If-Match": tag})
         assert (late.status_code, late.json()["code"]) == (412, "stale")
         assert (await client.put("/carriers/F1", json={"place": "P1"})).status_code == 201
         assert (await client.get("/stations/P1")).json()["carrier"] == "F1"

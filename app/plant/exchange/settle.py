@@ -20,7 +20,7 @@ from app.domain.layout import (
     Zone,
 )
 from app.domain.units import Barcode, Millimetres, Percent, Seconds
-from app.plant.exchange.draft import Draft, Spot, Way
+from app.plant.exchange.draft import Draft, Place, Spot, Way
 from app.plant.exchange.machines import FLOOR, crew
 from app.plant.exchange.naming import barcodes_of, displays_of, ids_of
 from app.plant.exchange.report import Report, shown
@@ -76,13 +76,14 @@ def settle(draft: Draft, options: Options, report: Report) -> Settled:
     edges = _in_runs(_edges(draft, barcodes, points, top, report))
     taken: set[str] = {FLOOR}
     chargers = _chargers(draft, barcodes, kind, taken, report)
-    stations = dict(_stations(draft, barcodes, kind, report))
+    made = list(_stations(draft, barcodes, kind, report))
+    stations = {place.name: station for place, station in made}
     plant = Plant(
         name=options.title or draft.title or "plant",
         points=points,
         edges=tuple(edges),
         stations=tuple(stations.values()),
-        carriers=tuple(_carriers(draft, stations, report)),
+        carriers=tuple(_carriers(made, report)),
         vehicles=(),
         zones=tuple(_zones(draft, barcodes, report)),
         chargers=chargers,
@@ -259,19 +260,21 @@ def _in_runs(edges: list[Edge]) -> list[Edge]:
 
 def _stations(
     draft: Draft, barcodes: dict[str, Barcode], kind: VehicleKind, report: Report
-) -> Iterable[tuple[str, Station]]:
+) -> Iterable[tuple[Place, Station]]:
+    """Give the stations, each with what it was made of; a carrier that was to stand at one that is left out is named with it."""
     names = ids_of(((place.name, place.where) for place in draft.places), set(), "ST", report)
     shows = displays_of(((names[place.name], place.display or names[place.name]) for place in draft.places), report)
     usual = StationKind.AGV_BUFFER if kind is VehicleKind.AGV else StationKind.PORT
     seen: dict[str, str] = {}
     for place in draft.places:
         spots = [spot for spot in place.spots if spot in barcodes]
+        also = f", and carrier {shown(place.carrier)} with it" if place.carrier else ""
         if place.name in seen:
-            report.wrong(place.where, f"{shown(place.name)} is a station already ({seen[place.name]}): left out")
+            report.wrong(place.where, f"{shown(place.name)} is a station already ({seen[place.name]}): left out{also}")
             continue
         if not spots:
             named = f"its mark {shown(place.spots[0])} is nowhere given" if place.spots else "no mark is named for it"
-            report.wrong(place.where, f"{named}: left out", "name the mark where vehicles stop for it")
+            report.wrong(place.where, f"{named}: left out{also}", "name the mark where vehicles stop for it")
             continue
         others = sorted({barcodes[spot] for spot in spots} - {barcodes[spots[0]]})
         if others:
@@ -281,7 +284,7 @@ def _stations(
             )
         seen[place.name] = place.where
         yield (
-            place.name,
+            place,
             Station(
                 id=StationId(names[place.name]),
                 kind=place.kind or usual,
@@ -295,18 +298,18 @@ def _stations(
         )
 
 
-def _carriers(draft: Draft, stations: dict[str, Station], report: Report) -> Iterable[tuple[CarrierId, StationId]]:
+def _carriers(made: Iterable[tuple[Place, Station]], report: Report) -> Iterable[tuple[CarrierId, StationId]]:
     """Give the carriers that stand at stations when the plant is first started."""
     seen: set[str] = set()
-    for place in draft.places:
-        if not place.carrier or place.name not in stations:
+    for place, station in made:
+        if not place.carrier:
             continue
         if place.carrier in seen or not is_id(place.carrier) or len(place.carrier) > DISPLAY_BYTES:
             what = f"{shown(place.carrier)} cannot be a carrier: {DISPLAY_BYTES} letters and digits, each once"
             report.wrong(place.where, what, "correct its name")
-        elif stations[place.name].id not in seen:
-            seen |= {place.carrier, stations[place.name].id}
-            yield CarrierId(place.carrier), stations[place.name].id
+        else:
+            seen.add(place.carrier)
+            yield CarrierId(place.carrier), station.id
 
 
 def _chargers(

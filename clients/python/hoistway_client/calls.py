@@ -102,7 +102,7 @@ class Calls(Synchronous):
         return cast("m.Page[m.PulsesVersion]", self._call("GET", f"/api/v1/vehicles/{path(vehicle)}/offset"))
 
     def write_offset(self, vehicle: str, body: m.Target) -> m.Vehicle:
-        """Write a new version of a vehicle's OFFSET; with If-Match only if nobody else did meanwhile."""
+        """Write a new version of a vehicle's OFFSET, as a named person; with If-Match only if nobody else did meanwhile."""
         return cast("m.Vehicle", self._call("PUT", f"/api/v1/vehicles/{path(vehicle)}/offset", body=body))
 
     def list_stations(self) -> m.Page[m.Station]:
@@ -130,7 +130,7 @@ class Calls(Synchronous):
         return cast("m.Page[m.PulsesVersion]", self._call("GET", f"/api/v1/stations/{path(station)}/dest"))
 
     def write_dest(self, station: str, body: m.Target) -> m.Station:
-        """Write a new version of a port's DEST; with If-Match only if nobody else did meanwhile."""
+        """Write a new version of a port's DEST, as a named person; with If-Match only if nobody else did meanwhile."""
         return cast("m.Station", self._call("PUT", f"/api/v1/stations/{path(station)}/dest", body=body))
 
     def list_carriers(self) -> m.Page[m.Carrier]:
@@ -856,7 +856,7 @@ class AsyncCalls(Asynchronous):
         return cast("m.Page[m.PulsesVersion]", await self._call("GET", f"/api/v1/vehicles/{path(vehicle)}/offset"))
 
     async def write_offset(self, vehicle: str, body: m.Target) -> m.Vehicle:
-        """Write a new version of a vehicle's OFFSET; with If-Match only if nobody else did meanwhile."""
+        """Write a new version of a vehicle's OFFSET, as a named person; with If-Match only if nobody else did meanwhile."""
         return cast("m.Vehicle", await self._call("PUT", f"/api/v1/vehicles/{path(vehicle)}/offset", body=body))
 
     async def list_stations(self) -> m.Page[m.Station]:
@@ -884,7 +884,7 @@ class AsyncCalls(Asynchronous):
         return cast("m.Page[m.PulsesVersion]", await self._call("GET", f"/api/v1/stations/{path(station)}/dest"))
 
     async def write_dest(self, station: str, body: m.Target) -> m.Station:
-        """Write a new version of a port's DEST; with If-Match only if nobody else did meanwhile."""
+        """Write a new version of a port's DEST, as a named person; with If-Match only if nobody else did meanwhile."""
         return cast("m.Station", await self._call("PUT", f"/api/v1/stations/{path(station)}/dest", body=body))
 
     async def list_carriers(self) -> m.Page[m.Carrier]:

@@ -315,3 +315,10 @@ def test_carriers_stand_where_the_list_says() -> None:
     made = imported(text)
     assert made.plant.carriers == (("F1", "P1"),)
     assert [note.partition(":")[0] for note in said(made, Kind.WRONG)] == ["row 3", "row 4"]
+
+
+def test_a_carrier_of_a_station_that_is_left_out_stands_nowhere_and_is_named() -> None:
+    text = "barcode,x,y,next,station,type,carrier\n1,0,0,2,P1,port,\n2,2000,0,3,,,\n3,4000,0,1,P1,port,FOUP-X\n"
+    made = imported(text, "ring.csv")
+    assert made.plant.carriers == ()
+    assert [line for line in said(made, Kind.WRONG) if "and carrier FOUP-X with it" in line]

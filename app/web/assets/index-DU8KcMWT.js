@@ -1301,6 +1301,8 @@ var events$1 = {
 	"WalkEnded": "Walk ended"
 };
 var pages$1 = {
+	"mend_that_give_it_another": "mend that, give job {0} another destination, or press ‘Cancel’ at it",
+	"this_is_a_recording_get_api": "This is a recording: the room ‘Playback’ shows what it has.",
 	"log_in_or_send": "Log in.",
 	"clear_the_cause_then_post": "clear the cause, then press ‘Recover from the alarm’ at {0}",
 	"see_what_is_wrong_then": "see what is wrong, then press ‘Recover from the alarm’ at {0}",
@@ -1456,6 +1458,8 @@ var events = {
 	"WalkEnded": "재고 실사 종료"
 };
 var pages = {
+	"mend_that_give_it_another": "원인을 해결하거나, 작업 {0}에 다른 목적지를 주거나, ‘취소’를 누르세요",
+	"this_is_a_recording_get_api": "녹화된 기록입니다: 담긴 내용은 ‘재생’에서 볼 수 있습니다.",
 	"log_in_or_send": "로그인하세요.",
 	"clear_the_cause_then_post": "원인을 없앤 뒤 {0}에서 ‘알람 복구’를 누르세요",
 	"see_what_is_wrong_then": "원인을 확인한 뒤 {0}에서 ‘알람 복구’를 누르세요",
