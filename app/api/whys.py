@@ -1,6 +1,6 @@
 """Why a job went as it did: its assignments with the candidates, and its waits, as one answer."""
 
-from app.domain.job import Job
+from app.domain.job import Job, JobState
 from app.domain.why import Choice, Wait, Why
 from app.runtime.showing import iso
 
@@ -10,18 +10,26 @@ Json = dict[str, object]
 def told(job: Job, why: Why | None) -> Json:
     """Return the answer to "why was this lot late"."""
     known = why or Why(job.order, job.id)
+    assigned = _assigned(job, known)
     return {
         "job": job.id,
         "state": job.state.value,
         "reason": job.reason,
         "created": iso(job.created),
-        "queued": _between(job.created, job.assigned),
-        "fetching": _between(job.assigned, job.picked),
+        "queued": _between(job.created, assigned),
+        "fetching": _between(assigned, job.picked),
         "carrying": _between(job.picked, job.ended),
         "assignments": [_assignment(choice) for choice in known.choices],
         "waits": [_wait(wait) for wait in known.waits],
         "left_out": known.left_out,
     }
+
+
+def _assigned(job: Job, why: Why) -> float | None:
+    """Return when the job got the vehicle that it has or had last; None: it waits for one, perhaps again."""
+    if job.state is JobState.QUEUED:
+        return None
+    return max((choice.at for choice in why.choices), default=job.assigned)
 
 
 def _between(begin: float | None, end: float | None) -> float | None:

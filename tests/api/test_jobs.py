@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Sequence
+from dataclasses import replace
 
 import httpx
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from app.domain import requests as r
 from app.domain.errors import PlantHeld, Refusal, StoreError
 from app.domain.ids import JobId, VehicleId
-from app.domain.job import Job
+from app.domain.job import Job, JobState
 from app.domain.units import Timestamp
 from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import Scripted
@@ -243,6 +244,27 @@ async def test_an_id_has_no_hidden_letters_and_no_first_dot(
     answer = await client.post("/jobs", json=ORDER | {"job_id": name})
     assert (answer.status_code, answer.json()["field"]) == (422, "job_id")
     assert not controller.seen
+
+
+async def test_the_phases_of_a_job_that_was_given_back_begin_with_its_last_vehicle(
+    client: httpx.AsyncClient, controller: Scripted
+) -> None:
+    await client.post("/jobs", json=ORDER)
+    kept = controller.reader.kept
+    begun = kept["LOT-1"].created
+    first, last = (
+        Choice(Timestamp(begun + after), VehicleId("V1"), 3.5, 50, hot=False, waited=1.2, switch=0.0)
+        for after in (10.0, 60.0)
+    )
+    why = Why(1, JobId("LOT-1")).chosen(first)
+    kept["LOT-1"] = replace(kept["LOT-1"], state=JobState.QUEUED, assigned=first.at)
+    controller.reader.whys[kept["LOT-1"].order] = why
+    again = (await client.get("/jobs/LOT-1/why")).json()
+    assert (again["queued"], again["fetching"]) == (None, None)
+    kept["LOT-1"] = replace(kept["LOT-1"], state=JobState.TRANSFERRING, picked=Timestamp(begun + 90.0))
+    controller.reader.whys[kept["LOT-1"].order] = why.chosen(last)
+    told = (await client.get("/jobs/LOT-1/why")).json()
+    assert (told["queued"], told["fetching"]) == (60.0, 30.0)
 
 
 async def test_why_a_job_went_as_it_did_is_told_with_its_vehicles_and_waits(

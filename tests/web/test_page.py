@@ -314,6 +314,9 @@ def test_a_job_chosen_says_why_this_vehicle_and_what_it_waited_for(wire: ClientC
         page.until(text_of(".panel .choice tr", "V002") + " && " + text_of(".panel .choice tr", "is not free"))
         page.until(text_of(".panel .why-list", "P2 is occupied by F7"))
         page.until("location.hash === '#/map?job=J1'")
+        server.do(lambda: server.controller.happen("VehicleUnassigned", "J1", "V001"))
+        page.until(text_of(".panel .choice", "Taken back at"))
+        page.until(text_of(".panel dd", "before: V001"))
         assert page.complaints == []
 
 

@@ -13,7 +13,8 @@ from app.domain.device_requests import RaiseEmergency
 from app.domain.drive import Parameter
 from app.domain.drive_records import OperationState
 from app.domain.drive_requests import CancelDriveOperation, StopDriveLine, UnwatchDrive, WatchDrive
-from app.domain.requests import StageVehicle, WriteDest
+from app.domain.ids import Actor, JobId, StationId
+from app.domain.requests import CreateJob, StageVehicle, WriteDest
 from app.domain.teaching_requests import ImportTaught
 from app.domain.view import ControllerView, HoldView, ParameterView, Topic, Update
 from app.domain.webhooks import AddWebhook, ReplayWebhook
@@ -146,6 +147,20 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
         expect(panel.locator(".done, .problem").first).to_be_visible()
     assert [(request.station, request.vehicle) for request in seen(plant, StageVehicle)] == [("P1", "V002")]
     assert [(request.kind, request.reason) for request in seen(plant, RaiseEmergency)] == [("fire", "smoke in bay 2")]
+
+
+def test_a_look_at_a_closure_names_the_jobs_that_it_would_touch(plant: Staffed) -> None:
+    order = CreateJob(Actor("lee"), JobId("J1"), "P1", StationId("P2"), None, 50, "x")
+    plant.server.wait(plant.server.controller.ask(order))
+    with plant.at_work("lee", "closures") as page:
+        form = page.get_by_role("form", name="Close", exact=True)
+        form.get_by_label("Kind").select_option("station")
+        form.locator("input[name=from]").fill("P2")
+        form.get_by_role("button", name="Look what it would do").click()
+        jobs = form.get_by_role("list", name="1 jobs touched")
+        expect(jobs).to_contain_text("J1: its destination P2 would be closed")
+        jobs.get_by_role("button", name="J1").click()
+        expect(page.locator(".panel h2")).to_contain_text("J1")
 
 
 def test_a_menu_closes_after_a_choice_and_when_somebody_presses_elsewhere(plant: Staffed) -> None:

@@ -3,7 +3,7 @@ import type { Happening } from "./types";
 
 export type Phase = "queued" | "fetching" | "acquiring" | "carrying" | "depositing";
 
-/** What ends a phase; the last of them counts, since an assignment may have been another's before. */
+/** What ends a phase; the last of them counts, since an assignment may have been another's before; none before it was taken back does. */
 const ENDS: [Phase, string][] = [
   ["queued", "VehicleAssigned"],
   ["fetching", "VehicleAcquireStarted"],
@@ -15,9 +15,10 @@ const ENDS: [Phase, string][] = [
 /** Phases with their seconds, in order; the one under way lasts until `now` (ms), null: the job is over. */
 export function phasesOf(created: string, now: number | null, events: Happening[]): { name: Phase; took: number }[] {
   const found: { name: Phase; took: number }[] = [];
+  const since = events.slice(events.findLastIndex(({ event }) => event === "VehicleUnassigned") + 1);
   let from = Date.parse(created);
   for (const [name, end] of ENDS) {
-    const ended = events.findLast(({ event }) => event === end);
+    const ended = since.findLast(({ event }) => event === end);
     const to = ended ? Date.parse(ended.ts) : now;
     if (to === null || to < from) break;
     found.push({ name, took: (to - from) / 1000 });

@@ -24,6 +24,15 @@ describe("the phases of a job", () => {
     ]);
   });
 
+  test("begin anew with the queue where the vehicle was taken away, and end it at the next assignment", () => {
+    const back = [...ALL.slice(0, 3), event("VehicleUnassigned", 22)];
+    expect(phasesOf(at(0), Date.parse(at(40)), back)).toEqual([{ name: "queued", took: 40 }]);
+    expect(phasesOf(at(0), Date.parse(at(40)), [...back, event("VehicleAssigned", 30)])).toEqual([
+      { name: "queued", took: 30 },
+      { name: "fetching", took: 10 },
+    ]);
+  });
+
   test("last until now where one is under way, and end with the job", () => {
     expect(phasesOf(at(0), Date.parse(at(12)), [])).toEqual([{ name: "queued", took: 12 }]);
     expect(phasesOf(at(0), Date.parse(at(30)), ALL.slice(0, 4)).at(-1)).toEqual({ name: "carrying", took: 5 });

@@ -208,6 +208,23 @@ function Close() {
   );
 }
 
+/** The jobs that a closure would touch, each with why; the server names the first of them. */
+function Jobs({ touched, jobs }: { touched: number; jobs: ClosurePreview["jobs"] }) {
+  return (
+    <>
+      <b>{t("jobs_touched", touched)}</b>
+      <ul class="plain" aria-label={t("jobs_touched", touched)}>
+        {jobs.map(({ job, why }) => (
+          <li key={job}>
+            <Name id={job} />: {tell(why)}
+          </li>
+        ))}
+      </ul>
+      {touched > jobs.length && <small class="calm">{t("and_more", touched - jobs.length)}</small>}
+    </>
+  );
+}
+
 function Effects({ preview }: { preview: ClosurePreview }) {
   const { routes } = preview;
   const names = (label: string, list: string[]) =>
@@ -229,8 +246,10 @@ function Effects({ preview }: { preview: ClosurePreview }) {
       {names(t("cut_off"), preview.cut_off)}
       {names(t("drive_out"), preview.inside)}
       {names(t("shut_in"), preview.shut_in)}
+      {preview.jobs_touched > 0 && <Jobs touched={preview.jobs_touched} jobs={preview.jobs} />}
       <p>
-        {t("jobs_touched", preview.jobs_touched)} · {t("routes_longer", routes.longer, routes.compared)} · {t("routes_lost", routes.lost)}
+        {preview.jobs_touched === 0 && `${t("jobs_touched", 0)} · `}
+        {t("routes_longer", routes.longer, routes.compared)} · {t("routes_lost", routes.lost)}
       </p>
       <p>{t("routes_mean", routes.mean_seconds.toFixed(1), routes.mean_seconds_after.toFixed(1))}</p>
       {routes.worst.slice(0, 3).map((one) => (

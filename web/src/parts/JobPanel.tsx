@@ -38,6 +38,7 @@ export function JobPanel({ id }: { id: string }) {
   }, [id, job?.state, job?.vehicle, round]);
   if (!job) return <Panel title={id} tag={t("job")} colour="var(--dim)"><Problem error={error.value} /></Panel>;
   const tone = TONES[job.state] ?? "calm";
+  const before = job.vehicle ? null : whole.value?.history.findLast(({ event }) => event === "VehicleUnassigned")?.vehicle;
   return (
     <Panel title={job.id} tag={said(job.state)} colour={COLOURS[tone]}>
       {job.reason && !over && (
@@ -58,6 +59,12 @@ export function JobPanel({ id }: { id: string }) {
         <Fact name={t("carrier")}>{job.carrier ?? t("unknown")}</Fact>
         <Fact name={t("vehicle")}>
           {job.vehicle ? <Name id={job.vehicle} /> : t("none")}
+          {before && (
+            <small>
+              {" "}
+              · {t("had_before")} <Name id={before} />
+            </small>
+          )}
           {job.wish && <small> · {t("wished", job.wish)}</small>}
         </Fact>
         <Fact name={t("priority")}>{job.priority}</Fact>
@@ -68,7 +75,7 @@ export function JobPanel({ id }: { id: string }) {
       </dl>
       {whole.value && <Phases job={job} events={whole.value.history} />}
       {!over && <Change job={job} />}
-      {why.value && <Why why={why.value} />}
+      {why.value && <Why why={why.value} events={whole.value?.history ?? []} />}
       {whole.value && <History events={whole.value.history} />}
       <Problem error={error.value} />
     </Panel>
@@ -96,14 +103,14 @@ function Phases({ job, events }: { job: Job; events: Happening[] }) {
   );
 }
 
-function Why({ why }: { why: JobWhy }) {
+function Why({ why, events }: { why: JobWhy; events: Happening[] }) {
   return (
     <>
       <section class="part why-list">
         <h3>{t("why_vehicle")}</h3>
         {why.assignments.length === 0 && <p class="nothing">{t("not_assigned_yet")}</p>}
         {why.assignments.map((choice) => (
-          <Choice key={choice.at + choice.vehicle} choice={choice} />
+          <Choice key={choice.at + choice.vehicle} choice={choice} until={takenBack(choice, events)} />
         ))}
       </section>
       <section class="part why-list">
@@ -126,13 +133,19 @@ function Why({ why }: { why: JobWhy }) {
   );
 }
 
-function Choice({ choice }: { choice: Assignment }) {
+/** When a vehicle lost the job that it was given; null: it did not. */
+function takenBack({ vehicle, at }: Assignment, events: Happening[]): string | null {
+  return events.find((event) => event.event === "VehicleUnassigned" && event.vehicle === vehicle && event.ts >= at)?.ts ?? null;
+}
+
+function Choice({ choice, until }: { choice: Assignment; until: string | null }) {
   return (
     <div class="choice">
       <b>
         <Name id={choice.vehicle} /> · {t("to_source", seconds(choice.seconds))}
       </b>{" "}
       <small class="calm">{clock(choice.at)}</small>
+      {until && <p class="wait">{t("taken_back", clock(until))}</p>}
       <div>
         {choice.hot && `${t("hot_lot")} · `}
         {choice.before && choice.saved !== null && `${t("instead_of", choice.before, seconds(choice.saved))} · `}
