@@ -255,6 +255,21 @@ def test_only_administrators_see_who_is_known(plant: Staffed) -> None:
         )
 
 
+def test_what_was_asked_for_is_told_field_by_field_in_korean(plant: Staffed) -> None:
+    reader = plant.server.controller.reader
+    before = list(reader.asked)
+    details = ("vehicle V005, what stop", "station SBA-R1, out_of_service bent, by_person False, walked False")
+    reader.asked[:] = [
+        AuditRow(Timestamp(NOW + i), Actor("lee"), "CommandVehicle", "", detail, accepted=True)
+        for i, detail in enumerate(details)
+    ]
+    with plant.at_work("lee", "audit", language="ko") as page:
+        rows = page.locator(".room tbody tr")
+        expect(rows.first).to_contain_text("스테이션: SBA-R1 · 사용 중지: bent")
+        expect(rows.last).to_contain_text("차량: V005 · 작업 내용: 정지 (MANT)")
+    reader.asked[:] = before
+
+
 def test_the_audit_is_searched_gone_through_page_by_page_checked_and_saved(plant: Staffed) -> None:
     reader = plant.server.controller.reader
     before = list(reader.asked)

@@ -3,11 +3,13 @@ import { useSignal } from "@preact/signals";
 import { refusal, round } from "../access";
 import { get } from "../api";
 import { csvOf, save } from "../csv";
+import { FIELDS, fieldsOf } from "../details";
 import { moment } from "../shows";
-import { said, t, tell } from "../texts";
+import { language, said, t, tell } from "../texts";
 import { Choice, Field, Told, useAsking, useRead } from "./asking";
 import { Button } from "./Button";
 import { Table } from "./Table";
+import { commandName } from "./VehicleCommands";
 
 interface Row {
   seq: number;
@@ -167,7 +169,7 @@ function Rows() {
           { name: t("what"), of: (row) => <Did action={row.action} /> },
           { name: t("on_what"), of: (row) => row.target },
           { name: t("result"), of: (row) => <span class={row.accepted ? "good" : "bad"}>{t(row.accepted ? "carried_out" : "refused")}</span> },
-          { name: t("in_words"), wraps: true, of: (row) => tell(row.detail) },
+          { name: t("in_words"), wraps: true, of: (row) => inWords(row.detail) },
         ]}
       />
       <div class="padded acts-row">
@@ -186,6 +188,17 @@ function Rows() {
     </div>
   );
 }
+
+/** What a row says besides, in the reader's language: a sentence by its pattern, a request field by field. */
+function inWords(detail: string): string {
+  const told = tell(detail);
+  if (language.value === "en" || told !== detail) return told;
+  const value = (field: string, text: string): string => (field === "what" || field === "act" ? commandName(text) : text === "True" ? t("yes") : said(text));
+  return fieldsOf(detail)?.map(([field, text]) => `${t(FIELDS[field])}: ${NAMED.has(field) ? text : value(field, text)}`).join(" · ") ?? detail;
+}
+
+/** What people or the plant file have named is not translated. */
+const NAMED = new Set(["vehicle", "station", "stations", "drive", "device", "job", "carrier", "place", "zone", "source", "destination", "reason", "note", "barcode", "tag"]);
 
 /** What was asked for in words, and by the name that it is looked for by. */
 function Did({ action }: { action: string }) {
