@@ -12,10 +12,16 @@ const ENDS: [Phase, string][] = [
   ["depositing", "VehicleDepositCompleted"],
 ];
 
+/** The last event by which the job lost its vehicle and went on, its index; -1: none. At its end it loses it, too: `over`. */
+export function lastTakenBack(events: Happening[], over: boolean): number {
+  const assigned = events.findLastIndex(({ event }) => event === "VehicleAssigned");
+  return events.findLastIndex(({ event }, i) => event === "VehicleUnassigned" && (!over || i < assigned));
+}
+
 /** Phases with their seconds, in order; the one under way lasts until `now` (ms), null: the job is over. */
 export function phasesOf(created: string, now: number | null, events: Happening[]): { name: Phase; took: number }[] {
   const found: { name: Phase; took: number }[] = [];
-  const since = events.slice(events.findLastIndex(({ event }) => event === "VehicleUnassigned") + 1);
+  const since = events.slice(lastTakenBack(events, now === null) + 1);
   let from = Date.parse(created);
   for (const [name, end] of ENDS) {
     const ended = since.findLast(({ event }) => event === end);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { phasesOf } from "../src/phases";
+import { lastTakenBack, phasesOf } from "../src/phases";
 import type { Happening } from "../src/types";
 
 const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 8, 0, second)).toISOString();
@@ -31,6 +31,13 @@ describe("the phases of a job", () => {
       { name: "queued", took: 30 },
       { name: "fetching", took: 10 },
     ]);
+  });
+
+  test("are not begun anew by the end of the job, at which it loses its vehicle too", () => {
+    const whole = [...ALL.slice(0, 2), event("VehicleUnassigned", 6), event("VehicleAssigned", 8), ...ALL.slice(2), event("VehicleUnassigned", 56)];
+    expect(phasesOf(at(0), null, whole).map(({ took }) => took)).toEqual([8, 12, 5, 25, 6]);
+    expect(lastTakenBack(whole, true)).toBe(2);
+    expect(lastTakenBack([...ALL, event("VehicleUnassigned", 56)], true)).toBe(-1);
   });
 
   test("last until now where one is under way, and end with the job", () => {

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { call, get, post, serverNow } from "../api";
-import { phasesOf } from "../phases";
+import { lastTakenBack, phasesOf } from "../phases";
 import { clock, TONES } from "../shows";
 import { changes, ENDED, jobList, layout, tick } from "../store";
 import { happening, said, t, tell } from "../texts";
@@ -38,7 +38,7 @@ export function JobPanel({ id }: { id: string }) {
   }, [id, job?.state, job?.vehicle, round]);
   if (!job) return <Panel title={id} tag={t("job")} colour="var(--dim)"><Problem error={error.value} /></Panel>;
   const tone = TONES[job.state] ?? "calm";
-  const before = job.vehicle ? null : whole.value?.history.findLast(({ event }) => event === "VehicleUnassigned")?.vehicle;
+  const before = job.vehicle ? null : whole.value?.history[lastTakenBack(whole.value.history, over)]?.vehicle;
   return (
     <Panel title={job.id} tag={said(job.state)} colour={COLOURS[tone]}>
       {job.reason && !over && (
@@ -75,7 +75,7 @@ export function JobPanel({ id }: { id: string }) {
       </dl>
       {whole.value && <Phases job={job} events={whole.value.history} />}
       {!over && <Change job={job} />}
-      {why.value && <Why why={why.value} events={whole.value?.history ?? []} />}
+      {why.value && <Why why={why.value} events={whole.value?.history ?? []} over={over} />}
       {whole.value && <History events={whole.value.history} />}
       <Problem error={error.value} />
     </Panel>
@@ -103,14 +103,14 @@ function Phases({ job, events }: { job: Job; events: Happening[] }) {
   );
 }
 
-function Why({ why, events }: { why: JobWhy; events: Happening[] }) {
+function Why({ why, events, over }: { why: JobWhy; events: Happening[]; over: boolean }) {
   return (
     <>
       <section class="part why-list">
         <h3>{t("why_vehicle")}</h3>
         {why.assignments.length === 0 && <p class="nothing">{t("not_assigned_yet")}</p>}
         {why.assignments.map((choice) => (
-          <Choice key={choice.at + choice.vehicle} choice={choice} until={takenBack(choice, events)} />
+          <Choice key={choice.at + choice.vehicle} choice={choice} until={takenBack(choice, events.slice(0, lastTakenBack(events, over) + 1))} />
         ))}
       </section>
       <section class="part why-list">
@@ -133,7 +133,7 @@ function Why({ why, events }: { why: JobWhy; events: Happening[] }) {
   );
 }
 
-/** When a vehicle lost the job that it was given; null: it did not. */
+/** When a vehicle lost the job that it was given, by the events up to when the job was last taken back; null: it did not. */
 function takenBack({ vehicle, at }: Assignment, events: Happening[]): string | null {
   return events.find((event) => event.event === "VehicleUnassigned" && event.vehicle === vehicle && event.ts >= at)?.ts ?? null;
 }

@@ -11281,10 +11281,15 @@ var ENDS = [
 	["carrying", "VehicleDepositStarted"],
 	["depositing", "VehicleDepositCompleted"]
 ];
+/** The last event by which the job lost its vehicle and went on, its index; -1: none. At its end it loses it, too: `over`. */
+function lastTakenBack(events, over) {
+	const assigned = events.findLastIndex(({ event }) => event === "VehicleAssigned");
+	return events.findLastIndex(({ event }, i) => event === "VehicleUnassigned" && (!over || i < assigned));
+}
 /** Phases with their seconds, in order; the one under way lasts until `now` (ms), null: the job is over. */
 function phasesOf(created, now, events) {
 	const found = [];
-	const since = events.slice(events.findLastIndex(({ event }) => event === "VehicleUnassigned") + 1);
+	const since = events.slice(lastTakenBack(events, now === null) + 1);
 	let from = Date.parse(created);
 	for (const [name, end] of ENDS) {
 		const ended = since.findLast(({ event }) => event === end);
@@ -11333,7 +11338,7 @@ function JobPanel({ id }) {
 		children: /* @__PURE__ */ a(Problem, { error: error.value })
 	});
 	const tone = TONES$2[job.state] ?? "calm";
-	const before = job.vehicle ? null : whole.value?.history.findLast(({ event }) => event === "VehicleUnassigned")?.vehicle;
+	const before = job.vehicle ? null : whole.value?.history[lastTakenBack(whole.value.history, over)]?.vehicle;
 	return /* @__PURE__ */ a(Panel, {
 		title: job.id,
 		tag: said$1(job.state),
@@ -11400,7 +11405,8 @@ function JobPanel({ id }) {
 			!over && /* @__PURE__ */ a(Change$1, { job }),
 			why.value && /* @__PURE__ */ a(Why, {
 				why: why.value,
-				events: whole.value?.history ?? []
+				events: whole.value?.history ?? [],
+				over
 			}),
 			whole.value && /* @__PURE__ */ a(History, { events: whole.value.history }),
 			/* @__PURE__ */ a(Problem, { error: error.value })
@@ -11432,7 +11438,7 @@ function Phases$1({ job, events }) {
 		]
 	});
 }
-function Why({ why, events }) {
+function Why({ why, events, over }) {
 	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("section", {
 		class: "part why-list",
 		children: [
@@ -11443,7 +11449,7 @@ function Why({ why, events }) {
 			}),
 			why.assignments.map((choice) => /* @__PURE__ */ a(Choice, {
 				choice,
-				until: takenBack(choice, events)
+				until: takenBack(choice, events.slice(0, lastTakenBack(events, over) + 1))
 			}, choice.at + choice.vehicle))
 		]
 	}), /* @__PURE__ */ a("section", {
@@ -11466,7 +11472,7 @@ function Why({ why, events }) {
 		]
 	})] });
 }
-/** When a vehicle lost the job that it was given; null: it did not. */
+/** When a vehicle lost the job that it was given, by the events up to when the job was last taken back; null: it did not. */
 function takenBack({ vehicle, at }, events) {
 	return events.find((event) => event.event === "VehicleUnassigned" && event.vehicle === vehicle && event.ts >= at)?.ts ?? null;
 }
