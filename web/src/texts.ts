@@ -6,6 +6,7 @@ import { signal } from "@preact/signals";
 import { events as happens, page as en, pages as inEnglish, remedies, sayings as told } from "../../app/texts/en.json";
 import { events as happened, page as ko, pages as inKorean, remedies as helps, sayings as retold } from "../../app/texts/ko.json";
 import { roomOf } from "./rooms";
+import { settled } from "./particles";
 import { Sayings } from "./sayings";
 
 export type Language = "en" | "ko";
@@ -28,7 +29,8 @@ export function speak(next: Language): void {
 /** A word or sentence; {0}, {1} … are replaced. */
 export function t(word: Word, ...values: (string | number)[]): string {
   const text: string = (language.value === "ko" ? ko : en)[word];
-  return values.reduce<string>((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+  const filled = values.reduce<string>((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+  return language.value === "ko" && values.length > 0 ? settled(filled) : filled;
 }
 
 /** The server's word for a state, translated if we know it. */
@@ -39,7 +41,8 @@ export function said(word: string): string {
 /** A sentence of the server, translated as far as the catalogue knows it, with the page's names for what it says to call. */
 export function tell(sentence: string): string {
   if (language.value === "ko" && Object.hasOwn(ko, sentence)) return said(sentence);
-  return withRooms((language.value === "ko" ? korean : english).translate(sentence));
+  if (language.value === "ko") return settled(withRooms(korean.translate(sentence)));
+  return withRooms(english.translate(sentence));
 }
 
 const CALL = /(?:\b(?:GET|POST|PUT|PATCH|DELETE) )?\/api\/v1\/([a-z]+)(?:\/[\w/:-]+)?/g;

@@ -1572,6 +1572,93 @@ var ROOM_OF = {
 };
 /** The word of the page for the room of a path's first part; "": there is none. */
 var roomOf = (first) => Object.hasOwn(ROOM_OF, first) ? ROOM_OF[first] : "";
+// src/particles.ts
+/** As the texts write them: after a vowel, after a consonant. */
+var FORMS = {
+	"이(가)": ["가", "이"],
+	"은(는)": ["는", "은"],
+	"을(를)": ["를", "을"],
+	"과(와)": ["와", "과"],
+	"와(과)": ["와", "과"],
+	"(으)로": ["로", "으로"],
+	"(이)라": ["라", "이라"],
+	"(이)나": ["나", "이나"],
+	"(이)고": ["고", "이고"],
+	"(이)며": ["며", "이며"]
+};
+var FORM = new RegExp(`(?<=\\S) ?(${Object.keys(FORMS).map((form) => form.replace(/[()]/g, "\\$&")).join("|")})`, "g");
+/** What stands in brackets is not read: the particle goes by the word before them. */
+var REMARK = /\([^()]*\)$/;
+var UNIT = /[0-9] ?(?:mm|cm|m|km|s|ms|h|mm\/s|m\/s|MB|GB|%)$/;
+var DIGITS = {
+	"0": "consonant",
+	"1": "l",
+	"3": "consonant",
+	"6": "consonant",
+	"7": "l",
+	"8": "l"
+};
+/** Letters whose Korean names end in a consonant: 엘, 엠, 엔, 알. */
+var LETTERS$1 = {
+	L: "l",
+	M: "consonant",
+	N: "consonant",
+	R: "l"
+};
+var OPEN$1 = /* @__PURE__ */ new Set("aiouywrdgfvszxh");
+/** Ends of words that are read as words; of others (port, map, node) letters alone do not tell. */
+var SPOKEN = {
+	l: "l",
+	m: "consonant",
+	n: "consonant"
+};
+/** Capitals of so many letters, or without a vowel among them, are read letter by letter. */
+var ABBREVIATION = 3;
+/** A text with the particle that fits in each place where it can be told; elsewhere 이(가) stays as it is. */
+function settled(text) {
+	let done = "";
+	let at = 0;
+	for (const form of text.matchAll(FORM)) {
+		const before = done + text.slice(at, form.index);
+		const sound = soundOf(before);
+		if (sound === null) continue;
+		done = before + chosen(form[1] ?? "", sound);
+		at = form.index + form[0].length;
+	}
+	return done + text.slice(at);
+}
+function chosen(form, sound) {
+	const [open, closed] = FORMS[form] ?? [form, form];
+	return sound === "vowel" || sound === "l" && form === "(으)로" ? open : closed;
+}
+/** How a text ends, read aloud in Korean; null: its letters do not tell. */
+function soundOf(given) {
+	let text = given.replace(/['"’”」`]+$/, "");
+	for (;;) {
+		const shorter = text.replace(REMARK, "").replace(/['"’”」` ]+$/, "");
+		if (shorter === text || !shorter) break;
+		text = shorter;
+	}
+	if (UNIT.test(text)) return "vowel";
+	const last = text.slice(-1);
+	if (last >= "가" && last <= "힣") return ofSyllable(last);
+	if (/[0-9]/.test(last)) return DIGITS[last] ?? "vowel";
+	const word = /[A-Za-z]*$/.exec(text)?.[0] ?? "";
+	return word ? ofLetters(word) : null;
+}
+function ofSyllable(letter) {
+	const final = (letter.charCodeAt(0) - 44032) % 28;
+	return final === 0 ? "vowel" : final === 8 ? "l" : "consonant";
+}
+function ofLetters(given) {
+	const capitals = given === given.toUpperCase();
+	const byName = LETTERS$1[given.slice(-1).toUpperCase()] ?? "vowel";
+	if (given.length === 1 || capitals && (given.length <= ABBREVIATION || !/[AEIOUY]/.test(given))) return byName;
+	const word = given.toLowerCase();
+	const last = word.slice(-1);
+	const spoken = word.endsWith("ng") ? "consonant" : OPEN$1.has(last) ? "vowel" : SPOKEN[last] ?? null;
+	return capitals && spoken !== byName ? null : spoken;
+}
 // src/sayings.ts
 /** Sentences within sentences are translated too, so deep. */
 var DEPTH = 4;
@@ -1654,7 +1741,8 @@ function speak(next) {
 /** A word or sentence; {0}, {1} … are replaced. */
 function t(word, ...values) {
 	const text = (language.value === "ko" ? page : page$1)[word];
-	return values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+	const filled = values.reduce((sentence, value, i) => sentence.replace(`{${i}}`, String(value)), text);
+	return language.value === "ko" && values.length > 0 ? settled(filled) : filled;
 }
 /** The server's word for a state, translated if we know it. */
 function said$1(word) {
@@ -1663,7 +1751,8 @@ function said$1(word) {
 /** A sentence of the server, translated as far as the catalogue knows it, with the page's names for what it says to call. */
 function tell(sentence) {
 	if (language.value === "ko" && Object.hasOwn(page, sentence)) return said$1(sentence);
-	return withRooms((language.value === "ko" ? korean : english).translate(sentence));
+	if (language.value === "ko") return settled(withRooms(korean.translate(sentence)));
+	return withRooms(english.translate(sentence));
 }
 var CALL = /(?:\b(?:GET|POST|PUT|PATCH|DELETE) )?\/api\/v1\/([a-z]+)(?:\/[\w/:-]+)?/g;
 /** A path of the API that a sentence has filled in, as the room where that is to be seen. */
