@@ -205,7 +205,8 @@ async def test_a_stream_of_events_ends_by_itself_when_the_server_stops(app: Fast
         sent.append(message)
         begun.set()
 
-    scope = {"type": "http", "asgi": {"version": "3.0"}, "method": "GET", "path": "/api/v1/events/stream"}
+    scope: dict[str, object] = {"type": "http", "asgi": {"version": "3.0"}, "method": "GET"}
+    scope |= {"path": "/api/v1/events/stream"}
     scope |= {"query_string": b"", "headers": [(b"host", b"localhost")], "scheme": "http", "server": ("localhost", 80)}
     task = asyncio.ensure_future(app(scope, receive, send))  # type: ignore[arg-type]
     await begun.wait()
