@@ -119,7 +119,7 @@ class Changes:
                 "the plant file is not what runs",
                 runs=f"version {active.number} ({active.why})",
                 file="not edited since it was last taken",
-                remedy=f"hoistway layout versions; write the active one over it: hoistway layout get {active.number}",
+                remedy=f"hoistway layout versions; write the active one over it: {self._get(active)}",
             )
             return running
 
@@ -143,9 +143,13 @@ class Changes:
             NOT_TAKEN,
             reason=wrong.message,
             goes_on=f"version {active.number} ({active.why})",
-            remedy=f"{wrong.remedy}; mend it and start again, or write what runs over it: hoistway layout get {active.number}",
+            remedy=f"{wrong.remedy}; mend it and start again, or write what runs over it: {self._get(active)}",
         )
         return running
+
+    def _get(self, version: PlantVersion) -> str:
+        """Return the command that writes a version over the plant file."""
+        return f"hoistway layout get {version.number} -o {self._file}"
 
     def _on_trial(self, active: PlantVersion, lease: Lease) -> PlantVersion:
         """Return the version to start with: the active one, or the one before it if that never came to run, try after try.

@@ -144,7 +144,7 @@ def test_a_plant_file_with_errors_does_not_keep_down_a_plant_that_ran(
         assert changes.number == 2
     told = capsys.readouterr()
     assert "the plant file is not taken" in told.out + told.err
-    assert "hoistway layout get 2" in told.out + told.err
+    assert f"hoistway layout get 2 -o {file}" in told.out + told.err
     plant, changes = start(WITHOUT_P2)  # mended, it counts as edited
     assert "P2" not in stations(plant)
     assert changes.number == 3
