@@ -48,7 +48,8 @@ class Ordered:
 
 @router.post("", **gives("Job", 201, "The job; 201 new, 200 the one that was there.", Job=200))
 async def create_job(body: JobIn, controller: Ctl, actor: Who, key: IdempotencyKey = None) -> Response:
-    """Order a transfer. (Declared here; ``app.api.orders`` answers before the routes are looked at.)"""
+    """Order a transfer."""
+    # Declared here; app.api.orders answers before the routes are looked at.
     ordered = await create(body, controller, actor, key, KnownJobs(controller.reader))
     return answer(ordered.body, ordered.status, ordered.place)
 

@@ -251,7 +251,7 @@ class ControllerView:
 
 @dataclass(frozen=True, slots=True)
 class EventView:
-    """A durable event (DOMAIN section 2). ``seq`` has no gaps."""
+    """A durable event: docs/events.md has all there are. ``seq`` has no gaps."""
 
     seq: int
     at: float

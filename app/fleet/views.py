@@ -7,7 +7,7 @@ from app.domain.alarms import Alarm
 from app.domain.closures import Closure
 from app.domain.ids import Epoch, VehicleId
 from app.domain.job import Job, Leg
-from app.domain.layout import Plant, PulseSet, Station
+from app.domain.layout import Plant, PulseSet, Station, StationKind
 from app.domain.pulses import missing
 from app.domain.records import (
     CarrierRecord,
@@ -174,7 +174,9 @@ def view_of_station(
         at=record.at or None,
         target=_complete(dest),
         target_version=dest.version if dest else None,
-        missing=tuple(axis.value for axis in missing(dest.pulses)) if dest else (),
+        missing=tuple(axis.value for axis in missing(dest.pulses if dest else None))
+        if spec.kind is StationKind.PORT
+        else (),
         teaching=teaching.number if teaching else None,
         closures=closures,
     )

@@ -201,3 +201,9 @@ def test_a_station_that_nobody_ever_said_anything_of_has_no_moment_of_knowing(sc
     spec = next(station for station in script.plant.stations if station.id == "P1")
     view = view_of_station(spec, StationRecord(spec.id), None)
     assert (view.present, view.at) == (None, None)
+    assert (view.target, view.missing) == (None, ("shft", "rota", "lift"))
+
+
+def test_a_side_buffer_lacks_no_pulses(script: Script) -> None:
+    spec = next(station for station in script.plant.stations if station.id == "B1")
+    assert view_of_station(spec, StationRecord(spec.id), None).missing == ()

@@ -12,7 +12,7 @@ class Calls(Synchronous):
     """Every operation of the API."""
 
     def create_job(self, body: m.JobIn, *, idempotency_key: str | None = None) -> m.Job:
-        """Order a transfer. (Declared here; ``app.api.orders`` answers before the routes are looked at.)"""
+        """Order a transfer."""
         return cast("m.Job", self._call("POST", "/api/v1/jobs", body=body, headers={"Idempotency-Key": idempotency_key}))
 
     def list_jobs(self, *, state: m.JobState | None = None, carrier: str | None = None, vehicle: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.Job]:
@@ -766,7 +766,7 @@ class AsyncCalls(Asynchronous):
     """Every operation of the API."""
 
     async def create_job(self, body: m.JobIn, *, idempotency_key: str | None = None) -> m.Job:
-        """Order a transfer. (Declared here; ``app.api.orders`` answers before the routes are looked at.)"""
+        """Order a transfer."""
         return cast("m.Job", await self._call("POST", "/api/v1/jobs", body=body, headers={"Idempotency-Key": idempotency_key}))
 
     async def list_jobs(self, *, state: m.JobState | None = None, carrier: str | None = None, vehicle: str | None = None, after: int | None = None, limit: int | None = None) -> m.Page[m.Job]:

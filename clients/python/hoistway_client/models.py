@@ -510,7 +510,7 @@ class EndIn(TypedDict):
 
 
 class Event(TypedDict):
-    """A durable event (DOMAIN section 2). ``seq`` has no gaps."""
+    """A durable event: docs/events.md has all there are. ``seq`` has no gaps."""
 
     seq: int
     ts: str
