@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import UNSET, Meta, UnsetType
 
-from app.domain.layout import OnEmergency, StationKind, VehicleKind, Wire
+from app.domain.layout import OVERDUE, OnEmergency, StationKind, VehicleKind, Wire
 from app.protocols.itsc.dialects import DIALECTS, Dialect
 
 
@@ -38,6 +38,7 @@ Byte = Annotated[int, _number("DeviceType on the wire (PROTOCOLS 3.2)", "", 0, 2
 DriveId = Annotated[int, _number("A drive's id on its line (PROTOCOLS 2.2)", "", 1, 15)]
 Trips = Annotated[int, _number("Transfers of one AGV", "transfers", 1, 100_000)]
 Time = Annotated[int, _number("Time, seconds", "s", 1, 10_000_000)]
+TimeOrNever = Annotated[int, _number("Time, seconds; 0: never", "s", 0, 10_000_000)]
 SHARE, PATIENCE = 0.35, 60
 """Of a soft zone that does not say otherwise (TRAFFIC section 4)."""
 Share = Annotated[float, Meta(ge=0.01, le=1.0, description="A share of the whole, 0.01 to 1")]
@@ -230,7 +231,7 @@ class Jobs(Strict, frozen=True):
     destination is occupied, a port is out of service, no vehicle can serve both. 0: never, where hosts order hours ahead.
     """
 
-    overdue: Time = 600
+    overdue: TimeOrNever = int(OVERDUE)
 
 
 class Drive(Strict, frozen=True):

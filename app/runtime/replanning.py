@@ -85,23 +85,24 @@ class Replanner:
             self._running = asyncio.get_running_loop().create_task(self._run())
 
     async def stop(self) -> None:
-        """End the process. What is not computed yet never will be."""
+        """End the process and the thread, for good. What is not computed yet never will be."""
         if self._running is not None:
             self._running.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await self._running
             self._running = None
         await self._end()
+        self._aside.shutdown(wait=False)
 
     async def _run(self) -> None:
         used: list[Tables] = []
         loop = asyncio.get_running_loop()
         while True:
             task = await self._tasks.get()
-            began = asyncio.get_running_loop().time()
+            began = loop.time()
             tables = await self._computed(task)
             if self._figures is not None:
-                self._figures.table_seconds.see(asyncio.get_running_loop().time() - began)
+                self._figures.table_seconds.see(loop.time() - began)
             self._deliver(tables)
             # The last to hold the tables before these is a thread: unmapping 60 MB takes some 8 ms, but not the GIL.
             await loop.run_in_executor(self._aside, used.clear)

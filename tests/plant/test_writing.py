@@ -7,7 +7,7 @@ import pytest
 
 from app.domain.ids import LinkId, VehicleId
 from app.domain.layout import Plant, SerialPort
-from app.domain.units import Barcode
+from app.domain.units import Barcode, Seconds
 from app.plant import read
 from app.plant.writing import write
 
@@ -55,6 +55,14 @@ def test_reference_vehicles_and_those_that_connect_to_us_read_back() -> None:
 def test_the_rules_of_traffic_read_back(restrain: bool, congestion: bool | None) -> None:
     given = replace(plant("small"), restrain=restrain, congestion=congestion)
     assert read(write(given), "small") == (given, [])
+
+
+@pytest.mark.parametrize("seconds", [0, 600, 1800])
+def test_how_long_jobs_may_wait_reads_back_and_never_does_too(seconds: int) -> None:
+    made = replace(plant("small"), overdue=Seconds(seconds))
+    text = write(made)
+    assert ("jobs: {overdue:" in text) == (seconds != 600)
+    assert read(text, "small")[0] == made
 
 
 def test_a_note_stands_behind_its_barcode_and_cannot_break_out_of_the_comment() -> None:

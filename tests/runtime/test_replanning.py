@@ -3,6 +3,7 @@
 import os
 import signal
 import sys
+import threading
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from dataclasses import replace
@@ -119,5 +120,19 @@ def test_stopping_leaves_neither_a_process_nor_files_though_a_task_is_under_way(
         pid = replanner.pid
         await replanner.stop()
         assert not list(SHARED_MEMORY.glob(f"hoistway-{pid}-*"))
+
+    run(scenario)
+
+
+def test_stopping_leaves_no_thread_either() -> None:
+    async def scenario() -> None:
+        found = list[Tables]()
+        async with replanning(found) as replanner:
+            replanner.submit(wanted())
+            await until(lambda: len(found) == 1)
+            ours = [thread for thread in threading.enumerate() if thread.name.startswith("hoistway-tables")]
+        assert ours
+        for thread in ours:
+            thread.join()
 
     run(scenario)
