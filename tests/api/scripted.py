@@ -660,7 +660,7 @@ class Scripted:
         self._cmd += 1
         intent = Intent(CmdId(self._cmd), vehicle, type(request).__name__, IntentState.OPEN, NOW, request.actor)
         self.reader.commands[self._cmd] = intent
-        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent)), self._vehicle(spec)])
+        self.hub.publish([Update(Topic.COMMANDS, f"{self._cmd:016x}", view_of_intent(intent))])
         return r.Accepted(Topic.VEHICLES, vehicle, cmd_id=self._cmd)
 
     def alarm(self) -> Alarm:
