@@ -157,9 +157,10 @@ def _method(found: tuple[str, str, Json, str], word: str, wait: str) -> str:
             url = url.replace("{" + name + "}", "{path(" + python + ")}")
         elif name not in SET_BY_CLIENT:
             (query if kind == "query" else headers).append((name, python, annotation(parameter["schema"], "m.")))
-    body = operation.get("requestBody", {}).get("content", {}).get("application/json", {}).get("schema")
+    request = operation.get("requestBody", {})
+    body = request.get("content", {}).get("application/json", {}).get("schema")
     if body is not None:
-        given.append(f"body: {annotation(body, 'm.')}")
+        given.append(f"body: {annotation(body, 'm.')}" + ("" if request.get("required") else " | None = None"))
     if query or headers:
         given.append("*")
     given += [

@@ -7,7 +7,7 @@ from fastapi import APIRouter, FastAPI, Request
 from fastapi.openapi.docs import get_swagger_ui_html
 from starlette.middleware import Middleware
 from starlette.middleware.errors import ServerErrorMiddleware
-from starlette.responses import FileResponse, HTMLResponse, Response
+from starlette.responses import FileResponse, HTMLResponse, RedirectResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -199,6 +199,7 @@ def _serve_docs(app: FastAPI) -> None:
         )
 
     app.add_route("/api/docs", docs, include_in_schema=False)
+    app.add_route("/docs", lambda _request: RedirectResponse("/api/docs"), include_in_schema=False)
 
 
 def _serve_page(app: FastAPI) -> None:

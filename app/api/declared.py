@@ -1,5 +1,6 @@
 """The OpenAPI document: answers are encoded views, so their schemas come from the views' own types."""
 
+from collections.abc import Iterable
 from typing import Any, get_args
 
 from fastapi import FastAPI
@@ -15,6 +16,12 @@ from app.api.teaching_declared import TEACHING
 from app.api.version_declared import VERSIONS
 from app.api.webhook_declared import WEBHOOKS
 from app.domain.access import Scope, who_may
+from app.domain.alarms import AlarmKind
+from app.domain.devices import DeviceKind
+from app.domain.job import JobEvent, JobState, Leg
+from app.domain.layout import StationKind, VehicleKind
+from app.domain.records import ControllerState, IntentState, Provenance
+from app.domain.vehicle import Activity, Mode, Oper, VehicleState
 from app.domain.view import View
 from app.runtime.showing import RENAMED, TIMES
 
@@ -28,6 +35,29 @@ DESCRIPTION = """Transfers, vehicles, stations and carriers of one plant, and al
 * `POST /jobs` is safe to repeat under the same `job_id` or `Idempotency-Key`.
 * The live stream is described in `asyncapi.yaml`.
 """
+
+
+SERVICE = ("in_service", "out_of_service")
+ONE_OF: dict[tuple[str, str], Iterable[str]] = {
+    ("JobView", "state"): JobState,
+    ("JobView", "leg"): Leg,
+    ("EventView", "event"): JobEvent,
+    ("CommandView", "state"): IntentState,
+    ("ControllerView", "state"): ControllerState,
+    ("AlarmView", "kind"): AlarmKind,
+    ("VehicleView", "state"): VehicleState,
+    ("VehicleView", "activity"): get_args(Activity),
+    ("VehicleView", "kind"): VehicleKind,
+    ("VehicleView", "service"): SERVICE,
+    ("VehicleView", "mode"): [mode.name.lower() for mode in Mode],
+    ("VehicleView", "oper"): [oper.name.lower() for oper in Oper],
+    ("StationView", "kind"): StationKind,
+    ("StationView", "provenance"): Provenance,
+    ("CarrierView", "provenance"): Provenance,
+    ("DeviceView", "kind"): DeviceKind,
+    ("DeviceView", "service"): SERVICE,
+}
+"""Fields of views that are one of a few words: a typed client wants to know them. (View, field) -> the words."""
 
 
 SECURITY: Json = {
@@ -367,8 +397,20 @@ def _as_encoded(name: str, schema: Json) -> Json:
     labels = {(kind.__name__, old): new for (kind, old), new in RENAMED.items()}
     properties = {}
     for old, inner in schema["properties"].items():
-        properties[labels.get((name, old), old)] = _timely(inner) if old in TIMES else inner
+        words = ONE_OF.get((name, old))
+        said = _worded(inner, words) if words else inner
+        properties[labels.get((name, old), old)] = _timely(inner) if old in TIMES else said
     return {**schema, "title": name.removesuffix("View"), "properties": properties, "required": list(properties)}
+
+
+def _worded(schema: Json, words: Iterable[str]) -> Json:
+    """Say which words a text is one of."""
+    if "anyOf" in schema:
+        return {
+            **schema,
+            "anyOf": [_worded(part, words) if part["type"] == "string" else part for part in schema["anyOf"]],
+        }
+    return {**schema, "enum": [str(word) for word in words]}
 
 
 def _timely(schema: Json) -> Json:

@@ -78,8 +78,14 @@ class JobIn(Strict):
     )
 
 
+class JobEndIn(Strict):
+    """Why a job is ended, for those who ask later; it may be left out."""
+
+    reason: Text = ""
+
+
 class JobChange(Strict):
-    """What to change; a field that is left out stays."""
+    """What to change; a field that is left out stays. ``vehicle`` null: any vehicle may do it again."""
 
     priority: Priority | None = None
     destination: Id | None = None
@@ -187,9 +193,11 @@ class ServiceIn(Strict):
 
 
 class StationPut(Strict):
-    """Everything that a host or a person may write of a station. ``carrier`` empty: none, or not known."""
+    """Everything that a host or a person may write of a station. ``carrier`` empty: none, or not known. ``present`` null:
+    nobody knows whether something stands there.
+    """
 
-    present: bool
+    present: bool | None
     carrier: Id | Literal[""]
     reserved: Text
     out_of_service: Text

@@ -9,7 +9,7 @@ from starlette.responses import Response
 
 from app.api.calls import Ctl, Who, answer, answer_of, answer_view, ask, items, location, missing, read
 from app.api.declared import gives
-from app.api.inputs import JobChange, JobIn, Limit, PathId, QueryId, station_ids
+from app.api.inputs import JobChange, JobEndIn, JobIn, Limit, PathId, QueryId, station_ids
 from app.api.known_jobs import KnownJobs
 from app.api.port import Controller
 from app.api.problems import Problem
@@ -159,17 +159,20 @@ async def get_why(job: PathId, controller: Ctl) -> Response:
     return answer_of(told(kept, await read(controller.reader.why, kept.order)))
 
 
+NO_REASON = JobEndIn()
+
+
 @router.post("/{job}/cancel", **gives("Job", description="The job as it is now."))
-async def cancel_job(job: PathId, controller: Ctl, actor: Who) -> Response:
+async def cancel_job(job: PathId, controller: Ctl, actor: Who, body: JobEndIn = NO_REASON) -> Response:
     """Cancel a job whose carrier is not aboard yet."""
-    await ask(controller, CancelJob(actor, JobId(job)))
+    await ask(controller, CancelJob(actor, JobId(job), body.reason.strip()))
     return await _present(controller, job)
 
 
 @router.post("/{job}/abort", **gives("Job", description="The job as it is now."))
-async def abort_job(job: PathId, controller: Ctl, actor: Who) -> Response:
+async def abort_job(job: PathId, controller: Ctl, actor: Who, body: JobEndIn = NO_REASON) -> Response:
     """End a job whose carrier is aboard; the carrier stays aboard."""
-    await ask(controller, AbortJob(actor, JobId(job)))
+    await ask(controller, AbortJob(actor, JobId(job), body.reason.strip()))
     return await _present(controller, job)
 
 
@@ -180,5 +183,7 @@ async def change_job(job: PathId, body: JobChange, controller: Ctl, actor: Who) 
         raise Problem("invalid", "Nothing to change was named.", "Send priority, destination or vehicle.")
     destination = StationId(body.destination) if body.destination else None
     vehicle = VehicleId(body.vehicle) if body.vehicle else None
-    await ask(controller, ChangeJob(actor, JobId(job), body.priority, destination, vehicle))
+    any_vehicle = vehicle is None and "vehicle" in body.model_fields_set
+    asked = ChangeJob(actor, JobId(job), body.priority, destination, vehicle, any_vehicle=any_vehicle)
+    await ask(controller, asked)
     return await _present(controller, job)

@@ -212,6 +212,7 @@ ROUTES: Mapping[str, Scope] = {
 OUTSIDE: Mapping[str, Scope] = {
     "GET /": Scope.PUBLIC,
     "FILES /assets": Scope.PUBLIC,
+    "GET /docs": Scope.PUBLIC,
     "GET /api/docs": Scope.PUBLIC,
     "FILES /api/docs/files": Scope.PUBLIC,
     "GET /api/openapi.json": Scope.PUBLIC,

@@ -25,7 +25,7 @@ from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.teaching_answers import version_row
 from app.domain import requests
-from app.domain.ids import CarrierId, StationId, VehicleId
+from app.domain.ids import Actor, CarrierId, StationId, VehicleId
 from app.domain.records import StationDest, VehicleOffset
 from app.domain.view import Topic
 
@@ -54,16 +54,7 @@ async def _written(controller: Controller, station: str, request: requests.Reque
 @router.put("/{station}", **gives("Station"))
 async def put_station(station: PathId, body: StationPut, controller: Ctl, actor: Who) -> Response:
     """Write the whole state of a station."""
-    asked = requests.WriteStation(
-        actor,
-        StationId(station),
-        body.present,
-        body.carrier,
-        body.reserved,
-        body.out_of_service,
-        by_person=body.by_person,
-    )
-    return await _written(controller, station, asked)
+    return await _written(controller, station, _asked(actor, station, body))
 
 
 @router.patch("/{station}", **gives("Station"))
@@ -71,7 +62,20 @@ async def patch_station(station: PathId, body: StationPatch, controller: Ctl, ac
     """Write parts of a station's state."""
     if not body.model_fields_set - {"by_person"}:
         raise Problem("invalid", "Nothing to write was named.", "Send present, carrier, reserved or out_of_service.")
-    asked = requests.WriteStation(
+    return await _written(controller, station, _asked(actor, station, body))
+
+
+def _asked(actor: Actor, station: str, body: StationPut | StationPatch) -> requests.WriteStation:
+    """Return what is to be written. Raises Problem: a carrier is named where nobody knows whether something stands."""
+    forgotten = "present" in body.model_fields_set and body.present is None
+    if forgotten and body.carrier:
+        raise Problem(
+            "invalid",
+            f"{body.carrier} cannot be where nobody knows whether something stands.",
+            "Send present true with it, or leave carrier out.",
+            "carrier",
+        )
+    return requests.WriteStation(
         actor,
         StationId(station),
         body.present,
@@ -79,8 +83,8 @@ async def patch_station(station: PathId, body: StationPatch, controller: Ctl, ac
         body.reserved,
         body.out_of_service,
         by_person=body.by_person,
+        forgotten=forgotten,
     )
-    return await _written(controller, station, asked)
 
 
 class StageIn(Strict):

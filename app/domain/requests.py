@@ -40,29 +40,32 @@ class CreateJob:
 
 @dataclass(frozen=True, slots=True)
 class CancelJob:
-    """Before the carrier is aboard."""
+    """Before the carrier is aboard. ``reason`` is kept with the job; it may be empty."""
 
     actor: Actor
     job: JobId
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class AbortJob:
-    """After; the carrier stays aboard (COMMANDS section 4)."""
+    """After; the carrier stays aboard (COMMANDS section 4). ``reason`` is kept with the job; it may be empty."""
 
     actor: Actor
     job: JobId
+    reason: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class ChangeJob:
-    """New priority, destination or vehicle; None leaves as is."""
+    """New priority, destination or vehicle; None leaves as is. ``any_vehicle``: the wish for one vehicle is taken back."""
 
     actor: Actor
     job: JobId
     priority: int | None = None
     destination: StationId | None = None
     vehicle: VehicleId | None = None
+    any_vehicle: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +243,10 @@ class ParkVehicle:
 
 @dataclass(frozen=True, slots=True)
 class WriteStation:
-    """The host or a person writes what is at a station; None leaves as is. ``carrier`` \"\" means: no carrier."""
+    """The host or a person writes what is at a station; None leaves as is. ``carrier`` \"\" means: no carrier.
+
+    ``forgotten``: what stands there is not known any more, nor which carrier; ``present`` and ``carrier`` are None or \"\" then.
+    """
 
     actor: Actor
     station: StationId
@@ -251,6 +257,7 @@ class WriteStation:
     by_person: bool = False
     walked: bool = False
     """On an audit walk, accepted by a named person."""
+    forgotten: bool = False
 
 
 @dataclass(frozen=True, slots=True)

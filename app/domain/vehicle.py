@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from app.domain.devices import AgvStatus
 from app.domain.layout import StationKind
@@ -70,6 +70,26 @@ class VehicleStatus(NamedTuple):
     barcode: Barcode
     seq: int
     dist: Millimetres | None = None
+
+
+Activity = Literal[
+    "off_rail",
+    "absent",
+    "locked_out",
+    "recovering",
+    "held",
+    "alarm",
+    "settling",
+    "acquiring",
+    "depositing",
+    "paused",
+    "moving",
+    "charging",
+    "waiting",
+    "busy",
+    "idle",
+]
+"""What a vehicle does, in one word for people; of several that apply the first."""
 
 
 class VehicleState(StrEnum):

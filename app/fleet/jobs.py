@@ -132,6 +132,16 @@ class Jobs:
                 return Refusal("invalid", f"there is no station {name}", see, field)
         if source == destination:
             return Refusal("invalid", "source and destination are the same station", "name another", "destination")
+        return self._no_other_place(destination, fallbacks)
+
+    def _no_other_place(self, destination: str, fallbacks: tuple[StationId, ...]) -> Refusal | None:
+        """A fall-back that is no other place would let a host believe that it has one; back to the source is one."""
+        other = "name other stations, or leave it out"
+        for number, name in enumerate(fallbacks):
+            if name == destination:
+                return Refusal("invalid", f"fall-back {name} is the destination", other, "fallbacks")
+            if name in fallbacks[:number]:
+                return Refusal("invalid", f"fall-back {name} is named twice", other, "fallbacks")
         return None
 
     def _leaves(self, request: CreateJob) -> Refusal | None:
@@ -212,7 +222,8 @@ class Jobs:
         self._books.event(JobEvent.TRANSFER_CANCEL_INITIATED, job=job)
         job = self._books.save_job(job.after(JobStep.CANCEL))
         vehicle = self._books.vehicle_of(job)
-        self._missions.end(vehicle, job, JobStep.CANCEL_DONE, f"by {request.actor}", JobEvent.TRANSFER_CANCEL_COMPLETED)
+        told = f"cancelled by {request.actor}{_because(request.reason)}"
+        self._missions.end(vehicle, job, JobStep.CANCEL_DONE, told, JobEvent.TRANSFER_CANCEL_COMPLETED)
         return Accepted(Topic.JOBS, job.id)
 
     def abort(self, request: AbortJob) -> Reply:
@@ -228,7 +239,8 @@ class Jobs:
                 f"job {job.id} is {job.state.value}: nothing was picked up",
                 f"POST /api/v1/jobs/{job.id}/cancel",
             )
-        self._books.event(JobEvent.TRANSFER_ABORT_INITIATED, job=job)
+        told = f"aborted by {request.actor}{_because(request.reason)}"
+        self._books.event(JobEvent.TRANSFER_ABORT_INITIATED, job=job, detail=told)
         job = self._books.save_job(job.after(JobStep.ABORT))
         vehicle = self._books.vehicle_of(job)
         if job.leg is Leg.TO_DESTINATION:
@@ -255,8 +267,10 @@ class Jobs:
             job,
             priority=job.priority if request.priority is None else request.priority,
             destination=request.destination or job.destination,
-            wish=request.vehicle or job.wish,
+            wish=None if request.any_vehicle else request.vehicle or job.wish,
         )
+        if job.state is JobState.QUEUED and (changed.destination, changed.wish) != (job.destination, job.wish):
+            changed = replace(changed, reason="")
         self._books.save_job(changed)
         self._books.event(JobEvent.TRANSFER_UPDATED, job=changed, detail=self._difference(job, changed))
         vehicle = self._books.vehicle_of(changed)
@@ -310,3 +324,7 @@ class Jobs:
             ("vehicle", before.wish or "any", after.wish or "any"),
         )
         return ", ".join(f"{name} {old} -> {new}" for name, old, new in pairs if old != new) or "nothing changed"
+
+
+def _because(reason: str) -> str:
+    return f": {reason}" if reason else ""

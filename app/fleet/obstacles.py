@@ -21,7 +21,9 @@ def against_picking_up(books: Books, job: Job) -> str:
     if books.sensed.get(record.station) is False:
         return f"{job.source} is empty: its buffer reports no cart"
     if record.present is False and record.station not in books.sensed:
-        return f"{job.source} is empty"
+        known = books.carriers.get(job.carrier) if job.carrier else None
+        elsewhere = f": {job.carrier} is at {known.place}" if known and known.place else ""
+        return f"{job.source} is empty{elsewhere}"
     if job.carrier and record.carrier and record.carrier != job.carrier:
         return f"{job.source} holds {record.carrier}, not {job.carrier}"
     if record.present is None and job.carrier in books.carriers:

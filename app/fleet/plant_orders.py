@@ -54,14 +54,14 @@ class PlantOrders:
         if record is None:
             return no_station(request.station)
         carrier = record.carrier if request.carrier is None else CarrierId(request.carrier) or None
-        present = request.present if request.present is not None else (True if request.carrier else record.present)
+        present = self._present(request, record)
         if request.carrier and request.present is False:
             return Refusal(
                 "invalid", "a carrier cannot be where nothing is present", "leave carrier or present out", "carrier"
             )
         if request.carrier and (refusal := unfit_name(request.carrier)):
             return refusal
-        if present is False:
+        if request.forgotten or present is False:
             carrier = None
         provenance = Provenance.VERIFIED if request.walked else self._provenance(by_person=request.by_person)
         if record.carrier and carrier != record.carrier:
@@ -69,7 +69,7 @@ class PlantOrders:
         if carrier and carrier != record.carrier:
             self._leave_vehicle(carrier)
             books.put_carrier(carrier, request.station, provenance)
-        seen = request.present is not None or request.carrier is not None
+        seen = request.forgotten or request.present is not None or request.carrier is not None
         changed = replace(
             record,
             present=present,
@@ -82,6 +82,12 @@ class PlantOrders:
         books.save_station(changed)
         books.event(JobEvent.PORT_CHANGED, destination=request.station, carrier=carrier, detail=self._words(changed))
         return Accepted(Topic.STATIONS, request.station)
+
+    @staticmethod
+    def _present(request: WriteStation, record: StationRecord) -> bool | None:
+        if request.forgotten or request.present is not None:
+            return request.present
+        return True if request.carrier else record.present
 
     def _provenance(self, *, by_person: bool) -> Provenance:
         return Provenance.PERSON if by_person else Provenance.HOST

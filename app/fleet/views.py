@@ -20,7 +20,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import TeachingSession
 from app.domain.units import Barcode, Seconds, Timestamp
-from app.domain.vehicle import Condition, Oper, VehicleState
+from app.domain.vehicle import Activity, Condition, Oper, VehicleState
 from app.domain.view import (
     AgvView,
     AlarmView,
@@ -255,9 +255,9 @@ def state_of(vehicle: VehicleNow, job: Job | None) -> VehicleState:
     return VehicleState.ENROUTE if vehicle.drive else VehicleState.PARKED
 
 
-def activity_of(vehicle: VehicleNow) -> str:
+def activity_of(vehicle: VehicleNow) -> Activity:
     """Return one word for people."""
-    first = (
+    first: tuple[tuple[object, Activity], ...] = (
         (vehicle.record.off_rail, "off_rail"),
         (vehicle.stage is Stage.ABSENT, "absent"),
         (vehicle.record.lockout, "locked_out"),

@@ -130,11 +130,21 @@ async def test_a_job_is_changed_aborted_and_cancelled(client: httpx.AsyncClient,
     await client.post("/jobs", json=ORDER)
     assert (await client.patch("/jobs/LOT-1", json={"priority": 90})).json()["priority"] == 90
     assert (await client.patch("/jobs/LOT-1", json={})).status_code == 422
+    assert (await client.patch("/jobs/LOT-1", json={"vehicle": None})).status_code == 200
     assert (await client.post("/jobs/LOT-1/abort")).json()["state"] == "aborting"
-    assert (await client.post("/jobs/LOT-1/cancel")).json()["state"] == "cancelled"
+    wrong = await client.post("/jobs/LOT-1/cancel", json={"why": "wrong lot"})
+    assert (wrong.status_code, wrong.json()["field"]) == (422, "why"), "nothing said is dropped"
+    cancelled = await client.post("/jobs/LOT-1/cancel", json={"reason": "wrong lot "})
+    assert cancelled.json()["state"] == "cancelled"
     late = await client.post("/jobs/LOT-1/cancel")
     assert (late.status_code, late.json()["code"]) == (409, "not-now")
     assert isinstance(controller.seen[1], r.ChangeJob)
+    actor = controller.seen[1].actor
+    assert controller.seen[2:5] == [
+        r.ChangeJob(actor, JobId("LOT-1"), any_vehicle=True),
+        r.AbortJob(actor, JobId("LOT-1")),
+        r.CancelJob(actor, JobId("LOT-1"), "wrong lot"),
+    ]
 
 
 async def test_the_caller_without_a_name_is_known_by_address(client: httpx.AsyncClient, controller: Scripted) -> None:

@@ -6,6 +6,7 @@ import pytest
 from app.domain import requests as r
 from app.domain.commands import Plain
 from app.domain.errors import Refusal
+from app.domain.ids import StationId
 from app.domain.layout import StopAction
 from app.protocols.itsc.codec import Codec
 from app.protocols.itsc.framing import Decoder
@@ -177,6 +178,10 @@ async def test_a_host_writes_the_state_of_a_station(client: httpx.AsyncClient, c
     assert controller.seen[1] == r.WriteStation(
         controller.seen[1].actor, controller.plant.stations[0].id, carrier="", by_person=True
     )
+    assert (await client.patch("/stations/P1", json={"present": None})).json()["present"] is None
+    assert controller.seen[2] == r.WriteStation(controller.seen[1].actor, StationId("P1"), forgotten=True)
+    nowhere = await client.patch("/stations/P1", json={"present": None, "carrier": "F1"})
+    assert (nowhere.status_code, nowhere.json()["field"]) == (422, "carrier")
     assert (await client.patch("/stations/P1", json={"by_person": True})).status_code == 422
     assert (await client.patch("/stations/P9", json={"present": False})).status_code == 404
     assert (await client.get("/stations/P1")).json()["id"] == "P1"

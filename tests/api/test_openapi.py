@@ -231,6 +231,8 @@ async def test_every_live_frame_is_what_the_description_says(served: FastAPI, co
 
 @pytest.mark.anyio
 async def test_the_docs_need_nothing_from_elsewhere(client: httpx.AsyncClient) -> None:
+    shorter = await client.get("http://localhost/docs")
+    assert (shorter.status_code, shorter.headers["location"]) == (307, "/api/docs")
     page = await client.get("http://localhost/api/docs")
     assert page.status_code == 200
     sources = [part.partition('"')[0] for marker in ('src="', 'href="') for part in page.text.split(marker)[1:]]

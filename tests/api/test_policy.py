@@ -32,6 +32,7 @@ SIGNAL = "operator maintenance mes admin"
 MAY: dict[str, str] = {
     "GET /": OPEN,
     "FILES /assets": OPEN,
+    "GET /docs": OPEN,
     "GET /api/docs": OPEN,
     "FILES /api/docs/files": OPEN,
     "GET /api/openapi.json": OPEN,

@@ -60,6 +60,7 @@ KNOWN = {
 EXAMPLES: dict[str, Any] = {
     "JobIn": {"source": "P1", "destination": "P2"},
     "JobChange": {"priority": 5},
+    "JobEndIn": {"reason": "wrong lot"},
     "PlainCommand": {"command": "status"},
     "DisplayCommand": {"command": "display", "text": "A"},
     "MoveCommand": {"command": "move", "barcode": "1001"},
@@ -209,15 +210,15 @@ async def test_a_request_without_its_body_or_command_says_what_is_missing(
     assert not controller.seen
 
 
-@pytest.mark.parametrize(("method", "path", "_body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
+@pytest.mark.parametrize(("method", "path", "body"), WITH_BODY, ids=[f"{m} {p}" for m, p, _ in WITH_BODY])
 async def test_what_is_not_json_is_refused(
-    client: httpx.AsyncClient, method: str, path: str, _body: dict[str, Any]
+    client: httpx.AsyncClient, method: str, path: str, body: dict[str, Any]
 ) -> None:
-    for raw in RAW:
+    for raw in RAW if body.get("required") else RAW[1:]:
         headers = {"Content-Type": "application/json", "X-Actor": "kim"}
         answer = await client.request(method, filled(path), content=raw, headers=headers)
         check(answer)
-        assert answer.status_code in {400, 422}
+        assert answer.status_code in {400, 422}, raw
     form = {"Content-Type": "application/x-www-form-urlencoded", "X-Actor": "kim"}
     answer = await client.request(method, filled(path), content=b"{}", headers=form)
     assert (answer.status_code, answer.json()["code"]) == (415, "media-type")

@@ -212,6 +212,8 @@ def test_only_so_many_ended_jobs_are_remembered(ready: Script, monkeypatch: pyte
         ({"destination": "V001"}, "destination", "invalid"),
         ({"destination": "P1"}, "destination", "invalid"),
         ({"fallbacks": (StationId("P9"),)}, "fallbacks", "invalid"),
+        ({"fallbacks": (P3,)}, "fallbacks", "invalid"),
+        ({"fallbacks": (B2, B2)}, "fallbacks", "invalid"),
         ({"vehicle": VehicleId("V009")}, "vehicle", "invalid"),
         ({"source": "V001", "vehicle": V2}, "vehicle", "invalid"),
         ({"carrier": CarrierId("A" * 17)}, "carrier", "invalid"),
@@ -281,6 +283,22 @@ def test_a_job_from_an_empty_source_waits_until_the_host_says_that_it_is_full(re
     ready.accept(WriteStation(HOST, P2, present=True))
     ready.run_until("J1")
     assert ready.job("J1").state is JobState.COMPLETED
+
+
+def test_of_a_carrier_that_is_not_at_its_source_it_is_said_where_it_is(ready: Script) -> None:
+    ready.accept(WriteStation(HOST, P2, present=False))
+    ready.order("P2", "P3", carrier=FOUP1)
+    ready.run(2)
+    assert ready.job("J1").reason == "P2 is empty: FOUP0001 is at P1"
+    ready.accept(ChangeJob(HOST, J1, destination=B2))
+    assert ready.job("J1").reason == ""
+
+
+def test_what_stands_at_a_station_can_be_made_unknown_again(ready: Script) -> None:
+    ready.accept(WriteStation(HOST, P1, forgotten=True))
+    record = ready.fleet.books.stations[P1]
+    assert (record.present, record.carrier, record.doubted) == (None, None, False)
+    assert ready.fleet.books.carriers[FOUP1].place is None
 
 
 def test_a_job_to_a_full_destination_waits_until_it_is_free(ready: Script) -> None:
@@ -387,8 +405,19 @@ def test_a_queued_job_is_cancelled_at_once(script: Script) -> None:
     script.order()
     script.accept(CancelJob(HOST, J1))
     job = script.job("J1")
-    assert (job.state, job.result) == (JobState.CANCELLED, "by host")
+    assert (job.state, job.result) == (JobState.CANCELLED, "cancelled by host")
     assert script.events("J1") == ["TransferCancelInitiated", "TransferCancelCompleted"]
+
+
+def test_why_a_job_was_cancelled_or_aborted_is_kept_with_it(ready: Script) -> None:
+    ready.order(job="J0")
+    ready.accept(CancelJob(HOST, JobId("J0"), "wrong lot"))
+    assert ready.job("J0").result == "cancelled by host: wrong lot"
+    ready.order()
+    ready.run_to("to_destination")
+    ready.accept(AbortJob(HOST, J1, "the tool is down"))
+    told = [event.detail for event in ready.history("J1") if event.event == "TransferAbortInitiated"]
+    assert told == ["aborted by host: the tool is down"]
 
 
 def test_a_job_is_cancelled_while_its_vehicle_is_on_the_way_and_the_vehicle_takes_another(ready: Script) -> None:
@@ -517,6 +546,19 @@ def test_an_abort_under_way_ends_when_the_vehicle_is_taken_off_the_rail(ready: S
 
 
 # -- change -----------------------------------------------------------------------------------------------------------
+
+
+def test_a_job_for_one_vehicle_may_be_given_back_to_all(ready: Script) -> None:
+    ready.order(job="J0", vehicle=V1)
+    ready.run_to("to_source", "J0")
+    ready.order("B1", "B2", vehicle=V1)
+    ready.run(2)
+    assert ready.job("J1").vehicle is None
+    ready.accept(ChangeJob(HOST, J1, any_vehicle=True))
+    assert ready.job("J1").wish is None
+    assert ready.history("J1")[-1].detail == "vehicle V001 -> any"
+    ready.run_until("J1")
+    assert "V002" in {event.vehicle for event in ready.history("J1")}
 
 
 def test_a_change_says_what_changed(ready: Script) -> None:

@@ -31,13 +31,13 @@ class Calls(Synchronous):
         """Show why a job got its vehicles, and why it waited."""
         return cast("m.JobWhy", self._call("GET", f"/api/v1/jobs/{path(job)}/why"))
 
-    def cancel_job(self, job: str) -> m.Job:
+    def cancel_job(self, job: str, body: m.JobEndIn | None = None) -> m.Job:
         """Cancel a job whose carrier is not aboard yet."""
-        return cast("m.Job", self._call("POST", f"/api/v1/jobs/{path(job)}/cancel"))
+        return cast("m.Job", self._call("POST", f"/api/v1/jobs/{path(job)}/cancel", body=body))
 
-    def abort_job(self, job: str) -> m.Job:
+    def abort_job(self, job: str, body: m.JobEndIn | None = None) -> m.Job:
         """End a job whose carrier is aboard; the carrier stays aboard."""
-        return cast("m.Job", self._call("POST", f"/api/v1/jobs/{path(job)}/abort"))
+        return cast("m.Job", self._call("POST", f"/api/v1/jobs/{path(job)}/abort", body=body))
 
     def list_events(self, *, after: int | None = None, limit: int | None = None, job: str | None = None, vehicle: str | None = None) -> m.Page[m.Event]:
         """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all. A number
@@ -785,13 +785,13 @@ class AsyncCalls(Asynchronous):
         """Show why a job got its vehicles, and why it waited."""
         return cast("m.JobWhy", await self._call("GET", f"/api/v1/jobs/{path(job)}/why"))
 
-    async def cancel_job(self, job: str) -> m.Job:
+    async def cancel_job(self, job: str, body: m.JobEndIn | None = None) -> m.Job:
         """Cancel a job whose carrier is not aboard yet."""
-        return cast("m.Job", await self._call("POST", f"/api/v1/jobs/{path(job)}/cancel"))
+        return cast("m.Job", await self._call("POST", f"/api/v1/jobs/{path(job)}/cancel", body=body))
 
-    async def abort_job(self, job: str) -> m.Job:
+    async def abort_job(self, job: str, body: m.JobEndIn | None = None) -> m.Job:
         """End a job whose carrier is aboard; the carrier stays aboard."""
-        return cast("m.Job", await self._call("POST", f"/api/v1/jobs/{path(job)}/abort"))
+        return cast("m.Job", await self._call("POST", f"/api/v1/jobs/{path(job)}/abort", body=body))
 
     async def list_events(self, *, after: int | None = None, limit: int | None = None, job: str | None = None, vehicle: str | None = None) -> m.Page[m.Event]:
         """List events above a number; go on with ``after`` = ``next``. A page that is not full has them all. A number

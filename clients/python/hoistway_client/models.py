@@ -111,7 +111,7 @@ class Alarm(TypedDict):
     """
 
     id: int
-    kind: str
+    kind: Literal['vehicle', 'hold', 'link', 'device', 'drive', 'traffic', 'job', 'plant']
     source: str
     code: str
     cause: str
@@ -264,7 +264,7 @@ class Carrier(TypedDict):
 
     id: str
     place: str | None
-    provenance: str
+    provenance: Literal['host', 'placed', 'picked', 'person', 'sensor', 'inferred', 'plant', 'verified']
     verified: bool
     at: str
 
@@ -344,7 +344,7 @@ class Command(TypedDict):
     cmd_id: str
     vehicle: str
     kind: str
-    state: str
+    state: Literal['open', 'done', 'failed', 'unknown', 'not_sent', 'settled_done', 'settled_not_done']
     actor: str
     opened: str
     closed: str | None
@@ -373,7 +373,7 @@ class Controller(TypedDict):
     """
 
     plant: str
-    state: str
+    state: Literal['auto', 'pausing', 'paused']
     reason: str
     epoch: int
     started: str
@@ -404,7 +404,7 @@ class Device(TypedDict):
     """
 
     id: str
-    kind: str
+    kind: Literal['agv', 'buffer', 'door', 'charger']
     link: str | None
     number: int | None
     fresh: bool
@@ -412,7 +412,7 @@ class Device(TypedDict):
     state: str | None
     since: str | None
     seen: str | None
-    service: str
+    service: Literal['in_service', 'out_of_service']
     out_of_service: str
     barcode: str | None
     station: str | None
@@ -514,7 +514,7 @@ class Event(TypedDict):
 
     seq: int
     ts: str
-    event: str
+    event: Literal['TransferInitiated', 'VehicleAssigned', 'VehicleDeparted', 'VehicleArrived', 'Transferring', 'VehicleAcquireStarted', 'CarrierInstalled', 'VehicleAcquireCompleted', 'VehicleDepositStarted', 'CarrierRemoved', 'VehicleDepositCompleted', 'VehicleUnassigned', 'TransferCompleted', 'TransferCancelInitiated', 'TransferCancelCompleted', 'TransferCancelFailed', 'TransferAbortInitiated', 'TransferAbortCompleted', 'TransferAbortFailed', 'TransferPaused', 'TransferResumed', 'TransferUpdated', 'VehicleBrokenDown', 'VehicleMended', 'VehicleHeld', 'VehicleReleased', 'VehicleInstalled', 'VehicleRemoved', 'AlarmSet', 'AlarmCleared', 'ControllerAuto', 'ControllerPausing', 'ControllerPaused', 'PortStateChanged', 'CarrierLocationChanged', 'DriveOffline', 'DriveOnline', 'DriveErrorSet', 'DriveErrorCleared', 'DriveParameterWritten', 'TeachingSessionOpened', 'TeachingSessionEnded', 'TeachingTaken', 'TeachingApproved', 'TeachingRejected', 'TeachingRolledBack', 'TeachingImported', 'TeachingCodeUnknown', 'DeviceChanged', 'EmergencySet', 'EmergencyReleased', 'PlaceClosing', 'PlaceClosed', 'PlaceOpened', 'ZonePaused', 'ZoneResumed', 'WalkStarted', 'WalkEnded']
     ceid: int
     job: str | None
     carrier: str | None
@@ -579,8 +579,8 @@ class Job(TypedDict):
 
     id: str
     order: int
-    state: str
-    leg: str
+    state: Literal['queued', 'waiting', 'transferring', 'paused', 'cancelling', 'aborting', 'completed', 'failed', 'cancelled', 'aborted']
+    leg: Literal['none', 'to_source', 'acquiring', 'to_destination', 'depositing']
     source: str
     destination: str
     priority: int
@@ -598,11 +598,17 @@ class Job(TypedDict):
 
 
 class JobChange(TypedDict):
-    """What to change; a field that is left out stays."""
+    """What to change; a field that is left out stays. ``vehicle`` null: any vehicle may do it again."""
 
     priority: NotRequired[int | None]
     destination: NotRequired[str | None]
     vehicle: NotRequired[str | None]
+
+
+class JobEndIn(TypedDict):
+    """Why a job is ended, for those who ask later; it may be left out."""
+
+    reason: NotRequired[str]
 
 
 class JobIn(TypedDict):
@@ -1219,13 +1225,13 @@ class Station(TypedDict):
     """
 
     id: str
-    kind: str
+    kind: Literal['port', 'sbfl', 'sbfr', 'agv_buffer']
     barcode: str
     present: bool | None
     carrier: str | None
     reserved: str
     out_of_service: str
-    provenance: str
+    provenance: Literal['host', 'placed', 'picked', 'person', 'sensor', 'inferred', 'plant', 'verified']
     verified: bool
     at: str | None
     target: list[int] | None
@@ -1253,9 +1259,11 @@ class StationPatch(TypedDict):
 
 
 class StationPut(TypedDict):
-    """Everything that a host or a person may write of a station. ``carrier`` empty: none, or not known."""
+    """Everything that a host or a person may write of a station. ``carrier`` empty: none, or not known. ``present``
+    null: nobody knows whether something stands there.
+    """
 
-    present: bool
+    present: bool | None
     carrier: str | Literal['']
     reserved: str
     out_of_service: str
@@ -1433,12 +1441,12 @@ class Vehicle(TypedDict):
     dev_id: int
     dialect: str
     address: str
-    state: str
-    activity: str
-    service: str
+    state: Literal['removed', 'not_assigned', 'enroute', 'parked', 'acquiring', 'depositing']
+    activity: Literal['off_rail', 'absent', 'locked_out', 'recovering', 'held', 'alarm', 'settling', 'acquiring', 'depositing', 'paused', 'moving', 'charging', 'waiting', 'busy', 'idle']
+    service: Literal['in_service', 'out_of_service']
     link: Link
-    mode: str | None
-    oper: str | None
+    mode: Literal['mant', 'semi', 'undefined', 'auto'] | None
+    oper: Literal['idle', 'alarm', 'run', 'pause'] | None
     code: int | None
     code_name: str
     loaded: bool | None
@@ -1458,7 +1466,7 @@ class Vehicle(TypedDict):
     hold: Hold | None
     lockout: Lockout | None
     seen: str | None
-    kind: str
+    kind: Literal['hoist', 'agv']
     agv: Agv | None
     parked: bool
 
