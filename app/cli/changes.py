@@ -32,7 +32,7 @@ from app.store.versions import VersionStore
 LOOK_EVERY = 1.0
 """Seconds between two looks whether a version that is waited for fits by now. Our choice."""
 TRIES = 2
-"""Starts with a new version that may end before it runs; then the one before it goes on. Our choice: one may be a power cut."""
+"""Starts with a new version that may end before it has run for a while; then the one before it goes on. Our choice: one may be a power cut."""
 FILE, START = Actor("plant file"), Actor("hoistway")
 EDITED = "the plant file or a catalogue was edited"
 NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
@@ -365,7 +365,7 @@ class Changes:
             return False
 
     async def started(self) -> None:
-        """Note that a controller runs with the version: it is no longer on trial."""
+        """Note that a controller runs well with the version: it is no longer on trial."""
         try:
             await asyncio.to_thread(self._note_trial, None)
         except StoreError as trouble:  # The next start tries it once more.
@@ -381,7 +381,7 @@ class Changes:
     async def fall_back(self, plant: Plant, why: str, *, listening: bool = False) -> Plant | None:
         """Return the plant to go on with when the controller could not start with this one; None: it is not to blame.
 
-        It is to blame if no controller has run with it since it became active, be it before a crash; where it could not be
+        It is to blame if no controller has run well with it since it became active, be it before a crash; where it could not be
         listened for vehicles (``listening``), only if the one before would not want the same address.
         Raises PlantHeld, StoreError; CannotStart: the one before cannot be read.
         """

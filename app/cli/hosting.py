@@ -37,6 +37,8 @@ from app.settings import Settings
 
 GRACE = 3
 """Seconds for requests under way when the server stops. Our choice."""
+TRIAL = 30.0
+"""Seconds that a version of the plant has to run until what kills the controller is not taken for its doing. Our choice."""
 FILES = 1 << 16
 """Most open files that we ask the system for. Our choice."""
 WORD = 1 << 16
@@ -125,8 +127,6 @@ async def _started(
         if before is None:
             raise refused from None
         return await _started(before, settings, traces, changes, restored=restored)
-    if changes is not None:
-        await changes.started()
     return controller
 
 
@@ -175,17 +175,27 @@ async def _serve(
         notify.feed(controller, lambda reason: log.critical("the watchdog is not fed", reason=reason))
         renewing = asyncio.create_task(renewed(context, settings, log))
         changing = asyncio.create_task(changes.next(controller.plant) if changes else _never())
+        proving = asyncio.create_task(_proven(changes))
         stopping = asyncio.create_task(stop.wait())
         try:
             following = await _followed(changing, {serving, stopping, controller.lost}, log)
         finally:
-            for task in (stopping, changing, renewing):
+            for task in (stopping, changing, renewing, proving):
                 task.cancel()
+        if changes is not None and (following is not None or stop.is_set()):
+            await changes.started()
         if following is None:
             notify.stopping()
         else:
             notify.feed(_ChangeOver(), lambda reason: log.critical("the watchdog is not fed", reason=reason))
         return following
+
+
+async def _proven(changes: Changes | None) -> None:
+    """A version that has run for a while is no longer on trial: what ends the controller then is not the version's doing."""
+    if changes is not None:
+        await asyncio.sleep(TRIAL)
+        await changes.started()
 
 
 async def _followed(

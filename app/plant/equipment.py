@@ -37,12 +37,15 @@ _DAY = 24 * 60
 
 
 class Links:
-    """The plant's links by name, as far as they could be read, and who has which number on them."""
+    """The plant's links by name, as far as they could be read, and who has which number on them.
+
+    ``ways``: address (host, port) or serial device -> the link that is reached there.
+    """
 
     def __init__(self, document: Document, file: file_format.PlantFile) -> None:
         self._document = document
         self._taken: dict[tuple[LinkId, int], str] = {}
-        self._addresses: dict[object, str] = {}
+        self.ways: dict[object, str] = {}
         self._named = file.links
         self.all = {LinkId(name): self._link(name, given) for name, given in file.links.items()}
 
@@ -124,7 +127,7 @@ class Links:
         return host, port
 
     def _alone(self, name: str, way: object, path: Path) -> None:
-        other = self._addresses.setdefault(way, name)
+        other = self.ways.setdefault(way, name)
         if other != name:
             self._document.error(path, f"{name} is reached where {other} is", "each link needs its own")
 

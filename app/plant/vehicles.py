@@ -40,7 +40,7 @@ def vehicles(
     document: Document, file: file_format.PlantFile, places: Places, dialects: Overlays, links: Links
 ) -> Iterable[VehicleSpec]:
     """Give every vehicle that could be read; doubled identities and impossible values are noted."""
-    taken: dict[tuple[str, object], str] = {}
+    taken: dict[tuple[str, object], str] = {("address", way): name for way, name in links.ways.items()}
     for name, given in file.vehicles.items():
         path = ("vehicles", name)
         check_id(document, name, path)

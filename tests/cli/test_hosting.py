@@ -15,6 +15,7 @@ from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.runtime.notify import Notifier
 from app.settings import Settings, load
+from app.store.versions import VersionStore
 
 NOW = Timestamp(1000.0)
 PLANT = """
@@ -66,6 +67,60 @@ def test_a_server_that_does_not_come_up_is_an_error_and_nobody_is_told_that_it_i
         assert told == []
         with pytest.raises(BlockingIOError):
             manager.recv(1000)
+
+
+def test_a_version_that_dies_soon_after_its_start_gives_way_and_one_that_ran_for_a_while_does_not(
+    tmp_path: Path, settings: Settings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, ran = tmp_path / "plant.yaml", list[int | None]()
+    store = VersionStore(settings.database)
+
+    async def killed(plant: Plant, changes: Changes, *, proven: bool) -> None:
+        ready = asyncio.Event()
+        with bound("127.0.0.1", 0) as listening:
+            serving = asyncio.create_task(
+                hosting.serve(
+                    plant,
+                    settings,
+                    listening,
+                    asyncio.Event(),
+                    lambda _: ready.set(),
+                    seen=lambda controller: ran.append(controller.version),
+                    changes=changes,
+                )
+            )
+            await ready.wait()
+            while proven and on_trial():
+                await asyncio.sleep(0)
+            serving.cancel()
+            await serving
+
+    def on_trial() -> bool:
+        active = store.active()
+        return active is None or active.ran is None or active.tries is not None
+
+    def start(text: str, *, proven: bool = False) -> None:
+        file.write_text(text, encoding="utf-8")
+        with (
+            pytest.raises(asyncio.CancelledError),
+            Changes(file, settings.database, lambda: NOW) as changes,
+        ):
+            asyncio.run(killed(changes.begin(*plant_and_text_of(file)), changes, proven=proven))
+
+    edited = PLANT + "\njobs: {overdue: 700}\n"
+    monkeypatch.setattr(hosting, "TRIAL", 0.0)
+    start(PLANT, proven=True)
+    monkeypatch.setattr(hosting, "TRIAL", 30.0)
+    for _ in range(3):
+        start(edited)
+    assert ran == [1, 2, 2, 1]
+    assert [(one.number, one.state.value) for one in store.versions()] == [(2, "rejected"), (1, "active")]
+    monkeypatch.setattr(hosting, "TRIAL", 0.0)
+    better = edited.replace("700", "800")
+    for number in range(4):
+        start(better, proven=number == 0)
+    assert ran[4:] == [3, 3, 3, 3]
+    store.close()
 
 
 def test_an_edited_plant_that_cannot_be_started_gives_way_to_the_one_before(

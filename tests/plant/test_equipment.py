@@ -121,6 +121,13 @@ CASES = {
     "a hoist on a link": Case(
         "{kind: agv, link: hall, dev_id: 12", "{link: hall, dev_id: 12", 25, "has a line of its own"
     ),
+    "a hoist where a link is": Case(
+        'start: "0106", max_speed: 900}',
+        'start: "0106"}\n  V1: {dev_id: 1, address: "10.0.0.1:9000"}',
+        26,
+        "V1 has the same address as hall: 10.0.0.1:9000",
+        "each needs its own",
+    ),
     "a hoist on the floor": Case("{kind: agv, link: hall, dev_id: 12", "{dev_id: 12", 25, "AGV2 is a hoist and starts"),
     "a port on the floor": Case(
         "AB2: {kind: agv_buffer", "AB2: {kind: port", 9, "AB2 is a port at 0105, on the track of"
