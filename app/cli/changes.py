@@ -32,7 +32,8 @@ from app.store.versions import VersionStore
 LOOK_EVERY = 1.0
 """Seconds between two looks whether a version that is waited for fits by now. Our choice."""
 TRIES = 2
-"""Starts with a new version that may end before it has run for a while; then the one before it goes on. Our choice: one may be a power cut."""
+"""Starts with a new version that may end before it has run for a while; then the one before it goes on. Our choice: one may
+be a power cut."""
 FILE, START = Actor("plant file"), Actor("hoistway")
 EDITED = "the plant file or a catalogue was edited"
 NOT_TAKEN, NOT_CHANGED = "the plant file is not taken", "the plant is not changed"
