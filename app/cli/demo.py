@@ -12,12 +12,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.addresses import Wanted, demanded, simulated_at
 from app.cli.plainly import plainly
 from app.cli.running import bound, on_again, on_loop, plant_and_text_of, stop_signal, uncollected, url_of
 from app.cli.tongue import say
 from app.cli.workload import order
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from app.domain.layout import Plant, Station
     from app.runtime.controller import Controller
     from app.settings import Settings
@@ -55,6 +58,7 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
 
     set_up(as_json=False, level=settings.log_level)
     plant, text = plant_and_text_of(file)
+    demanded(_wanted(plant, settings, operator), file)
     listening = bound(settings.host, settings.port)
     with uncollected():
         from app.cli import hosting  # heavy: a wrong plant file and a port in use are told before
@@ -92,6 +96,16 @@ def _show(settings: Settings, file: Path, keep: int | None, operator: int | None
                 await watching
 
         return on_loop(run())
+
+
+def _wanted(plant: Plant, settings: Settings, operator: int | None) -> Iterator[Wanted]:
+    """Give where the controller, the simulated machines and the hands at them are to listen."""
+    yield Wanted(settings.host, settings.port, "--port")
+    if operator is not None:
+        yield Wanted("127.0.0.1", operator, "--operator")
+    if plant.listen is not None:
+        yield Wanted(*plant.listen, "listen")
+    yield from simulated_at(plant)
 
 
 async def _end_with(simulator: asyncio.subprocess.Process, stop: asyncio.Event) -> None:

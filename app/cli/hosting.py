@@ -122,7 +122,10 @@ async def _started(
         return await _started(before, settings, traces, changes, restored=restored)
     except OSError as wrong:
         address = ":".join(map(str, plant.listen or ()))
-        refused = CannotStart(f"cannot listen for vehicles at {address}: {said(wrong)}")
+        refused = CannotStart(
+            f"cannot listen for vehicles at {address}: {said(wrong)}",
+            remedy="Write another one as listen into the plant file.",
+        )
         before = None if changes is None else await changes.fall_back(plant, refused.message, listening=True)
         if before is None:
             raise refused from None

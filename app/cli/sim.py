@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import errno
 import json
 import sys
 import time
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.addresses import Wanted, demanded, simulated_at
 from app.cli.panel import set_panels
 from app.cli.plainly import CannotStart, plainly, positive, refuse, said, text_of
 from app.cli.running import bound, on_again, on_loop, plant_of, reader_of, stop_signal
@@ -81,6 +81,8 @@ def sim(
     set_up(as_json=False, level="warning")
     with plainly():
         found = simulated(plant_of(plant), only or (), without or ())
+        hands = () if operator is None else (Wanted("127.0.0.1", operator, "--operator"),)
+        demanded([*hands, *simulated_at(found, host)], plant)
         reader = reader_of(plant)
 
         def read(text: str | None) -> Plant:
@@ -91,8 +93,7 @@ def sim(
             code = on_loop(floor.run(with_parent))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
-            remedy = "Is it simulated already?" if wrong.errno == errno.EADDRINUSE else ""
-            refuse(f"cannot simulate {found.name}: {said(wrong)}{at}", remedy)
+            refuse(f"cannot simulate {found.name}: {said(wrong)}{at}")
     raise typer.Exit(code)
 
 

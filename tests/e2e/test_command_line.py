@@ -134,9 +134,10 @@ def test_vehicles_that_are_simulated_already_are_one_clear_line(plant: Path, tmp
     log = tmp_path / "sim.log"
     with running("sim", "--plant", str(plant), log=log) as sim:
         wait_until(lambda: b"are there" in log.read_bytes(), "the simulated vehicles", log)
-        assert_one_clear_line(hoistway("sim", "--plant", str(plant)), "Is it simulated already?")
-        ended = hoistway("demo", "--plant", str(plant), "--port", str(free_ports(1)[0]))
-        assert_one_clear_line(ended, "could not be started")
+        addresses = re.findall(r"127\.0\.0\.1:\d+", plant.read_text(encoding="utf-8"))
+        for command in (("sim",), ("demo", "--port", str(free_ports(1)[0]))):
+            ended = hoistway(*command, "--plant", str(plant))
+            assert_one_clear_line(ended, *addresses, "(V001)", "Is it simulated already?", str(plant))
         sim.send_signal(signal.SIGINT)
         assert sim.wait(GENEROUS) == 0
 
