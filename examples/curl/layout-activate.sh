@@ -11,8 +11,8 @@ echo
 state=awaited
 while [[ $state == awaited ]]; do
   sleep 0.5
-  # While the controller changes over, nobody answers.
-  state=$(curl -fsS --retry 30 --retry-all-errors --retry-delay 1 "$version" | sed -n 's/.*"state":"\([a-z]*\)".*/\1/p')
+  # While the controller changes over, nobody answers: that passes by itself, a refusal does not.
+  state=$(curl -sS --fail-with-body --retry 30 --retry-connrefused --retry-delay 1 "$version" | sed -n 's/.*"state":"\([a-z]*\)".*/\1/p')
 done
 echo "version $number is $state"
 [[ $state == active ]]

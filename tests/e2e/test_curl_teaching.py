@@ -132,6 +132,17 @@ def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     assert "line 3 P2 changed LIFT 41200 -> 45000" in shift.run("import.sh", "dests.csv")
     assert "'changed': 1" in shift.run("import.sh", "dests.csv", CONFIRM="yes").splitlines()[-1]
     assert "1 of 3 rows are wrong" in shift.run("import.sh", "dests.csv", code=1, CONFIRM="yes")
+    elsewhere = shift.directory / "of a colleague"
+    elsewhere.mkdir()
+    (elsewhere / "-ports (2).csv").write_text(file.read_text())
+    assert "dry run of dests: {'new': 0" in shift.run("import.sh", "of a colleague/-ports (2).csv")
+    (shift.directory / "-dests.csv").write_bytes(b"\xef\xbb\xbf" + (shift.directory / "offsets.csv").read_bytes())
+    assert "dry run of offsets: {'new': 0" in shift.run("import.sh", "-dests.csv")
+    file_of_none = shift.directory / "none.csv"
+    file_of_none.write_text("place,lift\nP1,1\n")
+    assert "none.csv: its first line names no column station" in shift.run("import.sh", "none.csv", code=1)
+    assert "there is no such file" in shift.run("import.sh", "nowhere.csv", code=1)
+    assert "usage: import.sh FILE.csv" in shift.run("import.sh", code=2)
     shift.run("export.sh", ".", HISTORY="true")
     assert len((shift.directory / "dests.csv").read_text().splitlines()) == 7
 
