@@ -150,7 +150,7 @@ class Changes:
 
     def _get(self, version: PlantVersion) -> str:
         """Return the command that writes a version over the plant file."""
-        return f"hoistway layout get {version.number} -o {self._file}"
+        return f"hoistway layout get {version.number} -o {self._file} --force"
 
     def _on_trial(self, active: PlantVersion, lease: Lease) -> PlantVersion:
         """Return the version to start with: the active one, or the one before it if that never came to run, try after try.

@@ -6,14 +6,15 @@ import json as jsons
 from dataclasses import asdict
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 from app.cli import layout_look, layout_out, layout_versions
 from app.cli.findings import lines_of
-from app.cli.plainly import CannotStart, refuse, said, text_of
+from app.cli.plainly import CannotStart, refuse, said, spared, text_of
 from app.cli.tongue import counted_here, told_here
+from app.domain.errors import HoistwayError
 
 if TYPE_CHECKING:
     from app.plant.exchange.importing import Imported, Wishes
@@ -95,6 +96,7 @@ def import_(
     layout: Annotated[str, typer.Option(help="LIF: one layout alone, by its id")] = "",
     vehicle_type: Annotated[str, typer.Option(help="LIF: the track of one vehicle type alone")] = "",
     keep_locked: Annotated[bool, typer.Option("--keep-locked", help="openTCS: locked paths are track too")] = False,
+    force: Annotated[bool, typer.Option("--force", help="write over files that are there")] = False,
     json: Annotated[bool, typer.Option("--json", help="print the report as JSON")] = False,
 ) -> None:
     """Make a plant file of a barcode list (CSV, XLSX), VDA LIF, openTCS XML, node-link JSON or GraphML, and report what was done.
@@ -118,7 +120,7 @@ def import_(
     )
     imported = _imported(files, wishes)
     if output is not None:
-        _write(output, imported.text)
+        _write(output, imported.text, force=force)
     _report(imported, output, json=json)
     if not imported.is_sound:
         raise typer.Exit(1)
@@ -131,8 +133,12 @@ def _imported(files: list[Path], wishes: Wishes) -> Imported:
     try:
         return import_layout([(file.name, bytes_of(file)) for file in files], wishes)
     except (CannotStart, UnreadableLayout) as wrong:
-        print(told_here(wrong.message) + (f"\n    {told_here(wrong.remedy)}" if wrong.remedy else ""))
-        raise typer.Exit(2) from None
+        _nothing_made(wrong)
+
+
+def _nothing_made(wrong: HoistwayError) -> NoReturn:
+    print(told_here(wrong.message) + (f"\n    {told_here(wrong.remedy)}" if wrong.remedy else ""))
+    raise typer.Exit(2)
 
 
 def bytes_of(file: Path) -> bytes:
@@ -170,9 +176,12 @@ def _names(file: Path | None) -> dict[str, str]:
     return found
 
 
-def _write(file: Path, text: str) -> None:
+def _write(file: Path, text: str, *, force: bool) -> None:
     try:
+        spared({file: text}, force=force)
         file.write_text(text, encoding="utf-8")
+    except CannotStart as wrong:
+        _nothing_made(wrong)
     except OSError as wrong:
         print(told_here(f"{file} cannot be written: {said(wrong)}"))
         raise typer.Exit(2) from None

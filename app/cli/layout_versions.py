@@ -16,7 +16,7 @@ import typer
 
 from app.cli.catalogues import DIRECTORY
 from app.cli.layout_look import change_line, named
-from app.cli.plainly import CannotStart, plainly, refuse, text_of, why_not
+from app.cli.plainly import CannotStart, plainly, refuse, spared, text_of, why_not
 from app.cli.tongue import language, say, told_here
 from app.domain.errors import HoistwayError
 from app.domain.versions import Source
@@ -176,6 +176,7 @@ def get(
     catalogues: Annotated[
         bool, typer.Option("--catalogues", help="also the catalogues of its drives, into the directory beside it")
     ] = False,
+    force: Annotated[bool, typer.Option("--force", help="write over files that are there")] = False,
 ) -> None:
     """Write the plant file of a version, to the letter."""
     if database is not None:
@@ -184,10 +185,12 @@ def get(
     else:
         with _server(url) as server:
             source = _asked(server, number)
-    _write(output, source.text)
     models = source.catalogues or {}
-    for model, text in models.items() if catalogues else ():
-        _write(output.parent / DIRECTORY / f"{model}.yaml", text)
+    written = {output.parent / DIRECTORY / f"{model}.yaml": text for model, text in models.items() if catalogues}
+    with plainly():
+        spared({output: source.text, **written}, force=force)
+    for file, text in {output: source.text, **written}.items():
+        _write(file, text)
     if models and not catalogues:
         say(f"the version has catalogues of its own ({', '.join(models)}): --catalogues writes them too")
 

@@ -6,7 +6,7 @@ import math
 import os
 import ssl
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
@@ -64,6 +64,21 @@ def text_of(file: Path) -> str:
         return data.decode("utf-8-sig")
     except (OSError, UnicodeDecodeError) as wrong:
         raise CannotStart(f"{file} cannot be read: {said(wrong)}") from None
+
+
+def spared(texts: Mapping[Path, str], *, force: bool) -> None:
+    """See that nothing is lost by writing these files. Raises CannotStart: one says something else, and is not to be forced."""
+    for file, text in {} if force else texts.items():
+        try:
+            # What is no file, such as /dev/stdout, loses nothing; nor does one that says the same.
+            same = not file.is_file() or file.read_bytes() == text.encode()
+        except OSError as wrong:
+            raise CannotStart(f"{file} cannot be read: {said(wrong)}") from None
+        if not same:
+            raise CannotStart(
+                f"{file} is there already, with something else in it",
+                remedy="Write elsewhere, or over it with --force.",
+            )
 
 
 def positive(value: float | None) -> float | None:

@@ -144,7 +144,7 @@ def test_a_plant_file_with_errors_does_not_keep_down_a_plant_that_ran(
         assert changes.number == 2
     told = capsys.readouterr()
     assert "the plant file is not taken" in told.out + told.err
-    assert f"hoistway layout get 2 -o {file}" in told.out + told.err
+    assert f"hoistway layout get 2 -o {file} --force" in told.out + told.err
     plant, changes = start(WITHOUT_P2)  # mended, it counts as edited
     assert "P2" not in stations(plant)
     assert changes.number == 3
@@ -310,6 +310,17 @@ def test_what_runs_is_written_over_a_broken_plant_file_without_a_controller(
     said = CliRunner().invoke(app, ["layout", "get", "--database", url, "-o", str(file), "--catalogues"])
     assert (said.exit_code, file.read_text(encoding="utf-8")) == (0, HALL)
     assert (file.parent / "catalogues" / "demo.yaml").read_text(encoding="utf-8") == CATALOGUE
+    again = CliRunner().invoke(app, ["layout", "get", "--database", url, "-o", str(file), "--catalogues"])
+    assert again.exit_code == 0, "what says the same loses nothing"
+    broken = HALL.replace("name: hall", "nam: hall")
+    for there, text in ((file, broken), (file.parent / "catalogues" / "demo.yaml", "model: mine\n")):
+        there.write_text(text, encoding="utf-8")
+        said = CliRunner().invoke(app, ["layout", "get", "--database", url, "-o", str(file), "--catalogues"])
+        assert (said.exit_code, f"{there} is there already" in said.output, "--force" in said.output) == (1, True, True)
+        assert there.read_text(encoding="utf-8") == text
+        arguments = ["layout", "get", "--database", url, "-o", str(file), "--catalogues", "--force"]
+        assert CliRunner().invoke(app, arguments).exit_code == 0
+        assert file.read_text(encoding="utf-8") == HALL
     said = CliRunner().invoke(app, ["layout", "get", "7", "--database", url, "-o", str(file)])
     assert (said.exit_code, "does not keep the text of that version" in said.output) == (1, True)
     said = CliRunner().invoke(app, ["layout", "get", "--database", f"sqlite:///{tmp_path}/none.db", "-o", str(file)])

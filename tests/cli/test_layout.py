@@ -28,6 +28,20 @@ def written(tmp_path: Path, name: str, text: str) -> Path:
     return file
 
 
+def test_an_import_writes_over_another_file_only_by_force(tmp_path: Path) -> None:
+    source, target = written(tmp_path, "ring.csv", RING), written(tmp_path, "plant.yaml", "name: mine\n")
+    refused = run("import", source, "-o", target)
+    assert refused.exit_code == 2
+    assert f"{target} is there already" in refused.output
+    assert "--force" in refused.output
+    assert target.read_text(encoding="utf-8") == "name: mine\n"
+    assert run("import", source, "-o", target, "--force").exit_code == 0
+    made = target.read_text(encoding="utf-8")
+    assert "barcodes:" in made
+    assert run("import", source, "-o", target).exit_code == 0, "the same again loses nothing"
+    assert target.read_text(encoding="utf-8") == made
+
+
 def test_an_import_writes_a_plant_file_and_reports(tmp_path: Path) -> None:
     source, target = written(tmp_path, "ring.csv", RING), tmp_path / "plant.yaml"
     result = run("import", source, "-o", target, "--vehicles", "2", "--name", "ring")
