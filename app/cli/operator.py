@@ -5,6 +5,7 @@ POST /hoists/V003/key    {"mode": "mant"}             turn the key
 POST /hoists/V003/jog    {"lift": 41000}              bring axes to positions, pulses; 0 is home
 POST /hoists/V003/teach  {"what": "lift_dest"}        send one axis's position to the controller
 POST /hoists/V003/alarm  {"alarm": 105}               let it have an alarm; with "stays": true its cause stays
+POST /hoists/V003/rail   {"on": false}                take it off the rail; true puts it back where the plant file says
 GET  /agvs/AGV1                                       mode, tag
 POST /agvs/AGV1/key      {"mode": "manual"}           turn the key
 """
@@ -52,6 +53,12 @@ class AgvKey(msgspec.Struct, forbid_unknown_fields=True):
     mode: Literal["manual", "auto"]
 
 
+class Rail(msgspec.Struct, forbid_unknown_fields=True):
+    """Whether the hoist is on the rail."""
+
+    on: bool
+
+
 class Jog(msgspec.Struct, forbid_unknown_fields=True):
     """Positions of the axes that are moved by hand."""
 
@@ -76,7 +83,8 @@ class Trouble(msgspec.Struct, forbid_unknown_fields=True):
 class Hands:
     """Does at each hoist what it is told, and turns the keys of ``agvs``, which report by themselves.
 
-    ``lines`` are woken after each act, so that what a hoist has to say leaves at once.
+    ``lines`` are woken after each act, so that what a hoist has to say leaves at once. ``rail`` takes a hoist off the rail
+    or puts it back, and gives False where the plant has none of that name.
     """
 
     def __init__(
@@ -85,11 +93,13 @@ class Hands:
         lines: Mapping[VehicleId, Line],
         now: Callable[[], Seconds],
         agvs: Mapping[VehicleId, SimulatedAgv],
+        rail: Callable[[VehicleId, bool], Awaitable[bool]],
     ) -> None:
         self._devices = devices
         self._lines = lines
         self._now = now
         self._agvs = agvs
+        self._rail = rail
 
     def application(self) -> Starlette:
         """Return the ASGI application."""
@@ -105,6 +115,7 @@ class Hands:
             for act, (kind, do) in acts.items()
         ]
         routes += [
+            Route("/hoists/{name}/rail", self._lift_off, methods=["POST"]),
             Route("/agvs/{name}", self._agv),
             Route("/agvs/{name}/key", self._agv, methods=["POST"]),
         ]
@@ -128,6 +139,15 @@ class Hands:
     async def _show(self, request: Request) -> Response:
         device = self._devices.get(VehicleId(request.path_params["name"]))
         return _none(request) if device is None else JSONResponse(_shown(device))
+
+    async def _lift_off(self, request: Request) -> Response:
+        """Take a hoist off the rail, or put it back."""
+        name = VehicleId(request.path_params["name"])
+        try:
+            word = msgspec.json.decode((await request.body())[:MOST], type=Rail)
+        except (msgspec.DecodeError, ValueError) as wrong:
+            return JSONResponse({"detail": str(wrong)}, 422)
+        return JSONResponse({"on": word.on}) if await self._rail(name, word.on) else _none(request)
 
     async def _agv(self, request: Request) -> Response:
         """Show an AGV; turn its key before, if that is what is wanted."""

@@ -151,7 +151,9 @@ class _Floor:
         self._following = asyncio.Lock()
         self._haste = haste
         self._panels = panels
-        self._plant = plant
+        self._plant = self._told = plant
+        self._off: set[VehicleId] = set()
+        """Hoists that people have taken off the rail, whatever plant is told."""
         self._built = plant
         """What the simulated machines are built by, whatever plant is followed."""
         self._journal = journal.open("a", encoding="utf-8") if journal else None
@@ -187,7 +189,7 @@ class _Floor:
                 await self._serve(spec, floor.devices[spec.id])
             for link in self._plant.links:
                 await self._serve_link(link, floor.lines[link.id])
-            hands = await self._hands(floor)
+            hands = await self._hands(floor, oracle)
             say(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there")
             await self._watch(floor, oracle, stop)
         finally:
@@ -203,7 +205,6 @@ class _Floor:
 
     async def _follow(self, text: str | None, floor: SimulatedPlant, oracle: Oracle) -> None:
         """Become the plant of a text, or of the plant file, while vehicles drive; say what was not followed."""
-        from app.runtime.clock import Clock
         from app.sim.plantworld import unfollowed
 
         async with self._following:
@@ -214,30 +215,55 @@ class _Floor:
             except HoistwayError as wrong:
                 say(f"hoistway sim: the plant is not followed: {wrong.message}", wrong=True)
                 return
-            self._plant = plant
-            came, gone = floor.follow(plant, Clock().now())
-            stayed = (vehicle for vehicle in self._built.vehicles if vehicle.id not in gone)
-            self._built = replace(self._built, vehicles=(*stayed, *came))
-            oracle.follow(plant)
-            for name in gone:
-                await self._ends.pop(name).stop()
-                del self._hoists[name]
-            for spec in came:
-                try:
-                    await self._serve(spec, floor.devices[spec.id])
-                except OSError as wrong:
-                    say(f"hoistway sim: {spec.id} is not there: {said(wrong)}", wrong=True)
-            for change in unfollowed(self._built, plant):
+            self._told = plant
+            self._off &= {spec.id for spec in plant.hoists}
+            await self._become(floor, oracle)
+            for change in unfollowed(self._built, self._plant):
                 say(f"hoistway sim: not followed until it is started again: {change}", wrong=True)
 
-    async def _hands(self, floor: SimulatedPlant) -> Bench | None:
+    async def _become(self, floor: SimulatedPlant, oracle: Oracle) -> None:
+        """Be the plant that was told last, without the hoists that are off the rail."""
+        from app.runtime.clock import Clock
+
+        plant = self._plant = replace(
+            self._told, vehicles=tuple(spec for spec in self._told.vehicles if spec.id not in self._off)
+        )
+        came, gone = floor.follow(plant, Clock().now())
+        stayed = (vehicle for vehicle in self._built.vehicles if vehicle.id not in gone)
+        self._built = replace(self._built, vehicles=(*stayed, *came))
+        oracle.follow(plant)
+        for name in gone:
+            await self._ends.pop(name).stop()
+            del self._hoists[name]
+        for spec in came:
+            try:
+                await self._serve(spec, floor.devices[spec.id])
+            except OSError as wrong:
+                say(f"hoistway sim: {spec.id} is not there: {said(wrong)}", wrong=True)
+
+    async def _on_rail(self, name: VehicleId, on: bool, floor: SimulatedPlant, oracle: Oracle) -> bool:
+        """Take a hoist off the rail or put it back; False: there is none of that name."""
+        async with self._following:
+            if name not in {spec.id for spec in self._told.hoists}:
+                return False
+            if on:
+                self._off.discard(name)
+            else:
+                self._off.add(name)
+            await self._become(floor, oracle)
+            return True
+
+    async def _hands(self, floor: SimulatedPlant, oracle: Oracle) -> Bench | None:
         """Let people at the simulated hoists, if that is wanted."""
         if self._operator is None:
             return None
         from app.cli.operator import Bench, Hands
         from app.runtime.clock import Clock
 
-        bench = Bench(Hands(floor.devices, self._hoists, Clock().now, floor.halls.agvs))
+        async def rail(name: VehicleId, on: bool) -> bool:
+            return await self._on_rail(name, on, floor, oracle)
+
+        bench = Bench(Hands(floor.devices, self._hoists, Clock().now, floor.halls.agvs, rail))
         listening = bound("127.0.0.1", self._operator, "--operator")
         self._serving = asyncio.create_task(bench.serve([listening]))
         return bench

@@ -5,6 +5,7 @@ import json
 import re
 from pathlib import Path
 
+import httpx
 import pytest
 
 from app.cli.demo import WATCHED, _ended, _invitation, counted
@@ -85,3 +86,34 @@ def test_the_simulated_plant_follows_a_change_of_the_plant(tmp_path: Path, capfd
     assert said[1].endswith("not followed until it is started again: vehicle V002 changed"), (
         "and back again is followed"
     )
+
+
+def test_a_simulated_hoist_is_taken_off_its_rail_and_put_back(tmp_path: Path) -> None:
+    file, (operator,) = quick_plant("small", tmp_path), free_ports(1)
+    text = file.read_text(encoding="utf-8")
+    port = next(spec.port for spec in read(text, "small")[0].vehicles if spec.id == "V002")
+
+    async def shown() -> None:
+        simulator = Simulator(file, text, operator)
+        await simulator.start()
+        try:
+            async with httpx.AsyncClient(base_url=f"http://127.0.0.1:{operator}") as hands:
+
+                async def rail(name: str, **word: object) -> int:
+                    return (await hands.post(f"/hoists/{name}/rail", json=word)).status_code
+
+                assert await rail("V002", on=False) == 200
+                assert (await hands.get("/hoists/V002")).status_code == 404
+                with pytest.raises(ConnectionError):
+                    await asyncio.open_connection("127.0.0.1", port)
+                await simulator.follow(text.replace("dev_id: 1,", "dev_id: 7,"))
+                assert (await hands.get("/hoists/V002")).status_code == 404, "whatever plant is told"
+                assert await rail("V002", on=True) == 200
+                _, writer = await asyncio.open_connection("127.0.0.1", port)
+                writer.close()
+                assert (await hands.get("/hoists/V002")).json()["mode"] == "auto"
+                assert [await rail("V009", on=False), await rail("V002", on=7), await rail("V002")] == [404, 422, 422]
+        finally:
+            await _ended(simulator.process)
+
+    asyncio.run(shown())

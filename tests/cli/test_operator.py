@@ -17,6 +17,11 @@ pytestmark = pytest.mark.anyio
 V1 = VehicleId("V001")
 
 
+async def no_rail(_name: VehicleId, _on: bool) -> bool:
+    """There is no such hoist."""
+    return False
+
+
 @pytest.fixture
 def anyio_backend() -> str:
     return "asyncio"
@@ -29,7 +34,7 @@ def floor() -> SimulatedPlant:
 
 @pytest.fixture
 async def client(floor: SimulatedPlant) -> AsyncIterator[httpx.AsyncClient]:
-    hands = Hands(floor.devices, {}, lambda: Seconds(0.0), floor.halls.agvs)
+    hands = Hands(floor.devices, {}, lambda: Seconds(0.0), floor.halls.agvs, no_rail)
     async with httpx.AsyncClient(transport=httpx.ASGITransport(hands.application()), base_url="http://sim") as client:
         yield client
 
@@ -76,7 +81,7 @@ async def test_what_is_not_understood_is_refused(client: httpx.AsyncClient, path
 
 async def test_an_agvs_key_is_turned_at_the_agv_alone() -> None:
     floor = SimulatedPlant(hall(two_way=["1-2-3-4-5"], stations=[1, 5], starts=[3], carts=1))
-    hands = Hands({}, {}, lambda: Seconds(0.0), floor.halls.agvs)
+    hands = Hands({}, {}, lambda: Seconds(0.0), floor.halls.agvs, no_rail)
     async with httpx.AsyncClient(transport=httpx.ASGITransport(hands.application()), base_url="http://sim") as client:
         assert (await client.get("/agvs/A1")).json() == {"mode": "auto", "tag": "0003"}
         assert (await client.post("/agvs/A1/key", json={"mode": "manual"})).json()["mode"] == "manual"
