@@ -143,7 +143,7 @@ class Writer:
                 self._prune()
             lost = ""
         except (PlantHeld, StoreRefused) as end:
-            lost = f"{end.message}. {end.remedy}".rstrip()
+            lost = f"{end.message.rstrip('.')}. {end.remedy}".rstrip()
         finally:
             if lost:
                 self._on_lost(lost)
@@ -204,7 +204,7 @@ class Writer:
     def _again(self, trouble: StoreError, attempts: int) -> bool:
         """Tell of the trouble and pause; return False if there is to be no further attempt."""
         self._in_trouble = True
-        self._on_trouble(f"{trouble.message}. {trouble.remedy}".rstrip())
+        self._on_trouble(f"{trouble.message.rstrip('.')}. {trouble.remedy}".rstrip())
         with self._changed:
             if not self._closing:
                 self._changed.wait_for(lambda: self._closing, self._pauses[min(attempts, len(self._pauses) - 1)])
