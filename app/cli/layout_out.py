@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from app.cli.findings import lines_of
 from app.cli.plainly import plainly, refuse, said, text_of
-from app.cli.tongue import counted_here, say, told_here
+from app.cli.tongue import counted_here, language, say, told_here
 
 if TYPE_CHECKING:
     from app.domain.layout import Plant
     from app.plant.exchange.geojson_writer import Origin
+    from app.plant.findings import Finding
 
 
 class To(StrEnum):
@@ -116,16 +119,40 @@ def render(
     dark: Annotated[bool, typer.Option("--dark", help="light on dark")] = False,
     no_labels: Annotated[bool, typer.Option("--no-labels", help="no names")] = False,
 ) -> None:
-    """Draw a plant: track with its direction, stations, zones, doors, parking, names where there is room, legend, scale."""
-    from app.plant.picture import Look, compose, png, svg
+    """Draw a plant: track with its direction, stations, zones, doors, parking, names where there is room, legend, scale.
+
+    Of a file with errors what can be drawn is; they are named on standard error, and the exit code is 1.
+    """
+    from app.plant.picture import Look, compose, has_wide_letters, png, svg
 
     ending = output.suffix.casefold()
     if ending not in (".svg", ".png"):
         refuse(f"{output.name} is neither .svg nor .png")
     with plainly():
-        given = plant_of(plant)
-    if not given.points:
-        refuse(f"{plant} has no barcodes to draw")
-    drawing = compose(given, Look(width, dark=dark, labels=not no_labels))
+        given, wrong = _understood(plant)
+    for finding in wrong:
+        for line in lines_of(plant, finding):
+            print(line, file=sys.stderr)
+    if given is None or not given.points:
+        refuse(f"nothing of {plant} can be drawn" if wrong else f"{plant} has no barcodes to draw")
+    legible = ending == ".svg" or language() == "en" or has_wide_letters()
+    drawing = compose(given, Look(width, dark=dark, labels=not no_labels), told_here if legible else str)
     write_file(output, svg(drawing).encode() if ending == ".svg" else png(drawing))
     say(f"{output}: {drawing.width} x {drawing.height} pixels")
+    if not legible:
+        say(
+            "No font of this machine has Korean letters, so the PNG speaks English; an SVG does not need one.",
+            wrong=True,
+        )
+    if wrong:
+        refuse(f"{plant} has errors: only what is understood is drawn")
+
+
+def _understood(file: Path) -> tuple[Plant | None, list[Finding]]:
+    """Return what is to be drawn, as far as it is understood, and what is wrong with it. Raises CannotStart."""
+    from app.plant import UnusablePlant, read
+
+    try:
+        return read(text_of(file), str(file))[0], []
+    except UnusablePlant as unusable:
+        return unusable.understood, unusable.findings

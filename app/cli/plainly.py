@@ -31,6 +31,11 @@ TEXT_LIMIT = 64 << 20
 """Largest text that a person wrote, bytes: what is larger is another file. Our choice."""
 
 
+LISTS = (".csv", ".xlsx", ".xls", ".ods")
+IMPORTED = "make a plant file of it: hoistway layout import FILE -o plant.yaml"
+"""What helps where a list of barcodes was given for a plant file."""
+
+
 def said(error: OSError | UnicodeDecodeError) -> str:
     """Return the system's own word for an error, without the names of calls."""
     if isinstance(error, UnicodeDecodeError):
@@ -62,7 +67,10 @@ def text_of(file: Path) -> str:
         if len(data) > TEXT_LIMIT:
             raise CannotStart(f"{file} cannot be read: it is larger than {TEXT_LIMIT >> 20} MB")
         return data.decode("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as wrong:
+    except UnicodeDecodeError as wrong:
+        remedy = IMPORTED if file.suffix.casefold() in LISTS else ""
+        raise CannotStart(f"{file} cannot be read: {said(wrong)}", remedy=remedy) from None
+    except OSError as wrong:
         raise CannotStart(f"{file} cannot be read: {said(wrong)}") from None
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from app.domain.errors import PlantError
+from app.domain.layout import Plant
 
 
 class Severity(StrEnum):
@@ -37,11 +38,15 @@ class Finding:
 
 
 class UnusablePlant(PlantError):
-    """The plant file has errors; ``findings`` holds all of them, and the warnings, in the order of the file."""
+    """The plant file has errors; ``findings`` holds all of them, and the warnings, in the order of the file.
 
-    def __init__(self, name: str, findings: list[Finding]) -> None:
+    ``understood`` is what could be made of the rest, to look at and for nothing else: its parts may name what it does not have.
+    """
+
+    def __init__(self, name: str, findings: list[Finding], understood: Plant | None = None) -> None:
         errors = [finding for finding in findings if finding.is_error]
         more = f" (and {len(errors) - 1} more)" if len(errors) > 1 else ""
         super().__init__(f"{name}:{errors[0]}{more}", remedy=errors[0].remedy)
         self.name = name
         self.findings = findings
+        self.understood = understood

@@ -1,7 +1,10 @@
 """``hoistway layout``."""
 
 import json
+import re
+import sys
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -129,6 +132,91 @@ def test_a_plant_is_drawn(tmp_path: Path) -> None:
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     assert "neither .svg nor .png" in run("render", SMALL, "-o", tmp_path / "a.gif").output
     assert "cannot be written" in run("render", SMALL, "-o", tmp_path / "no" / "a.svg").output
+
+
+BROKEN = """
+barcodes:
+  101..105: {from: [0, 0], to: [4000, 0]}
+  106: [4000, 2000]
+  107: nowhere
+track:
+  - {through: [101..105, 106, 107, 999]}
+  - {thru: [106, 101]}
+stations:
+  P1: {kind: port, at: 103, look_down: 1, speed: 50}
+  P2: {kind: port, at: 888, look_down: 1, speed: 50}
+zones:
+  Z: {barcodes: [101, 777]}
+vehicles:
+  V1: {dev_id: 1, address: "127.0.0.1:17001", start: 555}
+"""
+
+
+def test_of_a_plant_file_with_errors_what_can_be_drawn_is_and_its_errors_are_named(tmp_path: Path) -> None:
+    file, picture = written(tmp_path, "broken.yaml", BROKEN), tmp_path / "broken.svg"
+    result = run("render", file, "-o", picture)
+    assert result.exit_code == 1
+    checked = run("check", file).stdout.splitlines()
+    assert f"{file}:7:36: error: unknown barcode 999" in checked
+    assert [line for line in checked if line not in result.stderr.splitlines()] == []
+    assert result.stderr.splitlines()[-1] == f"hoistway: {file} has errors: only what is understood is drawn"
+    drawn = picture.read_text(encoding="utf-8")
+    assert ">P1<" in drawn
+    assert not [name for name in ("P2", "V1", "107", "888") if f">{name}<" in drawn]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_whatever_line_is_missing_the_rest_is_drawn(seed: int, tmp_path: Path) -> None:
+    lines = SMALL.with_name("demo.yaml").read_text(encoding="utf-8").splitlines(keepends=True)
+    chance = Random(seed)
+    kept = "".join(line for line in lines if chance.random() > 0.05 or not line.startswith("  "))
+    file, picture = written(tmp_path, "torn.yaml", kept), tmp_path / "torn.svg"
+    result = run("render", file, "-o", picture)
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exc_info
+    assert "errors: only what is understood is drawn" in result.stderr
+    assert picture.stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "what"),
+    [
+        ("list.csv", RING, "a list (CSV)"),
+        ("list.txt", "Barcode list of hall 3\n\n" + RING.replace(",", ";"), "a list (CSV)"),
+        ("hall.xml", OPENTCS, "XML"),
+        ("hall.lif", '{"metaInformation": {}, "layouts": []}', "a layout in JSON"),
+    ],
+)
+def test_a_layout_that_is_no_plant_file_is_told_what_it_is(tmp_path: Path, name: str, text: str, what: str) -> None:
+    file = written(tmp_path, name, text)
+    for words in (("check", str(file)), ("render", str(file), "-o", str(tmp_path / "a.svg"))):
+        result = run(*words)
+        assert result.exit_code == 1
+        assert f"{file}:1:1: error: this is no plant file, but {what}" in result.output
+        assert "hoistway layout import FILE -o plant.yaml" in result.output
+        assert result.output.count("error") == 1
+    assert not (tmp_path / "a.svg").exists()
+
+
+def test_a_list_in_another_alphabet_is_told_how_it_becomes_a_plant_file(tmp_path: Path) -> None:
+    (tmp_path / "list.csv").write_bytes("바코드,x,y\n1,0,0\n".encode("cp949"))
+    result = run("render", tmp_path / "list.csv", "-o", tmp_path / "a.svg")
+    assert result.exit_code == 1
+    assert "hoistway layout import FILE -o plant.yaml" in result.output
+
+
+def test_a_picture_speaks_the_language_of_the_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    hall = SMALL.with_name("demo.yaml")
+    monkeypatch.setenv("HOISTWAY_LANG", "ko")
+    assert run("render", hall, "-o", tmp_path / "a.svg", "--no-labels").exit_code == 0
+    drawn = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    words = [word for text in re.findall("<text[^>]*>([^<]*)", drawn) for word in re.findall("[A-Za-z]{3,}", text)]
+    assert words == ["demo", "AGV"]
+    assert "일방통행 트랙" in drawn
+    assert "스테이션 40개" in drawn
+    # The package has a function of the module's name.
+    monkeypatch.setattr(sys.modules["app.plant.picture.png"], "WIDE_FONTS", ())
+    result = run("render", hall, "-o", tmp_path / "a.png")
+    assert (result.exit_code, "한글" in result.stderr) == (0, True)
 
 
 def test_a_layout_is_checked_beyond_its_mistakes(tmp_path: Path) -> None:

@@ -1,7 +1,8 @@
 """A plant as shapes: how large, which colours, what is labelled where there is room."""
 
 from collections import defaultdict
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, hypot
 from statistics import median
@@ -56,9 +57,17 @@ class _Plan:
         """How far barcodes are apart."""
 
 
-def compose(plant: Plant, look: Look | None = None) -> Drawing:
-    """Return the picture of a plant."""
-    look = look or Look()
+def as_said(text: str) -> str:
+    """Return a text as it is."""
+    return text
+
+
+def compose(plant: Plant, look: Look | None = None, tell: Callable[[str], str] = as_said) -> Drawing:
+    """Return the picture of a plant; ``tell`` gives each of our words in the reader's language.
+
+    Of a plant whose file has errors it is what can be drawn: what lies at barcodes that it does not have is left out.
+    """
+    look, plant = look or Look(), _with_places(plant)
     width = max(NARROWEST, look.width)
     plan, palette = _Plan(plant, width), DARK if look.dark else LIGHT
     drawing = Drawing(width, ceil(HEAD + plan.height + MARGIN + FOOT), palette.paper, plant.name)
@@ -81,9 +90,26 @@ def compose(plant: Plant, look: Look | None = None) -> Drawing:
     _draw_vehicles(drawing, plant, plan, palette, labels)
     if look.labels:
         _label(drawing, plant, plan, palette, labels, chains)
-    _draw_head(drawing, plant, palette)
-    legend(drawing, plant, palette, plan.scale, drawing.height - FOOT)
+    _draw_head(drawing, plant, palette, tell)
+    legend(drawing, plant, palette, plan.scale, drawing.height - FOOT, tell)
     return drawing
+
+
+def _with_places(plant: Plant) -> Plant:
+    """Return the plant without what lies nowhere."""
+    known = {point.barcode for point in plant.points}
+    return replace(
+        plant,
+        edges=tuple(edge for edge in plant.edges if {edge.start, edge.end} <= known),
+        stations=tuple(station for station in plant.stations if station.barcode in known),
+        zones=tuple(replace(zone, barcodes=zone.barcodes & known) for zone in plant.zones),
+        vehicles=tuple(v if v.start is None or v.start in known else replace(v, start=None) for v in plant.vehicles),
+        doors=tuple(
+            replace(door, passages=frozenset(pair for pair in door.passages if known.issuperset(pair)))
+            for door in plant.doors
+        ),
+        chargers=tuple(charger for charger in plant.chargers if charger.barcode in known),
+    )
 
 
 def _draw_zones(drawing: Drawing, plant: Plant, plan: _Plan, shaper: Shaper, palette: Palette, stroke: float) -> None:
@@ -205,10 +231,11 @@ def _label(drawing: Drawing, plant: Plant, plan: _Plan, palette: Palette, labels
         labels.place(plan.spots[barcode], barcode, palette.faint, size - 1.5, 5.0, apart=90.0 if plan.step < 9 else 0.0)
 
 
-def _draw_head(drawing: Drawing, plant: Plant, palette: Palette) -> None:
+def _draw_head(drawing: Drawing, plant: Plant, palette: Palette, tell: Callable[[str], str]) -> None:
     kilometres = sum(edge.length for edge in plant.edges) / 1e6
     counts = [(len(plant.points), "barcode"), (len(plant.stations), "station"), (len(plant.vehicles), "vehicle")]
-    told = [f"{count:,} {what}{'' if count == 1 else 's'}" for count, what in counts if count]
-    told.insert(1, f"{kilometres:.2f} km of track" if kilometres >= 0.1 else f"{kilometres * 1000:.0f} m of track")
+    told = [tell(f"{count:,} {what}{'' if count == 1 else 's'}") for count, what in counts if count]
+    track = f"{kilometres:.2f} km of track" if kilometres >= 0.1 else f"{kilometres * 1000:.0f} m of track"
+    told.insert(1, tell(track))
     drawing.shapes.append(Text((MARGIN, 36), plant.name, palette.ink, 22, bold=True))
     drawing.shapes.append(Text((MARGIN, 58), " · ".join(told), palette.faint, 13))

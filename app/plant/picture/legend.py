@@ -15,12 +15,15 @@ BAR = 180.0
 Symbol = Callable[[Spot], list[Shape]]
 
 
-def legend(drawing: Drawing, plant: Plant, palette: Palette, scale: float, top: float) -> None:
-    """Draw the legend and, at the right, the scale bar. ``scale``: pixels in a millimetre."""
+def legend(
+    drawing: Drawing, plant: Plant, palette: Palette, scale: float, top: float, tell: Callable[[str], str]
+) -> None:
+    """Draw the legend and, at the right, the scale bar. ``scale``: pixels in a millimetre; ``tell``: translates."""
     _bar(drawing, palette, scale, top + 34)
     drawing.shapes.append(Line(((LEFT, top), (drawing.width - LEFT, top)), palette.zone, 1.0))
     x, y, right = LEFT, top + 28, drawing.width - LEFT - BAR - 40
-    for text, draw in _symbols(plant, palette):
+    for name, draw in _symbols(plant, palette):
+        text = tell(name)
         wide = 30 + text_width(text, SIZE) + 22
         if x + wide > right and x > LEFT:
             x, y = LEFT, y + ROW

@@ -78,13 +78,24 @@ def _line(brush: Any, shape: Line, finer: int) -> None:
             brush.ellipse((x - r, y - r, x + r, y + r), fill=shape.colour)
 
 
+def has_wide_letters() -> bool:
+    """Whether Korean can be written on a PNG here: a font of the system has to have its letters."""
+    return _wide_font(12) is not None
+
+
 @cache
 def _font(size: int, *, wide: bool) -> Any:
     from PIL import ImageFont
 
-    for name in WIDE_FONTS if wide else ():
+    return (_wide_font(size) if wide else None) or ImageFont.load_default(size)
+
+
+def _wide_font(size: int) -> Any:
+    from PIL import ImageFont
+
+    for name in WIDE_FONTS:
         try:
             return ImageFont.truetype(name, size)
         except OSError:
             continue
-    return ImageFont.load_default(size)
+    return None
