@@ -27,7 +27,6 @@ from app.domain.webhooks import (
 from app.runtime.showing import iso
 from app.runtime.webhooks import drawn_secret
 from app.runtime.webhooks.signing import SECRET_BYTES
-from app.runtime.webhooks.targets import REMEDY
 from app.wire.names import nearest
 
 router = APIRouter(prefix="/webhooks", tags=["webhooks"])
@@ -157,7 +156,7 @@ def _drawn() -> str:
 def _allowed(controller: Controller, url: str) -> None:
     """Raise Problem for a URL that nothing may be sent to."""
     if why := controller.targets.refusal(url):
-        raise Problem("invalid", f"Nothing may be sent there: {why}.", REMEDY, "url")
+        raise Problem("invalid", f"Nothing may be sent there: {why}.", controller.targets.remedy(url), "url")
 
 
 def _found(controller: Controller, number: int) -> tuple[Webhook, WebhookProgress]:

@@ -114,7 +114,7 @@ class Controller:
         """What was recorded, if anything is."""
         self._sender_made = webhooks
         self._log: FilteringBoundLogger = logger(plant=plant.name)
-        self._journal = Journal(self._log)
+        self._journal = Journal(self._log, plant)
         self.figures = Figures(plant)
         """What is counted for /metrics."""
         self._in_flight: deque[Transaction] = deque()

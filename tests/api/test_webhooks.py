@@ -50,6 +50,21 @@ async def test_a_url_that_the_settings_do_not_name_is_refused(client: httpx.Asyn
     assert (await client.patch("/webhooks/1", json={"url": url})).status_code == 422
 
 
+@pytest.mark.parametrize(
+    ("url", "remedy"),
+    [
+        ("https://elsewhere.example/x", "in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file"),
+        ("http://127.0.0.1/", "in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file"),
+        ("https://me:word@mes.fab/x", "Write such as https://mes.fab/events"),
+        ("https://mes.fab/x#y", "Write such as https://mes.fab/events"),
+    ],
+)
+async def test_a_url_that_is_refused_is_told_what_to_set_or_to_write(
+    client: httpx.AsyncClient, url: str, remedy: str
+) -> None:
+    assert remedy in (await client.post("/webhooks", json={"url": url})).json()["remedy"]
+
+
 async def test_an_event_that_there_is_not_is_refused_with_the_nearest_that_there_is(client: httpx.AsyncClient) -> None:
     answer = await client.post("/webhooks", json={"url": URL, "events": ["TransferComplete"]})
     assert answer.status_code == 422

@@ -225,7 +225,7 @@ def test_what_cannot_be_delivered_says_why() -> None:
         plain, tls = (server.sockets[0].getsockname()[1] for server in (silent, foreign))
         why = {
             "http://127.0.0.1:1/": "127.0.0.1:1 refuses the connection",
-            "http://127.0.0.2/": "127.0.0.2 is not among the targets that are allowed",
+            "http://127.0.0.2/": "127.0.0.2 is not among the targets that are allowed; set HOISTWAY_WEBHOOK_TARGETS, .+",
             "http://mes.fab/": r"the name mes.fab is not found \(Name or service not known\)",
             f"http://127.0.0.1:{plain}/": "the connection ended without an answer",
             f"https://127.0.0.1:{tls}/": r"its certificate is not trusted \(.+\)",

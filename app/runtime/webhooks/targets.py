@@ -15,7 +15,12 @@ Resolve = Callable[[str, int], Awaitable[Sequence[str]]]
 
 _NAME = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*")
 LOCALHOST = "localhost"
-REMEDY = "Name the host, *.domain, address or network in the setting webhook_targets."
+SETTING = "set HOISTWAY_WEBHOOK_TARGETS, or webhook_targets in the settings file"
+REMEDY = (
+    "Name the host, *.domain, address or network in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file, "
+    "and start the controller again."
+)
+NO_URL = "Write such as https://mes.fab/events: http or https, no name or password, no fragment."
 
 
 class TargetsError(HoistwayError):
@@ -46,30 +51,27 @@ class Targets:
 
     def refusal(self, url: str) -> str:
         """Return why nothing may be sent to a URL, as far as that can be said without resolving its name; empty if it may."""
-        try:
-            parts = urlsplit(url)
-            port = parts.port
-        except ValueError as wrong:
-            return f"it is no URL: {wrong}"
-        if parts.scheme not in {"http", "https"} or not parts.hostname:
-            return "it is no URL of http or https"
-        if parts.username is not None or parts.password is not None:
-            return "a URL with a name or password in it would stand in logs"
-        if parts.fragment:
-            return "a fragment is never sent"
+        if why := _no_url(url):
+            return why
+        parts = urlsplit(url)
+        assert parts.hostname is not None
         if not self._names and not self._networks:
             return "this server may send to nobody"
         address = _address(parts.hostname)
         if address is not None:
             return "" if self._listed(address) else f"{parts.hostname} is not among the targets that are allowed"
-        return "" if self._named(parts.hostname, port or _usual(parts.scheme)) else (
+        return "" if self._named(parts.hostname, parts.port or _usual(parts.scheme)) else (
             f"{parts.hostname} is not among the targets that are allowed"
         )  # fmt: skip
+
+    def remedy(self, url: str) -> str:
+        """Return what would help where a URL is refused: another URL, or another setting."""
+        return NO_URL if _no_url(url) else REMEDY
 
     async def address(self, url: str) -> str:
         """Return the address to connect to. Raises OSError: there is none that is allowed."""
         if why := self.refusal(url):
-            raise OSError(why)
+            raise OSError(f"{why}; {SETTING}" if self.remedy(url) is REMEDY else why)
         parts = urlsplit(url)
         assert parts.hostname is not None
         literal = _address(parts.hostname)
@@ -80,7 +82,7 @@ class Targets:
             address = _address(text)
             if address is not None and self._allowed(parts.hostname, address):
                 return str(address)
-        raise OSError(f"{parts.hostname} leads to {', '.join(found) or 'no address'}, which is not allowed")
+        raise OSError(f"{parts.hostname} leads to {', '.join(found) or 'no address'}, which is not allowed; {SETTING}")
 
     def _allowed(self, host: str, address: Address) -> bool:
         if self._listed(address):
@@ -109,6 +111,20 @@ class Targets:
             remedy = "Write such as mes.fab, mes.fab:8443, *.fab, 10.1.2.3 or 10.0.0.0/8."
             raise TargetsError(f"webhook_targets: {entry!r} is no host, address or network", remedy=remedy)
         self._names.append((name, int(port) if port else None))
+
+
+def _no_url(url: str) -> str:
+    """Return why a URL is none that is sent to, whatever the settings allow; empty: it is one."""
+    try:
+        parts = urlsplit(url)
+        _ = parts.port
+    except ValueError as wrong:
+        return f"it is no URL: {wrong}"
+    if parts.scheme not in {"http", "https"} or not parts.hostname:
+        return "it is no URL of http or https"
+    if parts.username is not None or parts.password is not None:
+        return "a URL with a name or password in it would stand in logs"
+    return "a fragment is never sent" if parts.fragment else ""
 
 
 def _usual(scheme: str) -> int:
