@@ -198,6 +198,7 @@ class Changes:
         version = self._staged(source, f"{EDITED} before a start")
         if broken:
             _log_all(log, broken)
+            self._told = list(broken)  # the same version may be awaited already
             log.error(NOT_TAKEN, goes_on=f"version {active.number}", staged=f"version {version.number}")
             return running
         self._take_edited(version, lease)
@@ -241,6 +242,7 @@ class Changes:
         """Wait until a version is awaited that can take the plant's place, and return its plant."""
         log = logger(plant=plant.name)
         self.versions.wanted.set()  # One that was awaited before a crash is awaited still.
+        trouble_told = ""
         while True:
             await self._woken()
             try:
@@ -249,9 +251,11 @@ class Changes:
                     await self._file_again(plant, log)
                 if (following := await self._due(plant, log)) is not None:
                     return following
+                trouble_told = ""
             except StoreError as trouble:
-                _refused(log, "versions of the plant cannot be looked at", trouble)
-                self._waiting = True
+                if trouble.message != trouble_told:
+                    _refused(log, "versions of the plant cannot be looked at", trouble)
+                trouble_told, self._waiting = trouble.message, True
 
     async def _woken(self) -> None:
         try:
@@ -314,10 +318,9 @@ class Changes:
         return await asyncio.to_thread(_counted, old, new)
 
     def _kept_back(self, version: PlantVersion, broken: Sequence[Broken]) -> None:
-        """Say what keeps a version back, once; it waits, or the wish is over."""
-        if list(broken) != self._told:
-            _log_all(logger(version=str(version.number)), broken)
-            self._told = list(broken)
+        """Say what keeps a version back, each thing once; it waits, or the wish is over."""
+        _log_all(logger(version=str(version.number)), [one for one in broken if one not in self._told])
+        self._told = list(broken)
         if not version.patient:
             self._store.give_up(version.number, obstruction(broken), self._utc())
 

@@ -1,6 +1,7 @@
 """With which version a controller starts: whichever was changed last counts, the plant file or the active version."""
 
 import asyncio
+import re
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, suppress
 from dataclasses import replace
@@ -16,10 +17,12 @@ from app.cli.plainly import CannotStart, FileInError
 from app.cli.running import plant_and_text_of
 from app.domain.errors import Refusal, StoreError
 from app.domain.ids import Actor, StationId
+from app.domain.job import Job, JobState
 from app.domain.layout import Plant
 from app.domain.units import Timestamp
-from app.domain.versions import Origin, Source
+from app.domain.versions import Origin, PlantVersion, Source
 from app.plant.difference import difference
+from app.runtime.telemetry import logger
 from app.store.lease import NoLease
 from app.store.ledger import SqlLedger
 from tests.store.samples import job
@@ -115,15 +118,68 @@ def test_a_version_that_was_activated_since_goes_before_a_file_that_was_not_edit
     assert states(changes) == {1: "former", 2: "former", 3: "active"}
 
 
+def under_way(url: str, *jobs: Job) -> None:
+    ledger = SqlLedger(url, "small", "a test", lambda: NOW)
+    ledger.load()
+    ledger.commit(jobs)
+    ledger.close()
+
+
+@pytest.mark.parametrize("edited", [False, True])
+def test_what_keeps_an_awaited_version_back_is_logged_once_each(
+    start: Start, url: str, capsys: pytest.CaptureFixture[str], *, edited: bool
+) -> None:
+    plant, changes = start(TEXT)
+    first = job(1, source=StationId("P1"), destination=StationId("P2"))
+    under_way(url, first)
+    store = changes.versions.store
+    made = store.stage(Source(WITHOUT_P2), Origin.UPLOAD, KIM, "a port less", NOW)
+    assert isinstance(made, PlantVersion)
+    store.ask(made.number, KIM, "it goes", NOW, patient=True)
+    if edited:
+        plant, changes = start(WITHOUT_P2)
+        assert "P2" in stations(plant)
+
+    def looked() -> list[str]:
+        assert asyncio.run(changes._due(plant, logger(plant=plant.name))) is None
+        told = capsys.readouterr()
+        return re.findall(r"breaks=.?(job [\w-]+)", told.out + told.err)
+
+    assert looked() == [f"job {first.id}"], "by the start or by the first look"
+    assert looked() == []
+    second = job(2, source=StationId("P2"), destination=StationId("P1"))
+    under_way(url, second)
+    assert looked() == [f"job {second.id}"]
+    under_way(url, replace(first, state=JobState.CANCELLED))
+    assert looked() == []
+
+
+def test_a_database_that_cannot_be_looked_at_is_logged_once(
+    start: Start, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plant, changes = start(TEXT)
+    troubles = ["locked", "locked", "locked", "gone"]
+
+    async def woken() -> None:
+        if not troubles:
+            raise asyncio.CancelledError
+
+    async def fail(*_: object) -> None:
+        raise StoreError(troubles.pop(0))
+
+    monkeypatch.setattr(changes, "_woken", woken)
+    monkeypatch.setattr(changes, "_due", fail)
+    with pytest.raises(asyncio.CancelledError):
+        asyncio.run(changes.next(plant))
+    told = capsys.readouterr()
+    assert re.findall(r"reason=.?(locked|gone)", told.out + told.err) == ["locked", "gone"]
+
+
 def test_an_edited_file_that_breaks_something_under_way_stays_staged_until_it_breaks_nothing(
     start: Start, url: str
 ) -> None:
     start(TEXT)
-    waiting = job(1, source=StationId("P1"), destination=StationId("P2"))
-    ledger = SqlLedger(url, "small", "a test", lambda: NOW)
-    ledger.load()
-    ledger.commit([waiting])
-    ledger.close()
+    under_way(url, job(1, source=StationId("P1"), destination=StationId("P2")))
     plant, changes = start(WITHOUT_P2)
     assert "P2" in stations(plant)
     assert (changes.number, states(changes)) == (1, {1: "active", 2: "staged"})
