@@ -21,6 +21,7 @@ from app.domain.layout import Plant
 from app.domain.units import Timestamp
 from app.domain.versions import Origin, PlantVersion, Source, VersionState
 from app.plant.difference import Broken, difference, obstruction
+from app.plant.overruled import overruled
 from app.plant.touched import listens_at, touched
 from app.runtime.telemetry import logger
 from app.runtime.versions import Versions, said
@@ -203,7 +204,18 @@ class Changes:
             return running
         self._take_edited(version, lease)
         log.warning("the plant has changed", version=version.number, differences=_counted(running, plant))
+        self._say_overruled(running, plant, log)
         return plant
+
+    def _say_overruled(self, old: Plant, new: Plant, log: FilteringBoundLogger) -> None:
+        """Say whose pulses were edited and do not count, since others hold."""
+        for one in overruled(old, new, standing(self._database)):
+            log.warning(
+                "pulses of the plant file do not count",
+                about=f"{one.what} {one.name}",
+                reason=one.text,
+                remedy=one.remedy,
+            )
 
     def _instead_of_unreadable(
         self, active: PlantVersion, plant: Plant, source: Source, unreadable: CannotStart, lease: Lease
@@ -346,6 +358,7 @@ class Changes:
                     self._kept_back(awaited, broken)
                     return plant
                 self._store.activate(awaited.number, self._utc(), lease, file=self._is_file(awaited, following))
+                self._say_overruled(plant, following, log)
         except PlantHeld:
             raise
         except (StoreError, CannotStart) as trouble:

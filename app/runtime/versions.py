@@ -14,6 +14,7 @@ from app.plant import Finding
 from app.plant.difference import Broken, Difference, difference, obstruction
 from app.plant.lacking import lacking
 from app.plant.lost import lost
+from app.plant.overruled import overruled
 from app.plant.touched import leaving, touched
 from app.plant.understood import Understood
 from app.store.standing import standing
@@ -106,7 +107,8 @@ class Versions:
 
         def look() -> Impact:
             kept = standing(self._database)
-            return Impact(touched(running, new, kept), lost(new, kept), lacking(running, new, kept))
+            without_effect = [*lost(new, kept), *overruled(running, new, kept)]
+            return Impact(touched(running, new, kept), without_effect, lacking(running, new, kept))
 
         return await asyncio.to_thread(look)
 

@@ -18,8 +18,9 @@ from app.cli.running import plant_and_text_of
 from app.domain.errors import Refusal, StoreError
 from app.domain.ids import Actor, StationId
 from app.domain.job import Job, JobState
-from app.domain.layout import Plant
-from app.domain.units import Timestamp
+from app.domain.layout import Plant, PulseSet
+from app.domain.records import StationDest
+from app.domain.units import Pulses, Timestamp
 from app.domain.versions import Origin, PlantVersion, Source
 from app.plant.difference import difference
 from app.runtime.telemetry import logger
@@ -118,7 +119,25 @@ def test_a_version_that_was_activated_since_goes_before_a_file_that_was_not_edit
     assert states(changes) == {1: "former", 2: "former", 3: "active"}
 
 
-def under_way(url: str, *jobs: Job) -> None:
+def test_a_dest_that_was_edited_in_the_plant_file_and_does_not_count_is_logged_once(
+    start: Start, url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    start(TEXT)
+    taught = PulseSet(Pulses(1210), Pulses(-305), Pulses(41020))
+    under_way(url, StationDest(StationId("P1"), 2, taught, KIM, "teaching", NOW))
+    edited = TEXT.replace("dest: {shft: 1200, rota: -300", "dest: {shft: 1300, rota: -300")
+    capsys.readouterr()
+    told = []
+    for _ in range(2):
+        start(edited)
+        out, err = capsys.readouterr()
+        told += [line for line in (out + err).splitlines() if "pulses of the plant file do not count" in line]
+    (line,) = told
+    for words in ("station P1", "version 2 of the database holds, by teaching, kim", "PUT /api/v1/stations/P1/dest"):
+        assert words in line
+
+
+def under_way(url: str, *jobs: Job | StationDest) -> None:
     ledger = SqlLedger(url, "small", "a test", lambda: NOW)
     ledger.load()
     ledger.commit(jobs)
