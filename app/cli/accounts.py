@@ -20,6 +20,7 @@ from app.domain.ids import Actor
 from app.domain.units import Timestamp
 
 if TYPE_CHECKING:
+    from app.domain.access import Key, User
     from app.domain.errors import Refusal
     from app.store.access import AccessStore
 
@@ -49,18 +50,32 @@ def _opened(database: str | None, config: Path | None) -> Iterator[AccessStore]:
     import secrets
 
     from app.store.access import AccessStore
-    from app.store.opening import bring_up_to_date, revision
-    from app.store.schema import newest
 
     with plainly():
-        url = url_of(database, config)
-        if revision(url) != newest():
-            bring_up_to_date(url, f"hoistway users or keys by {getpass.getuser()}", _now())
-        store = AccessStore(url, secrets.token_bytes)
+        store = AccessStore(_ready(database, config), secrets.token_bytes)
         try:
             yield store
         finally:
             store.close()
+
+
+def _ready(database: str | None, config: Path | None) -> str:
+    """Return the URL of a database whose tables are there and new. Raises SettingsError, StoreError."""
+    from app.store.opening import bring_up_to_date, revision
+    from app.store.schema import newest
+
+    url = url_of(database, config)
+    if revision(url) != newest():
+        bring_up_to_date(url, f"hoistway users or keys by {getpass.getuser()}", _now())
+    return url
+
+
+def _listed(database: str | None, config: Path | None) -> tuple[tuple[User, ...], tuple[Key, ...]]:
+    """Return all people and all keys; the database may be one that may not be written."""
+    from app.store.access import listed
+
+    with plainly():
+        return listed(_ready(database, config))
 
 
 def _now() -> Timestamp:
@@ -121,11 +136,11 @@ def add_user(
 @users.command("list")
 def list_users(database: Database = None, config: Config = None) -> None:
     """Show all people: name, roles, when they last logged in."""
-    with _opened(database, config) as store:
-        for user in store.load().users:
-            roles = ",".join(sorted(user.roles))
-            may = told_here("disabled") if user.disabled else roles
-            print(f"{user.name:<32} {may:<32} {_date(user.logged_in, told_here('never'))}")
+    people, _ = _listed(database, config)
+    for user in people:
+        roles = ",".join(sorted(user.roles))
+        may = told_here("disabled") if user.disabled else roles
+        print(f"{user.name:<32} {may:<32} {_date(user.logged_in, told_here('never'))}")
 
 
 @users.command("change")
@@ -181,11 +196,11 @@ def add_key(
 @keys.command("list")
 def list_keys(database: Database = None, config: Config = None) -> None:
     """Show all keys: name, roles, until when they are good, when they were last used."""
-    with _opened(database, config) as store:
-        for key in store.load().keys:
-            until = told_here("revoked") if key.revoked is not None else _date(key.expires, told_here("for ever"))
-            used = _date(key.used, told_here("never used"))
-            print(f"{key.name:<32} {','.join(sorted(key.roles)):<32} {until:<18} {used}")
+    _, all_keys = _listed(database, config)
+    for key in all_keys:
+        until = told_here("revoked") if key.revoked is not None else _date(key.expires, told_here("for ever"))
+        used = _date(key.used, told_here("never used"))
+        print(f"{key.name:<32} {','.join(sorted(key.roles)):<32} {until:<18} {used}")
 
 
 @keys.command("revoke")

@@ -18,7 +18,7 @@ from app.domain.units import Timestamp
 from app.store import access_rows
 from app.store.access_rows import roles_as
 from app.store.chain import append
-from app.store.engine import parsed, told, writing
+from app.store.engine import parsed, reading, told, writing
 from app.store.tables import access, access_keys, access_sessions, users
 
 SECRET_BYTES = 32
@@ -26,6 +26,24 @@ RESERVED = ("anonymous", "access-key", "hoistway", "system", "nobody")
 """How no name begins: the audit has these for others."""
 
 Work = Callable[[sa.Connection], Refusal | None]
+
+
+def listed(url: str) -> tuple[tuple[User, ...], tuple[Key, ...]]:
+    """Return all people and all keys, from a database that need not be writable. The tables must be there. Raises StoreError."""
+    engine = reading(parsed(url))
+    try:
+        with told("users and keys cannot be read"), engine.connect() as connection:
+            return _people(connection), _keys(connection)
+    finally:
+        engine.dispose()
+
+
+def _people(connection: sa.Connection) -> tuple[User, ...]:
+    return tuple(map(access_rows.user, connection.execute(sa.select(users).order_by(users.c.name))))
+
+
+def _keys(connection: sa.Connection) -> tuple[Key, ...]:
+    return tuple(map(access_rows.key, connection.execute(sa.select(access_keys).order_by(access_keys.c.name))))
 
 
 class AccessStore:
@@ -57,10 +75,8 @@ class AccessStore:
             return Known(
                 secret=bytes.fromhex(one.secret),
                 revision=one.revision,
-                users=tuple(map(access_rows.user, connection.execute(sa.select(users).order_by(users.c.name)))),
-                keys=tuple(
-                    map(access_rows.key, connection.execute(sa.select(access_keys).order_by(access_keys.c.name)))
-                ),
+                users=_people(connection),
+                keys=_keys(connection),
                 sessions=tuple(map(access_rows.session, connection.execute(sa.select(access_sessions)))),
             )
 

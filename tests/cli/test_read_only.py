@@ -30,6 +30,8 @@ def locked() -> Iterator[Path]:
     SqlLedger(f"sqlite:///{file}", "P1", "server A", lambda: Timestamp(0.0)).close()
     code, said = hoistway("keys", "add", "mes", "--role", "mes", "--database", f"sqlite:///{file}")
     assert code == 0, said
+    code, said = hoistway("keys", "revoke", "mes", "--database", f"sqlite:///{file}")
+    assert code == 0, said
     file.chmod(0o444)
     directory.chmod(0o555)
     user = os.geteuid()
@@ -50,8 +52,19 @@ def test_it_is_as_it_says(locked: Path) -> None:
 
 def test_its_audit_is_verified(locked: Path) -> None:
     code, said = hoistway("audit", "verify", "--database", f"sqlite:///{locked}")
-    assert (code, said.partition(".")[0]) == (0, "1 rows follow from one another")
+    assert (code, said.partition(".")[0]) == (0, "2 rows follow from one another")
     assert sorted(path.name for path in locked.parent.iterdir()) == ["plant.db", "plant.db.lock"]
+
+
+def test_who_may_log_in_is_listed(locked: Path) -> None:
+    database = f"sqlite:///{locked}"
+    code, said = hoistway("keys", "list", "--database", database)
+    assert (code, said.split()) == (0, ["mes", "mes", "revoked", "never", "used"])
+    assert hoistway("users", "list", "--database", database) == (0, "")
+    assert sorted(path.name for path in locked.parent.iterdir()) == ["plant.db", "plant.db.lock"]
+    code, said = hoistway("keys", "add", "more", "--role", "mes", "--database", database)
+    assert code == 1
+    assert "hoistway: " in said
 
 
 def test_its_schema_is_told_and_it_is_backed_up_elsewhere(locked: Path) -> None:
@@ -62,7 +75,7 @@ def test_its_schema_is_told_and_it_is_backed_up_elsewhere(locked: Path) -> None:
         code, said = hoistway("db", "backup", str(copy), "--url", f"sqlite:///{locked}")
         assert code == 0, said
         kept = sqlite3.connect(copy).execute("SELECT count(*) FROM audit").fetchone()
-        assert kept == (1,)
+        assert kept == (2,)
 
 
 def test_a_name_that_means_something_in_a_url_is_read_as_it_is(locked: Path) -> None:
@@ -75,4 +88,4 @@ def test_a_name_that_means_something_in_a_url_is_read_as_it_is(locked: Path) -> 
             code, said = hoistway("audit", "verify", "--database", f"sqlite:///{odd}")
         finally:
             odd.parent.chmod(0o755)
-        assert (code, said.partition(".")[0]) == (0, "1 rows follow from one another")
+        assert (code, said.partition(".")[0]) == (0, "2 rows follow from one another")
