@@ -37,6 +37,7 @@ LONG = {
     "tests/sim/kinematic/test_fab.py": 8,
     "tests/plant/fab/test_fab.py": 5,
     "tests/e2e/test_device_scripts.py": 15,
+    "tests/test_against.py::test_the_orders": 14,
     "tests/runtime/test_serial_hall.py": 20,
     "tests/e2e/test_demo_plant.py": 25,
     "tests/e2e/test_mes.py": 40,

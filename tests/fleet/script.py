@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from app.domain.commands import Command, Send
 from app.domain.devices import DeviceEvent, DeviceId
+from app.domain.drive import DriveEvent
 from app.domain.errors import Refusal
 from app.domain.events import Acknowledged, Answered, Event, LinkDown, LinkUp, NotSent, Reported, Unanswered, Unknown
 from app.domain.ids import Actor, CarrierId, CmdIds, JobId, StationId, VehicleId
@@ -165,6 +166,11 @@ class Script:
     def hear_device(self, event: DeviceEvent) -> None:
         """Let the fleet hear an event of a link."""
         self.fleet.handle_device(event, self.now)
+        self._collect()
+
+    def hear_drive(self, event: DriveEvent) -> None:
+        """Let the fleet hear an event of a drive line."""
+        self.fleet.handle_drive(event, self.now)
         self._collect()
 
     def tick(self) -> None:

@@ -1,6 +1,7 @@
 /**
  * Why the controller would refuse what a button asks for, as far as the page can know it: such a button says so instead of
- * asking. The same reasons in the same order as in app/fleet/orders.py, agv_orders.py, device_orders.py and drive_orders.py. Pure.
+ * asking. The same reasons in the same order as in app/fleet/orders.py, agv_orders.py, device_orders.py and drive_orders.py:
+ * test/against.cases.test.ts compares them with what those answer. What the controller would do is never refused here. Pure.
  */
 import type { Closure, Controller, Device, Drive, Layout, Vehicle } from "./types";
 
@@ -11,26 +12,74 @@ export type Against = readonly [string, ...(string | number)[]] | null;
 export interface Around {
   controller: Pick<Controller, "emergencies" | "waiting_for" | "state" | "reason"> | null;
   closures: Iterable<Closure>;
-  layout: Pick<Layout, "stations" | "chargers"> | null;
+  layout: Pick<Layout, "stations" | "chargers" | "vehicles" | "edges"> | null;
+  /** All of the plant, for the roll-call: those that are missing matter only where they may be in the way. */
+  vehicles: Iterable<Pick<Vehicle, "id" | "mode" | "barcode">>;
 }
 
 /** What an emergency and a lockout let through: it reads or stops (app/fleet/harmless.py). */
 const HARMLESS = new Set(["status", "stop", "stop_by_host", "agv_mark_stop", "agv_lift stop", "agv_charge off"]);
 const MANT_ONLY = new Set(["servo_on", "servo_off", "search_home", "go_home", "system_reset", "alarm_clear", "auto"]);
 
+/** Something that it was told is not over, though it may stand. */
+const DOING = new Set(["moving", "acquiring", "depositing"]);
+
 const lockedOut = (of: { lockout: { owner: string; reason: string } | null }): Against =>
   of.lockout ? ["against_lockout", of.lockout.owner, of.lockout.reason] : null;
 
 const emergency = ({ controller }: Pick<Around, "controller">): Against => (controller?.emergencies.length ? ["against_emergency"] : null);
 
-/** People are at work where it stands. */
+/** People are at work where it stands. What it covers counts, not what it says: it may not be believed there yet. */
 function atWork(vehicle: Vehicle, { closures }: Around): Against {
-  const on = new Set([vehicle.barcode, ...vehicle.covered, ...vehicle.granted]);
+  const on = new Set([...vehicle.covered, ...vehicle.granted]);
   const found = [...closures].find((one) => one.purpose === "work" && one.state === "closed" && one.kind !== "station" && one.barcodes.some((barcode) => on.has(barcode)));
   return found ? ["against_work", found.place, found.owner] : null;
 }
 
-const notLinked = (vehicle: Vehicle): Against => (vehicle.link.up && vehicle.mode !== null ? null : ["against_link"]);
+const cut = (vehicle: Vehicle): Against => (vehicle.link.up ? null : ["against_link"]);
+/** Nor has it said anything yet. */
+const notLinked = (vehicle: Vehicle): Against => cut(vehicle) ?? (vehicle.mode === null ? ["against_link"] : null);
+
+/** The stretches of track that no edge joins, each named by a barcode of it; of the layout that was asked about last. */
+let parted: { of: unknown; names: Map<string, string> } = { of: null, names: new Map() };
+
+function stretchOf(barcode: string, layout: NonNullable<Around["layout"]>): string {
+  if (parted.of !== layout) {
+    const above = new Map<string, string>();
+    const top = (name: string): string => {
+      let at = name;
+      for (let next = above.get(at); next !== undefined && next !== at; next = above.get(at)) {
+        above.set(at, above.get(next) ?? next);
+        at = next;
+      }
+      return at;
+    };
+    for (const { start, end } of layout.edges) {
+      const [a, b] = [top(start), top(end)];
+      if (!above.has(b)) above.set(b, b);
+      above.set(a, b);
+    }
+    parted = { of: layout, names: new Map([...above.keys()].map((name) => [name, top(name)])) };
+  }
+  return parted.names.get(barcode) ?? barcode;
+}
+
+/**
+ * Who is missing since the start and may be on this vehicle's stretch of track: whose last place lies on it, or who may be
+ * wherever its kind drives. One that has said something by now is left to the controller: it may be believed elsewhere.
+ */
+function missing(vehicle: Vehicle, { controller, layout, vehicles }: Around): string[] {
+  const names = controller?.waiting_for ?? [];
+  if (names.length === 0 || !layout || vehicle.barcode === null) return [];
+  const here = stretchOf(vehicle.barcode, layout);
+  const kinds = new Map(layout.vehicles.map(({ id, kind }) => [id, kind]));
+  const known = new Map([...vehicles].map((one) => [one.id, one]));
+  return names.filter((name) => {
+    const other = known.get(name);
+    if (!other || other.mode !== null) return false;
+    return other.barcode === null ? kinds.get(name) === kinds.get(vehicle.id) : stretchOf(other.barcode, layout) === here;
+  });
+}
 
 /** Why a person's command cannot reach a vehicle, whatever its mode. */
 function outOfReach(vehicle: Vehicle, command: string, around: Around): Against {
@@ -44,7 +93,7 @@ export function againstCommand(vehicle: Vehicle, command: string, around: Around
   const reach = outOfReach(vehicle, command === "display" ? "stop_by_host" : command, around);
   if (reach) return reach;
   if (MANT_ONLY.has(command) && vehicle.mode !== "mant") return ["against_not_mant", (vehicle.mode ?? "–").toUpperCase()];
-  if ((command === "stop_by_host" || command === "display") && vehicle.mode === "mant") return ["against_mant"];
+  if ((command === "stop_by_host" || command === "display") && vehicle.mode !== "auto" && vehicle.mode !== "semi") return ["against_mant"];
   return command === "display" ? lockedOut(vehicle) : null;
 }
 
@@ -54,13 +103,14 @@ export function againstMove(vehicle: Vehicle, around: Around): Against {
   const barred = lockedOut(vehicle) ?? (vehicle.hold ? (["against_hold"] as const) : null);
   if (barred) return barred;
   if (vehicle.service !== "in_service") return ["against_service"];
-  const reach = atWork(vehicle, around) ?? notLinked(vehicle);
+  const reach = atWork(vehicle, around) ?? cut(vehicle);
   if (reach) return reach;
   if (vehicle.job) return ["against_job", vehicle.job];
   if (vehicle.mode !== "auto") return ["against_not_auto"];
   if (vehicle.oper === "alarm") return ["against_alarm"];
   if (vehicle.activity === "settling" || vehicle.activity === "recovering") return ["against_settling"];
-  return around.controller?.waiting_for.length ? ["against_roll_call", around.controller.waiting_for.join(", ")] : null;
+  const absent = missing(vehicle, around);
+  return absent.length ? ["against_roll_call", absent.join(", ")] : null;
 }
 
 /** Why a vehicle cannot pick up or put down at a station where it stands. */
@@ -77,7 +127,8 @@ export function againstAgv(vehicle: Vehicle, command: string, around: Around): A
   const reach = outOfReach(vehicle, command, around);
   if (reach) return reach;
   const error: Against = vehicle.oper === "alarm" ? ["against_alarm"] : null;
-  const busy: Against = error ?? (vehicle.job ? ["against_job", vehicle.job] : vehicle.oper === "run" ? ["against_runs"] : null);
+  const runs = vehicle.oper === "run" || DOING.has(vehicle.activity);
+  const busy: Against = error ?? (vehicle.job ? ["against_job", vehicle.job] : runs ? ["against_runs"] : null);
   const auto: Against = vehicle.mode === "auto" ? null : ["against_agv_manual"];
   switch (command) {
     case "alarm_clear":
@@ -87,8 +138,9 @@ export function againstAgv(vehicle: Vehicle, command: string, around: Around): A
     case "agv_move_manual":
       return vehicle.mode === "mant" ? error : ["against_agv_auto"];
     case "agv_move_auto":
-    case "agv_move_alias":
       return auto ?? busy;
+    case "agv_move_alias":
+      return auto ?? busy ?? againstMove(vehicle, around);
     case "agv_charge on":
       return auto ?? busy ?? (around.layout?.chargers.some(({ barcode }) => barcode === vehicle.barcode) ? null : ["against_no_charger"]);
     case "agv_set_current":

@@ -1,12 +1,12 @@
 /** What stands against a request, in the words of who reads it; of what the page knows now. */
 import { type Against, type Around } from "./against";
-import { changes, closures, controller, layout } from "./store";
+import { changes, closures, controller, layout, vehicles } from "./store";
 import { t, type Word } from "./texts";
 
 /** What a request depends on besides what it is about. */
 export function around(): Around {
   void changes.closures.value;
-  return { controller: controller.value, closures: closures.values(), layout: layout.value };
+  return { controller: controller.value, closures: closures.values(), layout: layout.value, vehicles: vehicles.values() };
 }
 
 /** Attributes of a button: disabled, with why in its title; nothing where nothing speaks against it. */

@@ -7,11 +7,12 @@ import type { Closure, Device, Drive, Vehicle } from "../src/types";
 const AROUND: Around = {
   controller: { emergencies: [], waiting_for: [], state: "auto", reason: "" },
   closures: [],
-  layout: { stations: [{ id: "P1", kind: "port", barcode: "1001", display: "", buffer: null }], chargers: [{ id: "C1", barcode: "2001", alias: null }] },
+  layout: { stations: [{ id: "P1", kind: "port", barcode: "1001", display: "", buffer: null }], chargers: [{ id: "C1", barcode: "2001", alias: null }], vehicles: [], edges: [] },
+  vehicles: [],
 };
 const FIRE: Around = { ...AROUND, controller: { emergencies: ["fire"], waiting_for: [], state: "auto", reason: "" } };
 const LOCKOUT = { owner: "lee", reason: "a wheel", since: "", releases: [] };
-const vehicle = (more: object = {}): Vehicle =>
+const vehicle = (more: Partial<Record<string, unknown>> = {}): Vehicle =>
   ({
     id: "V001",
     activity: "idle",
@@ -25,13 +26,13 @@ const vehicle = (more: object = {}): Vehicle =>
     hold: null,
     lockout: null,
     granted: [],
-    covered: [],
+    covered: [more.barcode ?? "1001"],
     ...more,
   }) as unknown as Vehicle;
 const word = (against: readonly [string, ...unknown[]] | null): string => against?.[0] ?? "";
 
 describe("a hoist's command", () => {
-  const of = (command: string, more: object = {}, around = AROUND) => word(againstCommand(vehicle(more), command, around));
+  const of = (command: string, more: Partial<Record<string, unknown>> = {}, around = AROUND) => word(againstCommand(vehicle(more), command, around));
 
   test("that needs MANT is not offered in AUTO, and a stop by host not in MANT", () => {
     expect(of("servo_on")).toBe("against_not_mant");
@@ -74,7 +75,21 @@ test("a vehicle is moved only where nothing the page knows keeps it", () => {
   expect(of({ oper: "alarm" })).toBe("against_alarm");
   expect(of({ activity: "settling" })).toBe("against_settling");
   expect(of({ activity: "off_rail" })).toBe("against_off_rail");
-  expect(of({}, { ...AROUND, controller: { emergencies: [], waiting_for: ["V002"], state: "auto", reason: "" } })).toBe("against_roll_call");
+});
+
+test("a vehicle is not moved while one is missing that may stand in its way, and is where that one cannot be", () => {
+  const edges = [["1000", "1001"], ["1001", "1002"], ["2001", "2002"]].map(([start, end]) => ({ start, end }));
+  const kinds = [["V001", "hoist"], ["V002", "hoist"], ["AGV1", "agv"]].map(([id, kind]) => ({ id, kind }));
+  const of = (id: string, barcode: string | null, mode: string | null = null) => {
+    const controller = { emergencies: [], waiting_for: [id], state: "auto", reason: "" };
+    const layout = { ...AROUND.layout, edges, vehicles: kinds } as unknown as Around["layout"];
+    return againstMove(vehicle(), { ...AROUND, controller, layout, vehicles: [{ id, barcode, mode }] });
+  };
+  expect(of("V002", "1002")).toEqual(["against_roll_call", "V002"]);
+  expect(of("V002", "2002")).toBeNull();
+  expect(of("V002", null)).toEqual(["against_roll_call", "V002"]);
+  expect(of("AGV1", null)).toBeNull();
+  expect(of("V002", "1002", "auto")).toBeNull();
 });
 
 test("a carrier is picked up by an empty vehicle and put down by a loaded one, at the station where it stands", () => {

@@ -3082,19 +3082,21 @@ var MANT_ONLY = /* @__PURE__ */ new Set([
 	"alarm_clear",
 	"auto"
 ]);
+/** Something that it was told is not over, though it may stand. */
+var DOING = /* @__PURE__ */ new Set([
+	"moving",
+	"acquiring",
+	"depositing"
+]);
 var lockedOut = (of) => of.lockout ? [
 	"against_lockout",
 	of.lockout.owner,
 	of.lockout.reason
 ] : null;
 var emergency = ({ controller }) => controller?.emergencies.length ? ["against_emergency"] : null;
-/** People are at work where it stands. */
+/** People are at work where it stands. What it covers counts, not what it says: it may not be believed there yet. */
 function atWork(vehicle, { closures }) {
-	const on = /* @__PURE__ */ new Set([
-		vehicle.barcode,
-		...vehicle.covered,
-		...vehicle.granted
-	]);
+	const on = /* @__PURE__ */ new Set([...vehicle.covered, ...vehicle.granted]);
 	const found = [...closures].find((one) => one.purpose === "work" && one.state === "closed" && one.kind !== "station" && one.barcodes.some((barcode) => on.has(barcode)));
 	return found ? [
 		"against_work",
@@ -3102,7 +3104,53 @@ function atWork(vehicle, { closures }) {
 		found.owner
 	] : null;
 }
-var notLinked = (vehicle) => vehicle.link.up && vehicle.mode !== null ? null : ["against_link"];
+var cut$1 = (vehicle) => vehicle.link.up ? null : ["against_link"];
+/** Nor has it said anything yet. */
+var notLinked = (vehicle) => cut$1(vehicle) ?? (vehicle.mode === null ? ["against_link"] : null);
+/** The stretches of track that no edge joins, each named by a barcode of it; of the layout that was asked about last. */
+var parted = {
+	of: null,
+	names: /* @__PURE__ */ new Map()
+};
+function stretchOf(barcode, layout) {
+	if (parted.of !== layout) {
+		const above = /* @__PURE__ */ new Map();
+		const top = (name) => {
+			let at = name;
+			for (let next = above.get(at); next !== void 0 && next !== at; next = above.get(at)) {
+				above.set(at, above.get(next) ?? next);
+				at = next;
+			}
+			return at;
+		};
+		for (const { start, end } of layout.edges) {
+			const [a, b] = [top(start), top(end)];
+			if (!above.has(b)) above.set(b, b);
+			above.set(a, b);
+		}
+		parted = {
+			of: layout,
+			names: new Map([...above.keys()].map((name) => [name, top(name)]))
+		};
+	}
+	return parted.names.get(barcode) ?? barcode;
+}
+/**
+* Who is missing since the start and may be on this vehicle's stretch of track: whose last place lies on it, or who may be
+* wherever its kind drives. One that has said something by now is left to the controller: it may be believed elsewhere.
+*/
+function missing(vehicle, { controller, layout, vehicles }) {
+	const names = controller?.waiting_for ?? [];
+	if (names.length === 0 || !layout || vehicle.barcode === null) return [];
+	const here = stretchOf(vehicle.barcode, layout);
+	const kinds = new Map(layout.vehicles.map(({ id, kind }) => [id, kind]));
+	const known = new Map([...vehicles].map((one) => [one.id, one]));
+	return names.filter((name) => {
+		const other = known.get(name);
+		if (!other || other.mode !== null) return false;
+		return other.barcode === null ? kinds.get(name) === kinds.get(vehicle.id) : stretchOf(other.barcode, layout) === here;
+	});
+}
 /** Why a person's command cannot reach a vehicle, whatever its mode. */
 function outOfReach(vehicle, command, around) {
 	const passes = HARMLESS.has(command);
@@ -3113,7 +3161,7 @@ function againstCommand(vehicle, command, around) {
 	const reach = outOfReach(vehicle, command === "display" ? "stop_by_host" : command, around);
 	if (reach) return reach;
 	if (MANT_ONLY.has(command) && vehicle.mode !== "mant") return ["against_not_mant", (vehicle.mode ?? "–").toUpperCase()];
-	if ((command === "stop_by_host" || command === "display") && vehicle.mode === "mant") return ["against_mant"];
+	if ((command === "stop_by_host" || command === "display") && vehicle.mode !== "auto" && vehicle.mode !== "semi") return ["against_mant"];
 	return command === "display" ? lockedOut(vehicle) : null;
 }
 /** Why a vehicle cannot be moved, parked or made to handle for a person. */
@@ -3122,13 +3170,14 @@ function againstMove(vehicle, around) {
 	const barred = lockedOut(vehicle) ?? (vehicle.hold ? ["against_hold"] : null);
 	if (barred) return barred;
 	if (vehicle.service !== "in_service") return ["against_service"];
-	const reach = atWork(vehicle, around) ?? notLinked(vehicle);
+	const reach = atWork(vehicle, around) ?? cut$1(vehicle);
 	if (reach) return reach;
 	if (vehicle.job) return ["against_job", vehicle.job];
 	if (vehicle.mode !== "auto") return ["against_not_auto"];
 	if (vehicle.oper === "alarm") return ["against_alarm"];
 	if (vehicle.activity === "settling" || vehicle.activity === "recovering") return ["against_settling"];
-	return around.controller?.waiting_for.length ? ["against_roll_call", around.controller.waiting_for.join(", ")] : null;
+	const absent = missing(vehicle, around);
+	return absent.length ? ["against_roll_call", absent.join(", ")] : null;
 }
 /** Why a vehicle cannot pick up or put down at a station where it stands. */
 function againstHandling(vehicle, station, pickup, around) {
@@ -3147,14 +3196,15 @@ function againstAgv(vehicle, command, around) {
 	const reach = outOfReach(vehicle, command, around);
 	if (reach) return reach;
 	const error = vehicle.oper === "alarm" ? ["against_alarm"] : null;
-	const busy = error ?? (vehicle.job ? ["against_job", vehicle.job] : vehicle.oper === "run" ? ["against_runs"] : null);
+	const runs = vehicle.oper === "run" || DOING.has(vehicle.activity);
+	const busy = error ?? (vehicle.job ? ["against_job", vehicle.job] : runs ? ["against_runs"] : null);
 	const auto = vehicle.mode === "auto" ? null : ["against_agv_manual"];
 	switch (command) {
 		case "alarm_clear": return error ? null : ["against_no_error"];
 		case "agv_mark_stop": return vehicle.oper === "run" ? null : ["against_stands"];
 		case "agv_move_manual": return vehicle.mode === "mant" ? error : ["against_agv_auto"];
-		case "agv_move_auto":
-		case "agv_move_alias": return auto ?? busy;
+		case "agv_move_auto": return auto ?? busy;
+		case "agv_move_alias": return auto ?? busy ?? againstMove(vehicle, around);
 		case "agv_charge on": return auto ?? busy ?? (around.layout?.chargers.some(({ barcode }) => barcode === vehicle.barcode) ? null : ["against_no_charger"]);
 		case "agv_set_current":
 		case "agv_lift up":
@@ -3280,7 +3330,8 @@ function around() {
 	return {
 		controller: controller.value,
 		closures: closures.values(),
-		layout: layout.value
+		layout: layout.value,
+		vehicles: vehicles.values()
 	};
 }
 /** Attributes of a button: disabled, with why in its title; nothing where nothing speaks against it. */
