@@ -74,3 +74,33 @@ def test_no_word_is_broken_and_no_button_lies_outside(plant: Staffed, language: 
             expect(page.locator(".room, .left > *").first).to_be_visible()
             page.wait_for_load_state("networkidle")
             assert page.evaluate(SQUEEZED) == [], room
+
+
+@pytest.mark.parametrize(("width", "height"), [(1024, 768), (800, 600)])
+def test_a_transfer_is_ordered_in_any_room_of_a_narrow_screen(plant: Staffed, width: int, height: int) -> None:
+    with plant.at_work("kim", "alarms") as page:
+        page.set_viewport_size({"width": width, "height": height})
+        opener = page.get_by_role("button", name="New transfer")
+        form = page.locator("form.transfer")
+        expect(form).to_be_hidden()
+        opener.click()
+        expect(form.locator("select").first).to_be_focused()
+        form.locator("select").first.select_option("P1")
+        form.locator("select").last.select_option("P2")
+        form.get_by_role("button", name="Order", exact=True).click()
+        expect(form.locator(".outcome .problem, .outcome .done:not(:empty)")).to_be_in_viewport()
+        page.keyboard.press("Escape")
+        expect(form).to_be_hidden()
+        expect(opener).to_be_focused()
+        assert opener.get_attribute("aria-expanded") == "false"
+        opener.click()
+        page.get_by_role("button", name="Jobs", exact=True).click()
+        expect(form).to_be_hidden()
+        for name in page.locator("nav.rooms button").all():
+            expect(name).to_be_in_viewport(ratio=1)
+
+
+def test_the_form_has_its_place_beside_the_table_where_there_is_room(plant: Staffed) -> None:
+    with plant.at_work("kim", "alarms") as page:
+        expect(page.locator("form.transfer")).to_be_visible()
+        expect(page.get_by_role("button", name="New transfer")).to_be_hidden()

@@ -17,6 +17,7 @@ import { JobRoom } from "./JobRoom";
 import { Jobs } from "./Jobs";
 import { Layouts } from "./Layouts";
 import { LogIn } from "./LogIn";
+import { CloseOrder, OpenOrder, ordering } from "./Ordering";
 import { PastPanel } from "./PastPanels";
 import { PastEvents, Playback } from "./Playback";
 import { StationPanel } from "./StationPanel";
@@ -39,12 +40,16 @@ export function App() {
     <div class={away.value ? "page old" : "page"}>
       <Header />
       <div>
-        <Rooms />
+        <div class="top">
+          <Rooms />
+          <OpenOrder />
+        </div>
         <Away />
       </div>
       <main>
         <section class="left">{room.value === "map" ? <Plan /> : <Room />}</section>
-        <aside class={pick ? (room.value === "map" ? "telling" : "telling alone") : room.value === "map" ? "" : "spare"}>
+        <aside id="ordering" class={pick ? (room.value === "map" ? "telling" : "telling alone") : room.value === "map" ? "" : ordering.value ? "spare open" : "spare"}>
+          <CloseOrder />
           <Transfer />
           {pick?.kind === "vehicle" && <VehiclePanel key={pick.id} id={pick.id} />}
           {pick?.kind === "station" && <StationPanel key={pick.id} id={pick.id} />}

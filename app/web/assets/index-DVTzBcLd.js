@@ -13390,6 +13390,54 @@ function LogIn() {
 		})
 	});
 }
+// src/parts/Ordering.tsx
+/**
+* Where the order form is on a narrow screen: beside the map as everywhere; in another room its table needs the width, and the form
+* lies over it when somebody opens it. The style sheet shows these buttons where there is no room beside the table.
+*/
+var OPENER = "open-ordering";
+var ordering = y$1(false);
+/** Another room, or something that was chosen: the form has done its work. */
+x(() => {
+	room$1.value;
+	selected.value;
+	ordering.value = false;
+});
+function close() {
+	ordering.value = false;
+	document.getElementById(OPENER)?.focus();
+}
+function open() {
+	ordering.value = true;
+	requestAnimationFrame(() => document.querySelector("#ordering select")?.focus());
+}
+function OpenOrder() {
+	if (room$1.value === "map" || selected.value) return null;
+	return /* @__PURE__ */ a("button", {
+		type: "button",
+		id: OPENER,
+		class: "opens-order",
+		"aria-expanded": ordering.value,
+		"aria-controls": "ordering",
+		onClick: () => ordering.value ? close() : open(),
+		children: t("new_transfer")
+	});
+}
+/** At the top of what lies over the table; Escape does the same from anywhere in it. */
+function CloseOrder() {
+	if (!ordering.value) return null;
+	return /* @__PURE__ */ a("div", {
+		class: "closes-order",
+		children: /* @__PURE__ */ a("button", {
+			type: "button",
+			onClick: close,
+			children: t("close")
+		})
+	});
+}
+document.addEventListener("keydown", (event) => {
+	if (event.key === "Escape" && ordering.value && !event.defaultPrevented && !document.querySelector("dialog[open]")) close();
+});
 // src/waiting.ts
 /** The vehicle at the end of a chain of waits, which does not wait for another itself; null: this one waits for none, or in a circle. */
 function rootOf(vehicle, find) {
@@ -19996,13 +20044,18 @@ function App() {
 		class: away.value ? "page old" : "page",
 		children: [
 			/* @__PURE__ */ a(Header, {}),
-			/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a(Rooms, {}), /* @__PURE__ */ a(Away, {})] }),
+			/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("div", {
+				class: "top",
+				children: [/* @__PURE__ */ a(Rooms, {}), /* @__PURE__ */ a(OpenOrder, {})]
+			}), /* @__PURE__ */ a(Away, {})] }),
 			/* @__PURE__ */ a("main", { children: [/* @__PURE__ */ a("section", {
 				class: "left",
 				children: room$1.value === "map" ? /* @__PURE__ */ a(Plan, {}) : /* @__PURE__ */ a(Room, {})
 			}), /* @__PURE__ */ a("aside", {
-				class: pick ? room$1.value === "map" ? "telling" : "telling alone" : room$1.value === "map" ? "" : "spare",
+				id: "ordering",
+				class: pick ? room$1.value === "map" ? "telling" : "telling alone" : room$1.value === "map" ? "" : ordering.value ? "spare open" : "spare",
 				children: [
+					/* @__PURE__ */ a(CloseOrder, {}),
 					/* @__PURE__ */ a(Transfer, {}),
 					pick?.kind === "vehicle" && /* @__PURE__ */ a(VehiclePanel, { id: pick.id }, pick.id),
 					pick?.kind === "station" && /* @__PURE__ */ a(StationPanel, { id: pick.id }, pick.id),
