@@ -10,7 +10,7 @@ import { Labels } from "./paint/labels";
 import { wingOf } from "./paint/doors";
 import { paintClosed, paintPreviewed, paintGrants, paintHeat, paintHolds, paintPlan } from "./paint/over";
 import { paintPlant } from "./paint/plant";
-import { type Body, paintFleet, paintRings, Signs, visible } from "./paint/vehicles";
+import { type Body, coveredBy, paintFleet, paintRings, Signs, urgent, visible } from "./paint/vehicles";
 import { plan } from "./plan";
 import { clustersOf, MARK } from "./places";
 import { Sheet } from "./sheet";
@@ -62,6 +62,9 @@ export class Painter {
   private painted = 0;
   private moved = Number.NEGATIVE_INFINITY;
   private namesAt = { scale: 0, x: 0, y: 0 };
+  /** Vehicles in trouble that stand, and where, in words: the names of stations keep clear of them. */
+  private stranded: Body[] = [];
+  private strandedAt = "";
   private count = 0;
 
   constructor(
@@ -237,7 +240,7 @@ export class Painter {
     const alarm = this.bodies.some((body) => body.look === "alarm");
     const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
     const busy = !STILL.matches && (alarm || drives);
-    if (busy || moving || this.overStale || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
+    if (busy || moving || this.stale || this.overStale || [this.ground, this.over, this.front].some((sheet) => sheet.blurred)) this.wake();
   }
 
   /** How long until the fastest vehicle has moved by a pixel: more often nothing would be seen to change, ms. */
@@ -254,13 +257,25 @@ export class Painter {
   private paintFront(ms: number): void {
     this.painted = ms;
     this.bodies = this.placed(ms / 1000);
+    this.strand();
     const at = this.front.begin(this.view, ms);
     const { ctx } = this.front;
     const seen = this.bodies.filter((body) => visible(at, body));
     paintFleet(ctx, at, seen);
     const pulse = STILL.matches ? 0 : ((ms / 1000) % 1.4) / 1.4;
     paintRings(ctx, at, seen, (body) => this.looked(body), pulse);
-    this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, (box) => this.names.free(this.onGround(box, at)));
+    const free = (box: Box): boolean => this.names.free(this.onGround(box, at));
+    const { margin } = this.front;
+    const shown = { x0: margin, y0: margin, x1: at.width - margin, y1: at.height - margin };
+    this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, free, shown);
+  }
+
+  /** Note which vehicles in trouble stand where; what stands still is painted anew when that changes. */
+  private strand(): void {
+    this.stranded = this.bodies.filter((body) => urgent(body) && !this.glides.get(body.vehicle.id)?.busy);
+    const at = this.stranded.map(({ vehicle, spot }) => `${vehicle.id} ${Math.round(spot.x / 100)} ${Math.round(spot.y / 100)}`).join();
+    if (at !== this.strandedAt) this.stale = true;
+    this.strandedAt = at;
   }
 
   private paintGround(scene: Scene, ms: number): void {
@@ -274,7 +289,7 @@ export class Painter {
       zones: layers.value.zones,
     };
     const at = this.ground.begin(this.view, ms);
-    this.names = paintPlant(this.ground.ctx, at, scene, now);
+    this.names = paintPlant(this.ground.ctx, at, scene, now, this.stranded.map((body) => coveredBy(at, body)));
     this.namesAt = { scale: at.scale, x: at.x, y: at.y };
   }
 

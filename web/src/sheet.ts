@@ -13,7 +13,7 @@ export class Sheet {
   /** `margin`: painted beyond each edge of the map, px. */
   constructor(
     readonly canvas: HTMLCanvasElement,
-    private readonly margin: number,
+    readonly margin: number,
   ) {
     this.ctx = canvas.getContext("2d") as CanvasRenderingContext2D;
     canvas.style.transformOrigin = "0 0";

@@ -3,12 +3,14 @@ import { doorMarks } from "../src/doors";
 import { joins, worldOf } from "../src/ends";
 import { Glide } from "../src/glide";
 import { Labels } from "../src/paint/labels";
+import type { Now, Scene } from "../src/paint/ink";
+import { paintPlant } from "../src/paint/plant";
 import { Signs } from "../src/paint/vehicles";
 import { clustersOf } from "../src/places";
 import { colourOfDevice, DEVICE_LOOKS, lookOf, lookOfDevice, lookOfDrive, signOfDevice } from "../src/shows";
 import { Track } from "../src/track";
 import type { Device, Drive, Layout, Vehicle } from "../src/types";
-import { View } from "../src/view";
+import { type Box, View } from "../src/view";
 
 const edge = (start: string, end: string) => ({ start, end, length: 1000, speed: 100, sensor: 0, curve: false });
 const point = (barcode: string, x: number, y = 0) => ({ barcode, x, y, park: false });
@@ -115,20 +117,78 @@ describe("names", () => {
 });
 
 describe("names of vehicles", () => {
-  const said: string[] = [];
-  const ctx = { measureText: () => ({ width: 30 }), fillText: (words: string) => said.push(words), beginPath() {}, roundRect() {}, fill() {} };
-  const paint = (look: "idle" | "held", still: boolean): string[] => {
-    said.length = 0;
-    const view = new View();
+  const view = Object.assign(new View(), { scale: 0.03, x: 200, y: 150, width: 400, height: 300 });
+  const signs = new Signs();
+  /** What is said where, and where lines end. */
+  const paint = (look: "idle" | "held", still: (box: Box) => boolean, by = signs) => {
+    const said: { words: string; x: number; y: number }[] = [];
+    const lines: [number, number][] = [];
+    const ctx = {
+      measureText: () => ({ width: 30 }),
+      fillText: (words: string, x: number, y: number) => said.push({ words, x, y }),
+      lineTo: (x: number, y: number) => lines.push([x, y]),
+      beginPath() {},
+      moveTo() {},
+      stroke() {},
+      roundRect() {},
+      fill() {},
+    };
     const body = { vehicle: { id: "V1" } as Vehicle, look, agv: false, spot: { x: 0, y: 0, angle: 0 }, length: 900 };
-    new Signs().paint(ctx as unknown as CanvasRenderingContext2D, view, [body], () => false, () => still);
-    return said;
+    by.paint(ctx as unknown as CanvasRenderingContext2D, view, [body], () => false, still, { x0: 0, y0: 0, x1: 400, y1: 300 });
+    return { said, lines };
+  };
+  /** A station's name lies over all that is near the vehicle. */
+  const around = { x0: 120, x1: 280, y0: 100, y1: 200 };
+  const beside = (box: Box): boolean => box.x1 < around.x0 || box.x0 > around.x1 || box.y1 < around.y0 || box.y0 > around.y1;
+
+  test("leave the names of stations free: one of a vehicle in trouble is set farther off, with a line to it", () => {
+    expect(paint("idle", () => true).said.map(({ words }) => words)).toEqual(["V1"]);
+    expect(paint("idle", beside).said).toEqual([]);
+    const { said, lines } = paint("held", beside);
+    expect(said.map(({ words }) => words)).toEqual(["V1 ‖"]);
+    const { x, y } = said[0] as { x: number; y: number };
+    expect(beside({ x0: x - 19, x1: x + 19, y0: y - 10, y1: y + 3 })).toBe(true);
+    expect([x > 19 && x < 381, y > 10 && y < 297]).toEqual([true, true]);
+    expect(lines.length).toBeGreaterThan(0);
+    expect(lines.at(-1)?.[0]).toBe(x);
+  });
+
+  test("stay where they are while that is free, and need no line beside the vehicle", () => {
+    const [first, second] = [paint("held", beside), paint("held", beside)];
+    expect(second.said).toEqual(first.said);
+    const near = paint("held", () => true, new Signs());
+    const far = Math.hypot((near.said[0]?.x ?? 0) - 200, (near.said[0]?.y ?? 0) - 150);
+    expect(far).toBeLessThan(60);
+  });
+
+  test("of vehicles in trouble cover a station's where there is no room at all: it is the vehicle that needs somebody", () => {
+    expect(paint("held", () => false, new Signs()).said.map(({ words }) => words)).toEqual(["V1 ‖"]);
+  });
+});
+
+describe("the name of a station", () => {
+  const clusters = clustersOf(HALL, track);
+  const scene: Scene = { layout: HALL, track, clusters, marks: clusters.flatMap(({ marks }) => marks), doors: [] };
+  const view = Object.assign(new View(), { scale: 0.03, x: 300, y: 200, width: 800, height: 700 });
+  const now: Now = { station: () => undefined, device: () => undefined, look: () => "silent", picked: null, zones: false };
+  const named = (trouble: Box[]): { x: number; y: number } => {
+    const said = new Map<string, { x: number; y: number }>();
+    const known: Record<string, unknown> = { measureText: () => ({ width: 30 }), fillText: (words: string, x: number, y: number) => said.set(words, { x, y }) };
+    const ctx = new Proxy({}, { get: (_, name: string) => known[name] ?? (() => undefined), set: () => true });
+    paintPlant(ctx as CanvasRenderingContext2D, view, scene, now, trouble);
+    return said.get("AB1") as { x: number; y: number };
   };
 
-  test("leave the names of stations free, unless the vehicle is in trouble", () => {
-    expect(paint("idle", true)).toEqual(["V1"]);
-    expect(paint("idle", false)).toEqual([]);
-    expect(paint("held", false)).toEqual(["V1 ‖"]);
+  test("keeps clear of a vehicle that stands in trouble, and is not lost", () => {
+    const usual = named([]);
+    const over = { x0: usual.x - 20, x1: usual.x + 20, y0: usual.y - 14, y1: usual.y + 6 };
+    const { x, y } = named([over]);
+    expect(x + 17 <= over.x0 || x - 17 >= over.x1 || y + 3 <= over.y0 || y - 10 >= over.y1).toBe(true);
+    expect(Math.hypot(x - usual.x, y - usual.y)).toBeLessThan(120);
+  });
+
+  test("stays where a vehicle covers all around it", () => {
+    expect(named([{ x0: 0, x1: 800, y0: 0, y1: 700 }])).toEqual(named([]));
   });
 });
 

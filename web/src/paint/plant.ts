@@ -1,5 +1,5 @@
 /** Drawing of what stands still: track, zones, barcodes, and, over them, stations and doors. */
-import type { View } from "../view";
+import type { Box, View } from "../view";
 import type { Track, Vec, Way } from "../track";
 import type { LayoutZone } from "../types";
 import { paintDoors } from "./doors";
@@ -10,8 +10,8 @@ import { paintStations } from "./stations";
 /** Below this scale a whole fab is on the map, and what is small is left out. */
 const FINE = 0.011;
 
-/** Draws the plant; returns what room names and marks take, for those that are drawn over it. */
-export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): Labels {
+/** Draws the plant; returns what room names and marks take, for those that are drawn over it. `trouble`: what names keep clear of. */
+export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now, trouble: Box[]): Labels {
   ctx.lineJoin = "round";
   const rail = Math.min(14, Math.max(view.scale < FINE ? 1.6 : 3, 260 * view.scale));
   ctx.lineCap = view.scale < FINE ? "butt" : "round";
@@ -22,7 +22,9 @@ export function paintPlant(ctx: Ctx, view: View, scene: Scene, now: Now): Labels
   paintDots(ctx, view, scene.track, rail);
   const labels = new Labels();
   paintDoors(ctx, view, scene, now, labels);
-  paintStations(ctx, view, scene, now, labels);
+  const kept = new Labels();
+  for (const box of trouble) kept.block(box);
+  paintStations(ctx, view, scene, now, labels, kept);
   nameBarcodes(ctx, view, scene.track, rail, labels);
   return labels;
 }

@@ -4,14 +4,17 @@ import { type DeviceLook, lookOfDevice, signOfDevice } from "../shows";
 import type { Device, Station } from "../types";
 import type { Box, View } from "../view";
 import { type Ctx, DEVICE_INK, font, INK, type Now, type Scene, text, widthOf } from "./ink";
-import type { Labels, Place } from "./labels";
+import { boxOf, type Labels, type Place } from "./labels";
 
 /** Below this scale a station is a dot, and only what is occupied or closed is told apart. */
 const DOTS = 0.011;
 /** Below this one their machines have no names. */
 const NAMED = 0.012;
+/** A line of letters, px. */
+const FURTHER = 14;
 
-export function paintStations(ctx: Ctx, view: View, scene: Scene, now: Now, labels: Labels): void {
+/** `trouble`: what vehicles cover that stand there until somebody comes; names keep clear of it where they can. */
+export function paintStations(ctx: Ctx, view: View, scene: Scene, now: Now, labels: Labels, trouble: Labels): void {
   const size = Math.max(7, MARK * view.scale);
   if (view.scale < DOTS) {
     paintDots(ctx, view, scene, now);
@@ -32,7 +35,7 @@ export function paintStations(ctx: Ctx, view: View, scene: Scene, now: Now, labe
     }
   });
   if (view.scale < NAMED) return;
-  seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i] as Box, labels));
+  seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i] as Box, labels, trouble));
 }
 
 function near(view: View, { x, y }: Mark): boolean {
@@ -209,8 +212,11 @@ function flash(ctx: Ctx, size: number): void {
   ctx.fill();
 }
 
-/** The name goes away from the track if there is room, else to another side of the frame, else nowhere. */
-function paintName(ctx: Ctx, view: View, cluster: Cluster, frame: Box, labels: Labels): void {
+/**
+ * The name goes away from the track if there is room, else to another side of the frame, else nowhere. Where a vehicle in trouble
+ * stands over all of these, it goes a line further off.
+ */
+function paintName(ctx: Ctx, view: View, cluster: Cluster, frame: Box, labels: Labels, trouble: Labels): void {
   const letters = font(view.scale > 0.045 ? 12 : 10.5, 600);
   const width = widthOf(ctx, cluster.name, letters);
   const half = width / 2;
@@ -226,6 +232,10 @@ function paintName(ctx: Ctx, view: View, cluster: Cluster, frame: Box, labels: L
   // Over or under a frame beside upright track, the name begins at the frame's edge: so it does not lie on the track.
   const away = nx < 0 ? frame.x1 - half : frame.x0 + half;
   const others = flat ? [left, right] : [{ ...above, x: away }, { ...below, x: away }, above, below];
-  const place = [first, ...others][labels.take([first, ...others], width)];
+  const room = [first, ...others].filter((one) => labels.free(boxOf(one, width)));
+  const further = [above, below].flatMap(({ x, y }) => [x, left.x, right.x].map((at) => ({ x: at, y: y + (y < my ? -FURTHER : FURTHER) })));
+  const clear = [...room, ...(room.length > 0 ? further : [])].filter((one) => trouble.free(boxOf(one, width)));
+  const places = [...clear, ...room];
+  const place = places[labels.take(places, width)];
   if (place) text(ctx, cluster.name, place.x, place.y, INK.text, letters);
 }

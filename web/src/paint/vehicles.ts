@@ -152,26 +152,30 @@ const FEW = 60;
 /** Height of a vehicle's name with its ground, px. */
 const LINE = 15;
 
+/** So many lines away from its vehicle a name is set at most where nothing nearer is free; a line leads to it. */
+const FARTHEST = 8;
+
 /**
  * Names beside their vehicles. One that is looked at or in trouble goes first; each stays on its side while there is room; where
- * there is none at all, the name is left out unless it is one of those.
+ * there is none at all, the name is left out unless it is one of those: then it is set where both it and what stands still can be
+ * read, with a line to its vehicle.
  */
 export class Signs {
   private readonly sides = new Map<string, number>();
 
-  /** `still`: whether a box is free of the names of what stands still; only one that is looked at or in trouble covers them, where there is no other room. */
-  paint(ctx: Ctx, view: View, seen: Body[], first: (body: Body) => boolean, still: (box: Box) => boolean): void {
+  /** `still`: whether a box is free of the names of what stands still; they are covered only where nothing around is free. `shown`: what is seen of the sheet. */
+  paint(ctx: Ctx, view: View, seen: Body[], first: (body: Body) => boolean, still: (box: Box) => boolean, shown: Box): void {
     const labels = new Labels();
     const rank = (body: Body): number => (first(body) ? 0 : urgent(body) ? 1 : 2);
     const all = view.scale > NAMED || seen.length < FEW;
     const named = all ? seen : seen.filter((body) => rank(body) < 2).slice(0, FEW);
     for (const body of all ? seen : named) labels.block(hullOf(view, body));
     for (const body of named.toSorted((a, b) => rank(a) - rank(b))) {
-      this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
+      this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still, shown);
     }
   }
 
-  private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: (box: Box) => boolean): void {
+  private sign(ctx: Ctx, view: View, body: Body, must: boolean, ringed: boolean, labels: Labels, still: (box: Box) => boolean, shown: Box): void {
     const { vehicle, look } = body;
     const words = SIGNS[look] ? `${vehicle.id} ${SIGNS[look]}` : vehicle.id;
     const width = widthOf(ctx, words, font(11, 700)) + 8;
@@ -179,7 +183,16 @@ export class Signs {
     const side = this.sides.get(vehicle.id) ?? 0;
     const order = [side, ...places.keys()].filter((one) => one < places.length);
     const clear = order.filter((one) => labels.free(grown(places[one] as Place, width)));
-    const found = clear.find((one) => still(grown(places[one] as Place, width))) ?? (must ? (clear[0] ?? 0) : undefined);
+    const free = (place: Place): boolean => labels.free(grown(place, width)) && still(grown(place, width));
+    let found = clear.find((one) => still(grown(places[one] as Place, width)));
+    if (found === undefined && must) {
+      const near = places.length;
+      places.push(...away(view, body, width, shown));
+      const stays = side >= near && side < places.length && free(places[side] as Place);
+      found = stays ? side : places.findIndex((place, one) => one >= near && free(place));
+      if (found < 0) found = clear[0] ?? 0;
+      else lead(ctx, view, body, places[found] as Place, LOOK_INK[look]);
+    }
     if (found === undefined) return;
     this.sides.set(vehicle.id, found);
     const { x, y } = places[found] as Place;
@@ -192,7 +205,15 @@ export class Signs {
   }
 }
 
-function urgent({ look }: Body): boolean {
+/** What a vehicle in trouble covers, with its ring or brackets, px. */
+export function coveredBy(view: View, body: Body): Box {
+  const hull = hullOf(view, body);
+  const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+  const r = Math.max(10, 900 * view.scale) + 2;
+  return { x0: Math.min(hull.x0, px - r), x1: Math.max(hull.x1, px + r), y0: Math.min(hull.y0, py - r), y1: Math.max(hull.y1, py + r) };
+}
+
+export function urgent({ look }: Body): boolean {
   return look === "alarm" || look === "held";
 }
 
@@ -223,6 +244,35 @@ function ringOf(view: View, body: Body): Box {
   const radius = sizeOf(view, body)[0] * 0.8;
   const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
   return { x0: px - radius, x1: px + radius, y0: py - radius, y1: py + radius };
+}
+
+/** Around the hull, nearest first, as far as the map is seen. */
+function away(view: View, { spot }: Body, width: number, shown: Box): Place[] {
+  const [px, py] = [view.px(spot.x), view.py(spot.y)];
+  const places: Place[] = [];
+  for (let line = 2; line <= FARTHEST; line++) {
+    for (let turn = 0; turn < 16; turn++) {
+      const angle = (turn * Math.PI) / 8 - Math.PI / 2;
+      const x = px + Math.cos(angle) * (line * LINE + width / 2);
+      const y = py + 4 + Math.sin(angle) * line * LINE;
+      const inside = x - width / 2 > shown.x0 && x + width / 2 < shown.x1 && y - LINE > shown.y0 && y + 4 < shown.y1;
+      if (inside) places.push({ x, y });
+    }
+  }
+  return places;
+}
+
+/** A line from the hull to its name. */
+function lead(ctx: Ctx, view: View, body: Body, { x, y }: Place, colour: string): void {
+  const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+  const [dx, dy] = [x - px, y - 4 - py];
+  const from = (sizeOf(view, body)[0] * 0.55) / Math.max(1, Math.hypot(dx, dy));
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = 1.4;
+  ctx.beginPath();
+  ctx.moveTo(px + dx * from, py + dy * from);
+  ctx.lineTo(x, y - 4);
+  ctx.stroke();
 }
 
 /** Beside the hull, across the track first; then a line further off. */

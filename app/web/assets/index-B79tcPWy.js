@@ -3052,7 +3052,7 @@ function begin$4() {
 /** The controller has told the page something since it was opened; of the past: there is a moment that is shown. */
 var answered = O(() => inPast.value ? pastShown.value : heardAt.value > 0);
 /** What is shown is what was, since the controller does not answer. */
-var away = O(() => link.value !== "live" && heardAt.value > 0);
+var away$1 = O(() => link.value !== "live" && heardAt.value > 0);
 /** When it was heard last, as time of day at this place. */
 var lastHeard = () => clock(new Date(heardAt.value).toISOString());
 /** What stands in an empty list: the words for that there is nothing, or that nobody knows. */
@@ -5045,7 +5045,7 @@ function Fact(props) {
 /** Says over the page that the controller does not answer, and of when what stands there is. */
 function Away() {
 	tick.value;
-	if (inPast.value || answered.value && !away.value) return null;
+	if (inPast.value || answered.value && !away$1.value) return null;
 	const never = !answered.value;
 	if (never && link.value !== "lost") return null;
 	const words = never ? t("away_never") : t("away_since", lastHeard(), t("ago", span(Date.now() - heardAt.value)));
@@ -11352,9 +11352,9 @@ function ControllerState() {
 	const roll = now.waiting_for.length ? t("waiting_for", now.waiting_for.join(", ")) : "";
 	const why = tell(notice.value || grave || now.reason || roll);
 	return /* @__PURE__ */ a($, { children: [/* @__PURE__ */ a("span", {
-		class: `pill ${away.value ? "" : tone}`,
+		class: `pill ${away$1.value ? "" : tone}`,
 		title: t("controller"),
-		children: away.value ? t("state_then", said$1(now.state), lastHeard()) : said$1(now.state)
+		children: away$1.value ? t("state_then", said$1(now.state), lastHeard()) : said$1(now.state)
 	}), /* @__PURE__ */ a("span", {
 		class: `why ${grave ? "bad" : ""}`,
 		role: "status",
@@ -15222,7 +15222,10 @@ function room(track, spot, sign) {
 var DOTS = .011;
 /** Below this one their machines have no names. */
 var NAMED$1 = .012;
-function paintStations(ctx, view, scene, now, labels) {
+/** A line of letters, px. */
+var FURTHER = 14;
+/** `trouble`: what vehicles cover that stand there until somebody comes; names keep clear of it where they can. */
+function paintStations(ctx, view, scene, now, labels, trouble) {
 	const size = Math.max(7, 460 * view.scale);
 	if (view.scale < DOTS) {
 		paintDots$1(ctx, view, scene, now);
@@ -15243,7 +15246,7 @@ function paintStations(ctx, view, scene, now, labels) {
 		}
 	});
 	if (view.scale < NAMED$1) return;
-	seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i], labels));
+	seen.forEach((cluster, i) => paintName(ctx, view, cluster, frames[i], labels, trouble));
 }
 function near(view, { x, y }) {
 	return view.sees({
@@ -15406,8 +15409,11 @@ function flash(ctx, size) {
 	ctx.closePath();
 	ctx.fill();
 }
-/** The name goes away from the track if there is room, else to another side of the frame, else nowhere. */
-function paintName(ctx, view, cluster, frame, labels) {
+/**
+* The name goes away from the track if there is room, else to another side of the frame, else nowhere. Where a vehicle in trouble
+* stands over all of these, it goes a line further off.
+*/
+function paintName(ctx, view, cluster, frame, labels, trouble) {
 	const letters = font(view.scale > .045 ? 12 : 10.5, 600);
 	const width = widthOf(ctx, cluster.name, letters);
 	const half = width / 2;
@@ -15433,7 +15439,7 @@ function paintName(ctx, view, cluster, frame, labels) {
 	const flat = Math.abs(ny) > Math.abs(nx);
 	const first = flat ? ny < 0 ? above : below : nx < 0 ? left : right;
 	const away = nx < 0 ? frame.x1 - half : frame.x0 + half;
-	const others = flat ? [left, right] : [
+	const room = [first, ...flat ? [left, right] : [
 		{
 			...above,
 			x: away
@@ -15444,15 +15450,24 @@ function paintName(ctx, view, cluster, frame, labels) {
 		},
 		above,
 		below
-	];
-	const place = [first, ...others][labels.take([first, ...others], width)];
+	]].filter((one) => labels.free(boxOf$1(one, width)));
+	const further = [above, below].flatMap(({ x, y }) => [
+		x,
+		left.x,
+		right.x
+	].map((at) => ({
+		x: at,
+		y: y + (y < my ? -14 : FURTHER)
+	})));
+	const places = [...[...room, ...room.length > 0 ? further : []].filter((one) => trouble.free(boxOf$1(one, width))), ...room];
+	const place = places[labels.take(places, width)];
 	if (place) text(ctx, cluster.name, place.x, place.y, INK.text, letters);
 }
 // src/paint/plant.ts
 /** Below this scale a whole fab is on the map, and what is small is left out. */
 var FINE = .011;
-/** Draws the plant; returns what room names and marks take, for those that are drawn over it. */
-function paintPlant(ctx, view, scene, now) {
+/** Draws the plant; returns what room names and marks take, for those that are drawn over it. `trouble`: what names keep clear of. */
+function paintPlant(ctx, view, scene, now, trouble) {
 	ctx.lineJoin = "round";
 	const rail = Math.min(14, Math.max(view.scale < FINE ? 1.6 : 3, 260 * view.scale));
 	ctx.lineCap = view.scale < FINE ? "butt" : "round";
@@ -15463,7 +15478,9 @@ function paintPlant(ctx, view, scene, now) {
 	paintDots(ctx, view, scene.track, rail);
 	const labels = new Labels();
 	paintDoors(ctx, view, scene, now, labels);
-	paintStations(ctx, view, scene, now, labels);
+	const kept = new Labels();
+	for (const box of trouble) kept.block(box);
+	paintStations(ctx, view, scene, now, labels, kept);
 	nameBarcodes(ctx, view, scene.track, rail, labels);
 	return labels;
 }
@@ -15792,28 +15809,40 @@ var NAMED = .014;
 var FEW = 60;
 /** Height of a vehicle's name with its ground, px. */
 var LINE = 15;
+/** So many lines away from its vehicle a name is set at most where nothing nearer is free; a line leads to it. */
+var FARTHEST = 8;
 /**
 * Names beside their vehicles. One that is looked at or in trouble goes first; each stays on its side while there is room; where
-* there is none at all, the name is left out unless it is one of those.
+* there is none at all, the name is left out unless it is one of those: then it is set where both it and what stands still can be
+* read, with a line to its vehicle.
 */
 var Signs = class {
 	sides = /* @__PURE__ */ new Map();
-	/** `still`: whether a box is free of the names of what stands still; only one that is looked at or in trouble covers them, where there is no other room. */
-	paint(ctx, view, seen, first, still) {
+	/** `still`: whether a box is free of the names of what stands still; they are covered only where nothing around is free. `shown`: what is seen of the sheet. */
+	paint(ctx, view, seen, first, still, shown) {
 		const labels = new Labels();
 		const rank = (body) => first(body) ? 0 : urgent(body) ? 1 : 2;
 		const all = view.scale > NAMED || seen.length < FEW;
 		const named = all ? seen : seen.filter((body) => rank(body) < 2).slice(0, FEW);
 		for (const body of all ? seen : named) labels.block(hullOf(view, body));
-		for (const body of named.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still);
+		for (const body of named.toSorted((a, b) => rank(a) - rank(b))) this.sign(ctx, view, body, rank(body) < 2, first(body), labels, still, shown);
 	}
-	sign(ctx, view, body, must, ringed, labels, still) {
+	sign(ctx, view, body, must, ringed, labels, still, shown) {
 		const { vehicle, look } = body;
 		const words = SIGNS[look] ? `${vehicle.id} ${SIGNS[look]}` : vehicle.id;
 		const width = widthOf(ctx, words, font(11, 700)) + 8;
 		const places = placesFor(view, body, width, ringed);
-		const clear = [this.sides.get(vehicle.id) ?? 0, ...places.keys()].filter((one) => one < places.length).filter((one) => labels.free(grown(places[one], width)));
-		const found = clear.find((one) => still(grown(places[one], width))) ?? (must ? clear[0] ?? 0 : void 0);
+		const side = this.sides.get(vehicle.id) ?? 0;
+		const clear = [side, ...places.keys()].filter((one) => one < places.length).filter((one) => labels.free(grown(places[one], width)));
+		const free = (place) => labels.free(grown(place, width)) && still(grown(place, width));
+		let found = clear.find((one) => still(grown(places[one], width)));
+		if (found === void 0 && must) {
+			const near = places.length;
+			places.push(...away(view, body, width, shown));
+			found = side >= near && side < places.length && free(places[side]) ? side : places.findIndex((place, one) => one >= near && free(place));
+			if (found < 0) found = clear[0] ?? 0;
+			else lead(ctx, view, body, places[found], LOOK_INK[look]);
+		}
 		if (found === void 0) return;
 		this.sides.set(vehicle.id, found);
 		const { x, y } = places[found];
@@ -15828,6 +15857,18 @@ var Signs = class {
 		text(ctx, words, x, y, LOOK_INK[look], font(11, 700));
 	}
 };
+/** What a vehicle in trouble covers, with its ring or brackets, px. */
+function coveredBy(view, body) {
+	const hull = hullOf(view, body);
+	const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+	const r = Math.max(10, 900 * view.scale) + 2;
+	return {
+		x0: Math.min(hull.x0, px - r),
+		x1: Math.max(hull.x1, px + r),
+		y0: Math.min(hull.y0, py - r),
+		y1: Math.max(hull.y1, py + r)
+	};
+}
 function urgent({ look }) {
 	return look === "alarm" || look === "held";
 }
@@ -15869,6 +15910,33 @@ function ringOf(view, body) {
 		y0: py - radius,
 		y1: py + radius
 	};
+}
+/** Around the hull, nearest first, as far as the map is seen. */
+function away(view, { spot }, width, shown) {
+	const [px, py] = [view.px(spot.x), view.py(spot.y)];
+	const places = [];
+	for (let line = 2; line <= FARTHEST; line++) for (let turn = 0; turn < 16; turn++) {
+		const angle = turn * Math.PI / 8 - Math.PI / 2;
+		const x = px + Math.cos(angle) * (line * LINE + width / 2);
+		const y = py + 4 + Math.sin(angle) * line * LINE;
+		if (x - width / 2 > shown.x0 && x + width / 2 < shown.x1 && y - LINE > shown.y0 && y + 4 < shown.y1) places.push({
+			x,
+			y
+		});
+	}
+	return places;
+}
+/** A line from the hull to its name. */
+function lead(ctx, view, body, { x, y }, colour) {
+	const [px, py] = [view.px(body.spot.x), view.py(body.spot.y)];
+	const [dx, dy] = [x - px, y - 4 - py];
+	const from = sizeOf(view, body)[0] * .55 / Math.max(1, Math.hypot(dx, dy));
+	ctx.strokeStyle = colour;
+	ctx.lineWidth = 1.4;
+	ctx.beginPath();
+	ctx.moveTo(px + dx * from, py + dy * from);
+	ctx.lineTo(x, y - 4);
+	ctx.stroke();
 }
 /** Beside the hull, across the track first; then a line further off. */
 function placesFor(view, body, width, ringed) {
@@ -16225,6 +16293,9 @@ var Painter = class {
 		x: 0,
 		y: 0
 	};
+	/** Vehicles in trouble that stand, and where, in words: the names of stations keep clear of them. */
+	stranded = [];
+	strandedAt = "";
 	count = 0;
 	constructor(lower, middle, upper) {
 		this.ground = new Sheet(lower, 400);
@@ -16398,7 +16469,7 @@ var Painter = class {
 		if (inPast.value && !loading.value) this.front.canvas.dataset["moment"] = String(moment.value);
 		const alarm = this.bodies.some((body) => body.look === "alarm");
 		const drives = inPast.value ? playing.value : [...this.glides.values()].some((glide) => glide.busy);
-		if (!STILL.matches && (alarm || drives) || moving || this.overStale || [
+		if (!STILL.matches && (alarm || drives) || moving || this.stale || this.overStale || [
 			this.ground,
 			this.over,
 			this.front
@@ -16416,12 +16487,28 @@ var Painter = class {
 	paintFront(ms) {
 		this.painted = ms;
 		this.bodies = this.placed(ms / 1e3);
+		this.strand();
 		const at = this.front.begin(this.view, ms);
 		const { ctx } = this.front;
 		const seen = this.bodies.filter((body) => visible(at, body));
 		paintFleet(ctx, at, seen);
 		paintRings(ctx, at, seen, (body) => this.looked(body), STILL.matches ? 0 : ms / 1e3 % 1.4 / 1.4);
-		this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, (box) => this.names.free(this.onGround(box, at)));
+		const free = (box) => this.names.free(this.onGround(box, at));
+		const { margin } = this.front;
+		const shown = {
+			x0: margin,
+			y0: margin,
+			x1: at.width - margin,
+			y1: at.height - margin
+		};
+		this.signs.paint(ctx, at, seen, (body) => this.looked(body) > 0, free, shown);
+	}
+	/** Note which vehicles in trouble stand where; what stands still is painted anew when that changes. */
+	strand() {
+		this.stranded = this.bodies.filter((body) => urgent(body) && !this.glides.get(body.vehicle.id)?.busy);
+		const at = this.stranded.map(({ vehicle, spot }) => `${vehicle.id} ${Math.round(spot.x / 100)} ${Math.round(spot.y / 100)}`).join();
+		if (at !== this.strandedAt) this.stale = true;
+		this.strandedAt = at;
 	}
 	paintGround(scene, ms) {
 		this.stale = false;
@@ -16434,7 +16521,7 @@ var Painter = class {
 			zones: layers.value.zones
 		};
 		const at = this.ground.begin(this.view, ms);
-		this.names = paintPlant(this.ground.ctx, at, scene, now);
+		this.names = paintPlant(this.ground.ctx, at, scene, now, this.stranded.map((body) => coveredBy(at, body)));
 		this.namesAt = {
 			scale: at.scale,
 			x: at.x,
@@ -20041,7 +20128,7 @@ function App() {
 	const pick = selected.value;
 	if (inPast.value || room$1.value === "playback") return /* @__PURE__ */ a(Past, {});
 	return /* @__PURE__ */ a("div", {
-		class: away.value ? "page old" : "page",
+		class: away$1.value ? "page old" : "page",
 		children: [
 			/* @__PURE__ */ a(Header, {}),
 			/* @__PURE__ */ a("div", { children: [/* @__PURE__ */ a("div", {
