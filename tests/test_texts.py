@@ -9,6 +9,7 @@ from itertools import count
 from pathlib import Path
 
 import pytest
+import yaml
 
 from app.api.problems import CODES, USUAL
 from app.domain import device_requests, drive_requests, requests, teaching_requests
@@ -230,3 +231,34 @@ def test_what_the_controller_says_is_told_in_korean(sentence: str, korean: str) 
 def test_a_sentence_that_the_catalogue_does_not_know_is_shown_as_it_is() -> None:
     assert told("nobody ever said this about V001", "ko") == "nobody ever said this about V001"
     assert told("", "ko") == ""
+
+
+def _names() -> set[str]:
+    """Return the names that come with the product: of parameters, and of what the example plants have."""
+    found: set[str] = set()
+    for file in (APP / "catalogues").glob("*.yaml"):
+        described = yaml.safe_load(file.read_text(encoding="utf-8"))
+        found.add(described.get("description", ""))
+        for parameter in described["parameters"].values():
+            choices = (str(word) for word in parameter.get("choices", {}).values())
+            words = (word for word in choices if not word[0].isdigit())
+            found |= {parameter["name"], parameter.get("description", ""), *words}
+    for file in (APP.parent / "plants").glob("*.yaml"):
+        plant = yaml.safe_load(file.read_text(encoding="utf-8"))
+        for kind in ("zones", "drives"):
+            found |= {one.get("name", "") for one in plant.get(kind, {}).values()}
+    return found - {""}
+
+
+def test_names_that_come_with_the_product_have_their_korean_and_no_others_are_kept() -> None:
+    names = _names()
+    assert {"Acceleration time", "Way into bay A", "Lift of stocker STK01"} <= names
+    assert set(catalogue("en")["names"].values()) == names
+    assert {name for name in names if not re.search("[가-힣]", told(name, "ko"))} == set()
+
+
+def test_a_name_is_told_by_itself_and_within_a_sentence_and_an_owners_stays() -> None:
+    assert told("Acceleration time", "ko") == "가속 시간"
+    assert told("parameter 1C (Step 0 position) is read-only", "ko") == "파라미터 1C (스텝 0 위치): 읽기 전용"
+    assert told("Acceleration time", "en") == "Acceleration time"
+    assert told("Our own lift", "ko") == "Our own lift"

@@ -4,7 +4,9 @@
 filled in; ``problems`` and ``remedies`` go by the code of a problem, ``events`` by their names. ``sayings`` are the patterns
 of sentences that the controller says and keeps in English: they are translated where they are shown (:func:`told`),
 since what is kept in a plant's database does not depend on who reads it. ``pages`` has, for sayings that speak of the API
-(a call, a word of its bodies), what the page says instead: the name of a button or a room.
+(a call, a word of its bodies), what the page says instead: the name of a button or a room. ``names`` are names that come with
+the product, not from a plant's owner: of the parameters in ``app/catalogues``, of zones and drives in ``plants``. They are told
+like sentences, by themselves and within one.
 A particle after a slot is written 이(가), 을(를),
 (으)로 …: the one that fits is chosen when the slot is filled (:mod:`app.texts.particles`).
 
@@ -22,7 +24,7 @@ from typing import Literal, get_args
 from app.texts.particles import settled
 
 Language = Literal["en", "ko"]
-Section = Literal["page", "problems", "remedies", "sayings", "pages", "events"]
+Section = Literal["page", "problems", "remedies", "sayings", "pages", "events", "names"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 Patterns = list[tuple[str, re.Pattern[str], str]]
 """The longest fixed part of a sentence (which is looked for first, since it is quick), its pattern, and what it means."""
@@ -142,7 +144,13 @@ def _filled(other: str, parts: Mapping[str, str], language: Language, depth: int
 
 @lru_cache
 def _patterns(language: Language) -> Patterns:
-    return _compiled(catalogue("en")["sayings"], catalogue(language)["sayings"])
+    english, other = catalogue("en"), catalogue(language)
+    return _compiled({**english["sayings"], **_keyed(english)}, {**other["sayings"], **_keyed(other)})
+
+
+def _keyed(words: Mapping[Section, Mapping[str, str]]) -> dict[str, str]:
+    """Return the names that come with the product beside the sayings: keys of both may be the same word."""
+    return {f"name {key}": name for key, name in words["names"].items()}
 
 
 def _compiled(english: Mapping[str, str], other: Mapping[str, str]) -> Patterns:

@@ -3,8 +3,8 @@
  * (app/texts). What the server says in sentences is translated by the catalogue's sayings where it has them.
  */
 import { signal } from "@preact/signals";
-import { events as happens, page as en, pages as inEnglish, remedies, sayings as told } from "../../app/texts/en.json";
-import { events as happened, page as ko, pages as inKorean, remedies as helps, sayings as retold } from "../../app/texts/ko.json";
+import { events as happens, names, page as en, pages as inEnglish, remedies, sayings as told } from "../../app/texts/en.json";
+import { events as happened, names as called, page as ko, pages as inKorean, remedies as helps, sayings as retold } from "../../app/texts/ko.json";
 import { roomOf } from "./rooms";
 import { settled } from "./particles";
 import { Sayings } from "./sayings";
@@ -17,8 +17,12 @@ const kept = localStorage.getItem(KEPT);
 export const language = signal<Language>(kept === "en" || kept === "ko" ? kept : navigator.language.startsWith("ko") ? "ko" : "en");
 /** What helps is said by the server in words of its API; where that names a call, the page names its button or room (`pages`). */
 const english = new Sayings(told, { ...told, ...inEnglish }, Object.keys(inEnglish));
-const usual = (words: Record<string, string>): Record<string, string> => Object.fromEntries(Object.entries(words).map(([key, text]) => [`remedy ${key}`, text]));
-const korean = new Sayings({ ...told, ...usual(remedies) }, { ...retold, ...inKorean, ...usual(helps) });
+const under = (section: string, words: Record<string, string>): Record<string, string> =>
+  Object.fromEntries(Object.entries(words).map(([key, text]) => [`${section} ${key}`, text]));
+const korean = new Sayings(
+  { ...told, ...under("remedy", remedies), ...under("name", names) },
+  { ...retold, ...inKorean, ...under("remedy", helps), ...under("name", called) },
+);
 
 export function speak(next: Language): void {
   localStorage.setItem(KEPT, next);

@@ -1,6 +1,6 @@
 /** What a backup of a drive has: each parameter raw, and in its unit where the model's catalogue names it. */
 import { useSignal } from "@preact/signals";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import { useRead } from "./asking";
 import { Problem } from "./Problem";
 
@@ -27,7 +27,7 @@ export function BackupContents({ path }: { path: string }) {
                 <th>{row.parameter}</th>
                 <td>{row.raw}</td>
                 <td>
-                  {row.name} {row.value !== null && `${row.value} ${row.unit}`}
+                  {tell(row.name)} {row.value !== null && `${row.value} ${row.unit}`}
                 </td>
               </tr>
             ))}

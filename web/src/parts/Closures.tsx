@@ -79,7 +79,7 @@ function Zones() {
           <li key={zone.id} data-zone={zone.id}>
             <span class="sign wait">{zone.state === "auto" ? "" : "‖"}</span>
             <span>
-              <b>{zone.name || zone.id}</b> · {said(zone.state)} · {zone.vehicles.length} / {zone.capacity}{" "}
+              <b>{tell(zone.name) || zone.id}</b> · {said(zone.state)} · {zone.vehicles.length} / {zone.capacity}{" "}
               {zone.vehicles.map((id) => (
                 <span key={id}>
                   <Name id={id} />{" "}

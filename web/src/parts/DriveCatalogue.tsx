@@ -1,6 +1,6 @@
 /** What is known of a drive's model, parameter by parameter; read once somebody opens it. */
 import { useSignal } from "@preact/signals";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import { useRead } from "./asking";
 import { Problem } from "./Problem";
 
@@ -26,7 +26,7 @@ export function DriveCatalogue({ path }: { path: string }) {
         {t("catalogue")} {value?.model}
       </summary>
       <Problem error={error} />
-      {value?.description && <p class="calm">{value.description}</p>}
+      {value?.description && <p class="calm">{tell(value.description)}</p>}
       {value?.parameters.length === 0 && <p class="nothing">{t("no_catalogue")}</p>}
       {value && value.parameters.length > 0 && (
         <div class="scroll wide-table" tabIndex={0} role="group" aria-label={t("catalogue")}>
@@ -45,7 +45,7 @@ export function DriveCatalogue({ path }: { path: string }) {
                 <tr key={spec.number} data-spec={spec.number}>
                   <td>{spec.number}</td>
                   <td>
-                    {spec.name} <small class="calm basis">{wordsOf(spec)}</small>
+                    {tell(spec.name)} <small class="calm basis">{wordsOf(spec)}</small>
                   </td>
                   <td>{rangeOf(spec)}</td>
                   <td>{spec.default ?? "–"}</td>
@@ -64,6 +64,6 @@ function rangeOf({ lowest, highest, unit }: Spec): string {
 }
 
 function wordsOf(spec: Spec): string {
-  const choices = Object.entries(spec.choices).map(([raw, word]) => `${raw}: ${word}`);
-  return [spec.description, choices.join(", "), spec.read_only ? t("read_only") : spec.while_running ? t("while_running") : ""].filter(Boolean).join(" · ");
+  const choices = Object.entries(spec.choices).map(([raw, word]) => `${raw}: ${tell(word)}`);
+  return [tell(spec.description), choices.join(", "), spec.read_only ? t("read_only") : spec.while_running ? t("while_running") : ""].filter(Boolean).join(" · ");
 }

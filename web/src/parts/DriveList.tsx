@@ -27,7 +27,7 @@ function Row({ drive }: { drive: Drive }) {
       <button type="button" class="row drives" aria-pressed={chosen} data-drive={drive.id} onClick={choose}>
         <i class={`dot ${tone}`} />
         <b>{drive.id}</b>
-        <span title={drive.name}>{drive.name}</span>
+        <span title={tell(drive.name)}>{tell(drive.name)}</span>
         <span class={tone}>{t(`drive_${word}`)}</span>
         <span class="number">{heard && drive.distance !== null ? hundredths(drive.distance) : ""}</span>
         <span class={tone === "bad" ? "more bad" : "more"} title={why}>

@@ -22,7 +22,7 @@ export function DrivePanel({ id }: { id: string }) {
   if (!now) return <Missing id={id} />;
   const { word, tone } = lookOfDrive(now);
   return (
-    <Panel title={now.id} tag={now.name} colour={COLOURS[tone]}>
+    <Panel title={now.id} tag={tell(now.name)} colour={COLOURS[tone]}>
       <Notes drive={now} />
       <dl>
         <Fact name={t("state")}>

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { refusal } from "../access";
 import { call, get, serverNow } from "../api";
-import { t } from "../texts";
+import { t, tell } from "../texts";
 import type { Parameter } from "../types";
 import { useRead } from "./asking";
 import { Button } from "./Button";
@@ -68,7 +68,7 @@ export function DriveWatch({ path }: { path: string }) {
   };
   const lines = chosen.value.flatMap((number) => {
     const parameter = known.find((one) => one.number === number);
-    return parameter ? [{ label: parameter.name || number, unit: parameter.unit, values: past.value.values[number] ?? [] }] : [];
+    return parameter ? [{ label: tell(parameter.name) || number, unit: parameter.unit, values: past.value.values[number] ?? [] }] : [];
   });
   return (
     <details class="part acts">
@@ -84,7 +84,7 @@ export function DriveWatch({ path }: { path: string }) {
                 disabled={!chosen.value.includes(number) && chosen.value.length >= MOST}
                 onChange={(event) => turn(number, event.currentTarget.checked)}
               />{" "}
-              {number} {name}
+              {number} {tell(name)}
             </label>
           ))}
           {known.length === 0 && <span class="calm">{t("no_parameters")}</span>}

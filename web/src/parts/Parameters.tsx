@@ -82,11 +82,11 @@ export function Parameters({ drive }: { drive: Drive }) {
       <table class="bits numbered">
         <tbody>
           {known.map((parameter) => (
-            <tr key={parameter.number} title={parameter.description}>
+            <tr key={parameter.number} title={tell(parameter.description)}>
               <th>{parameter.number}</th>
-              <td>{parameter.raw === null ? "–" : parameter.text}</td>
+              <td>{parameter.raw === null ? "–" : tell(parameter.text)}</td>
               <td>
-                {parameter.name} {parameter.at && <small>· {clock(parameter.at)}</small>}
+                {tell(parameter.name)} {parameter.at && <small>· {clock(parameter.at)}</small>}
                 {parameter.named && !parameter.read_only && parameter.raw !== null && (
                   <Write path={`${path}/${parameter.number}`} parameter={parameter} after={refresh} against={againstDrive(drive, "change", around())} />
                 )}
@@ -118,7 +118,7 @@ function Write({ path, parameter, after, against }: { path: string; parameter: P
     <details class="write">
       <summary>{t("write")}</summary>
       <div class="acts-row">
-        <input aria-label={`${parameter.number} ${parameter.name}`} title={range} placeholder={range} value={value.value} onInput={(event) => (value.value = event.currentTarget.value)} />
+        <input aria-label={`${parameter.number} ${tell(parameter.name)}`} title={range} placeholder={range} value={value.value} onInput={(event) => (value.value = event.currentTarget.value)} />
         <Sure needs="PUT /drives/{drive}/parameters/{number}" label={t("write")} disabled={value.value.trim() === "" || Number.isNaN(Number(value.value))} does={() => void write()} {...stopped(against)} />
         <small class="calm">{range}</small>
       </div>

@@ -129,7 +129,7 @@ function PastDrive({ id }: { id: string }) {
   if (!then) return <Unknown id={id} />;
   const { word, tone } = lookOfDrive(then);
   return (
-    <Panel title={id} tag={then.name} colour={COLOURS[tone]}>
+    <Panel title={id} tag={tell(then.name)} colour={COLOURS[tone]}>
       <DriveNotes drive={then} />
       <dl>
         <Fact name={t("state")}>
