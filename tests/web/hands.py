@@ -4,7 +4,8 @@ from playwright.sync_api import Locator, Page
 
 TWICE = """async (button) => {
   const armed = () => button.classList.contains("armed");
-  for (let frame = 0; button.disabled && frame < 1000; frame++) await new Promise(requestAnimationFrame);
+  const idle = () => button.disabled || button.ariaDisabled === "true";
+  for (let frame = 0; idle() && frame < 1000; frame++) await new Promise(requestAnimationFrame);
   if (!armed()) button.click();
   for (let frame = 0; !armed() && frame < 1000; frame++) await new Promise(requestAnimationFrame);
   if (!armed()) throw new Error("the button does not ask whether one is sure");

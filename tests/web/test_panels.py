@@ -198,6 +198,14 @@ def test_a_command_that_would_be_refused_is_not_offered_and_says_why_in_both_lan
         servo = panel.get_by_role("button", name="Servo on", exact=True)
         expect(servo).to_be_disabled()
         expect(servo).to_have_attribute("title", re.compile("It is in AUTO, and this needs MANT"))
+        servo.focus()
+        page.keyboard.press("Enter")
+        told = page.locator(".toast")
+        expect(told).to_contain_text("It is in AUTO, and this needs MANT")
+        expect(told.get_by_role("button", name="Log in")).to_have_count(0)
+        page.keyboard.press("Escape")
+        expect(told).to_have_count(0)
+        expect(servo).to_be_focused()
         expect(panel.get_by_role("button", name="Stop (to MANT)")).to_be_enabled()
         page.get_by_role("button", name="KO", exact=True).click()
         expect(panel.get_by_role("button", name="서보 켜기")).to_have_attribute(
@@ -206,7 +214,14 @@ def test_a_command_that_would_be_refused_is_not_offered_and_says_why_in_both_lan
         page.get_by_role("button", name="EN", exact=True).click()
         plant.server.place("V002", "1002", mode="mant", oper="idle")
         expect(servo).to_be_enabled()
-        expect(panel.get_by_role("button", name="Stop by host")).to_be_disabled()
+        stop = panel.get_by_role("button", name="Stop by host")
+        expect(stop).to_be_disabled()
+        plant.server.place("V002", "1002", mode="auto", oper="idle")
+        expect(stop).to_be_enabled()
+        stop.focus()
+        plant.server.place("V002", "1002", mode="mant", oper="idle")
+        expect(stop).to_be_disabled()
+        expect(stop).to_be_focused()
 
 
 @pytest.mark.parametrize(

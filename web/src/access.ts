@@ -41,8 +41,8 @@ export const me = signal<Caller | null>(null);
 export const asked = signal(false);
 /** Rises whenever it becomes known who is there: what was refused before is read again. */
 export const round = signal(0);
-/** Why a button that was pressed does nothing for who is here. */
-export const barred = signal("");
+/** Why a button that was pressed does nothing; whether somebody else could press it. */
+export const barred = signal<{ why: string; by: "role" | "state" } | null>(null);
 const rulings = signal(new Map<string, Ruling>());
 
 interface Kept {
@@ -109,7 +109,7 @@ async function learn(anew = false): Promise<void> {
   if (same && !anew) return;
   rulings.value = new Map(calls.items.map((ruling) => [ruling.call, ruling]));
   me.value = who;
-  barred.value = "";
+  barred.value = null;
   round.value++;
 }
 

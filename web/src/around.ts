@@ -9,9 +9,9 @@ export function around(): Around {
   return { controller: controller.value, closures: closures.values(), layout: layout.value, vehicles: vehicles.values() };
 }
 
-/** Attributes of a button: disabled, with why in its title; nothing where nothing speaks against it. */
-export function stopped(against: Against): { disabled?: true; title?: string } {
-  return against ? { disabled: true, title: inWords(against) } : {};
+/** What a button is told: why the controller would refuse it; nothing where nothing speaks against it. */
+export function stopped(against: Against): { against?: string } {
+  return against ? { against: inWords(against) } : {};
 }
 
 export function inWords(against: NonNullable<Against>): string {

@@ -47,12 +47,12 @@ export function Reasoned({ decisions, title, asking, hint }: { decisions: Decisi
       <div class="acts-row">
         {decisions.map((one) => {
           const lacks = !one.bare && !reason.value.trim();
-          const why = one.against ? inWords(one.against) : lacks ? t("reason_first") : "";
-          const idle = busy.value || Boolean(why) || one.idle === true;
+          const why = one.against ? inWords(one.against) : lacks ? t("reason_first") : undefined;
+          const idle = busy.value || one.idle === true;
           return one.grave ? (
-            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} title={why} does={() => void send(one)} />
+            <Sure key={one.label} needs={one.needs} label={one.label} disabled={idle} against={why} does={() => void send(one)} />
           ) : (
-            <Button key={one.label} needs={one.needs} disabled={idle} title={why} onClick={() => void send(one)}>
+            <Button key={one.label} needs={one.needs} disabled={idle} against={why} onClick={() => void send(one)}>
               {one.label}
             </Button>
           );

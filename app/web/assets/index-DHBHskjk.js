@@ -1905,8 +1905,8 @@ var me = y$1(null);
 var asked$2 = y$1(false);
 /** Rises whenever it becomes known who is there: what was refused before is read again. */
 var round$2 = y$1(0);
-/** Why a button that was pressed does nothing for who is here. */
-var barred$1 = y$1("");
+/** Why a button that was pressed does nothing; whether somebody else could press it. */
+var barred$1 = y$1(null);
 var rulings = y$1(/* @__PURE__ */ new Map());
 var session = y$1(kept$3());
 function kept$3() {
@@ -1952,7 +1952,7 @@ async function learn(anew = false) {
 	if (JSON.stringify(who) === JSON.stringify(me.value) && !anew) return;
 	rulings.value = new Map(calls.items.map((ruling) => [ruling.call, ruling]));
 	me.value = who;
-	barred$1.value = "";
+	barred$1.value = null;
 	round$2.value++;
 }
 function take({ token, expires, until }) {
@@ -3458,12 +3458,9 @@ function around() {
 		vehicles: vehicles.values()
 	};
 }
-/** Attributes of a button: disabled, with why in its title; nothing where nothing speaks against it. */
+/** What a button is told: why the controller would refuse it; nothing where nothing speaks against it. */
 function stopped(against) {
-	return against ? {
-		disabled: true,
-		title: inWords$1(against)
-	} : {};
+	return against ? { against: inWords$1(against) } : {};
 }
 function inWords$1(against) {
 	const [word, ...values] = against;
@@ -3569,27 +3566,36 @@ function Choice$1(props) {
 	});
 }
 // src/parts/Button.tsx
-function Button({ needs, class: looks = "", onClick, title, type = "button", ...rest }) {
-	const why = refusal(needs);
-	if (!why) return /* @__PURE__ */ a("button", {
-		...rest,
-		title,
-		onClick,
-		type,
-		class: looks,
-		"data-needs": needs
-	});
+function Button({ needs, class: looks = "", against, disabled, onClick, title, type = "button", ...rest }) {
+	const role = refusal(needs);
+	const why = role || against;
+	if (!why && !disabled) {
+		const press = (event) => {
+			barred$1.value = null;
+			onClick?.(event);
+		};
+		return /* @__PURE__ */ a("button", {
+			...rest,
+			title,
+			onClick: press,
+			type,
+			class: looks,
+			"data-needs": needs
+		});
+	}
 	const tell = (event) => {
 		event.preventDefault();
-		barred$1.value = why;
+		if (why) barred$1.value = {
+			why,
+			by: role ? "role" : "state"
+		};
 	};
-	const { disabled: _, ...others } = rest;
 	return /* @__PURE__ */ a("button", {
-		...others,
+		...Object.fromEntries(Object.entries(rest).filter(([name]) => !/^on[A-Z]/.test(name))),
 		type,
-		class: `${looks} barred`,
+		class: `${looks} ${role ? "barred" : "stopped"}`,
 		"data-needs": needs,
-		title: why,
+		title: why || title,
 		"aria-disabled": true,
 		onClick: tell
 	});
@@ -3604,17 +3610,19 @@ function Sure(props) {
 		const timer = window.setTimeout(() => armed.value = false, PATIENCE);
 		return () => window.clearTimeout(timer);
 	}, [armed.value]);
+	const ready = armed.value && !props.against;
 	const press = () => {
 		if (armed.value) props.does();
 		armed.value = !armed.value;
 	};
 	return /* @__PURE__ */ a(Button, {
 		needs: props.needs,
-		class: `sure ${props.class ?? ""} ${armed.value ? "armed" : ""}`,
+		class: `sure ${props.class ?? ""} ${ready ? "armed" : ""}`,
 		disabled: props.disabled ?? false,
 		title: props.title ?? "",
+		against: props.against,
 		onClick: press,
-		children: armed.value ? `${t("sure")} ${props.label}` : props.label
+		children: ready ? `${t("sure")} ${props.label}` : props.label
 	});
 }
 // src/parts/Reasoned.tsx
@@ -3642,18 +3650,18 @@ function Reasoned({ decisions, title, asking, hint }) {
 				class: "acts-row",
 				children: decisions.map((one) => {
 					const lacks = !one.bare && !reason.value.trim();
-					const why = one.against ? inWords$1(one.against) : lacks ? t("reason_first") : "";
-					const idle = busy.value || Boolean(why) || one.idle === true;
+					const why = one.against ? inWords$1(one.against) : lacks ? t("reason_first") : void 0;
+					const idle = busy.value || one.idle === true;
 					return one.grave ? /* @__PURE__ */ a(Sure, {
 						needs: one.needs,
 						label: one.label,
 						disabled: idle,
-						title: why,
+						against: why,
 						does: () => void send(one)
 					}, one.label) : /* @__PURE__ */ a(Button, {
 						needs: one.needs,
 						disabled: idle,
-						title: why,
+						against: why,
 						onClick: () => void send(one),
 						children: one.label
 					}, one.label);
@@ -5193,19 +5201,20 @@ function Missing({ id }) {
 	});
 }
 // src/parts/Barred.tsx
-/** Says over the page why a button does nothing for who is here, until it is put away. */
+/** Says over the page why a button does nothing, for who is here or as things are, until it is put away. */
 function Barred() {
+	const now = barred$1.value;
 	return /* @__PURE__ */ a("div", {
 		class: "toast-place",
 		role: "status",
-		children: barred$1.value && /* @__PURE__ */ a("div", {
+		children: now && /* @__PURE__ */ a("div", {
 			class: "toast",
 			children: [
-				/* @__PURE__ */ a("span", { children: barred$1.value }),
-				/* @__PURE__ */ a("button", {
+				/* @__PURE__ */ a("span", { children: now.why }),
+				now.by === "role" && /* @__PURE__ */ a("button", {
 					type: "button",
 					onClick: () => {
-						barred$1.value = "";
+						barred$1.value = null;
 						asked$2.value = true;
 					},
 					children: t("log_in_as_other")
@@ -5214,13 +5223,16 @@ function Barred() {
 					type: "button",
 					class: "plain",
 					"aria-label": t("close"),
-					onClick: () => barred$1.value = "",
+					onClick: () => barred$1.value = null,
 					children: "✕"
 				})
 			]
 		})
 	});
 }
+document.addEventListener("keydown", (event) => {
+	if (event.key === "Escape") barred$1.value = null;
+});
 // src/parts/DeviceList.tsx
 /** Doors, buffers and chargers, each in one line. */
 function DeviceList() {
