@@ -13,8 +13,8 @@ from app.domain.device_requests import RaiseEmergency
 from app.domain.drive import Parameter
 from app.domain.drive_records import OperationState
 from app.domain.drive_requests import CancelDriveOperation, StopDriveLine, UnwatchDrive, WatchDrive
-from app.domain.ids import Actor, JobId, StationId
-from app.domain.requests import CreateJob, StageVehicle, WriteDest
+from app.domain.ids import Actor, JobId, StationId, VehicleId
+from app.domain.requests import CancelJob, ChangeJob, CreateJob, StageVehicle, WriteDest, WriteStation
 from app.domain.teaching_requests import ImportTaught
 from app.domain.view import ControllerView, HoldView, ParameterView, Topic, Update
 from app.domain.webhooks import AddWebhook, ReplayWebhook
@@ -147,6 +147,33 @@ def test_a_vehicle_is_staged_and_parked_and_a_fire_is_told(plant: Staffed) -> No
         expect(panel.locator(".done, .problem").first).to_be_visible()
     assert [(request.station, request.vehicle) for request in seen(plant, StageVehicle)] == [("P1", "V002")]
     assert [(request.kind, request.reason) for request in seen(plant, RaiseEmergency)] == [("fire", "smoke in bay 2")]
+
+
+def test_what_nobody_knows_of_a_station_stays_unknown_when_something_else_is_written(plant: Staffed) -> None:
+    with plant.at_work("lee", "map?station=P1") as page:
+        form = opened(page.locator(".panel"), "Write down")
+        expect(form.get_by_label("Occupied")).to_have_value("unknown")
+        form.get_by_label("Reserved").fill("for cleaning")
+        form.get_by_role("button", name="Write down").click()
+        wait_until(lambda: bool(seen(plant, WriteStation)), "the request")
+    (written,) = seen(plant, WriteStation)
+    assert (written.present, written.forgotten, written.reserved) == (None, True, "for cleaning")
+
+
+def test_a_job_is_given_back_to_all_vehicles_and_cancelled_with_its_reason(plant: Staffed) -> None:
+    order = CreateJob(Actor("lee"), JobId("J1"), "P1", StationId("P2"), None, 50, "x", vehicle=VehicleId("V001"))
+    plant.server.wait(plant.server.controller.ask(order))
+    with plant.at_work("lee", "map?job=J1") as page:
+        panel = page.locator(".panel")
+        expect(panel.locator("input[name=vehicle]")).to_have_value("V001")
+        panel.locator("input[name=vehicle]").fill("")
+        panel.get_by_role("button", name="Change", exact=True).click()
+        wait_until(lambda: bool(seen(plant, ChangeJob)), "the change")
+        panel.locator("input[name=reason]").fill("wrong lot")
+        press_twice(panel, "Cancel")
+        wait_until(lambda: bool(seen(plant, CancelJob)), "the end")
+    assert [(request.vehicle, request.any_vehicle) for request in seen(plant, ChangeJob)] == [(None, True)]
+    assert [request.reason for request in seen(plant, CancelJob)] == ["wrong lot"]
 
 
 def test_a_look_at_a_closure_names_the_jobs_that_it_would_touch(plant: Staffed) -> None:

@@ -202,7 +202,8 @@ function Change({ job }: { job: Job }) {
   const done = useSignal(false);
   const priority = useSignal(String(job.priority));
   const destination = useSignal(job.destination);
-  const vehicle = useSignal("");
+  const vehicle = useSignal(job.wish ?? "");
+  const reason = useSignal("");
   void changes.stations.value;
   const path = `/jobs/${encodeURIComponent(job.id)}`;
   const taken = !CANCELLABLE.has(job.state);
@@ -217,8 +218,9 @@ function Change({ job }: { job: Job }) {
   const body = {
     ...(Number(priority.value) !== job.priority ? { priority: Number(priority.value) } : {}),
     ...(destination.value !== job.destination ? { destination: destination.value } : {}),
-    ...(vehicle.value ? { vehicle: vehicle.value } : {}),
+    ...(vehicle.value !== (job.wish ?? "") ? { vehicle: vehicle.value || null } : {}),
   };
+  const end = (how: "cancel" | "abort"): void => report(post(`${path}/${how}`, { reason: reason.value.trim() }));
   return (
     <form
       class="part"
@@ -235,13 +237,21 @@ function Change({ job }: { job: Job }) {
         </label>
         <label>
           <span>{t("vehicle")}</span>
-          <input name="vehicle" disabled={taken} title={taken ? t("against_other_vehicle", job.vehicle ?? "") : ""} list="vehicle-names" autocomplete="off" placeholder={job.vehicle ?? t("any")} value={vehicle.value} onInput={(event) => (vehicle.value = event.currentTarget.value.trim())} />
+          <input name="vehicle" disabled={taken} title={taken ? t("against_other_vehicle", job.vehicle ?? "") : ""} list="vehicle-names" autocomplete="off" placeholder={t("any")} value={vehicle.value} onInput={(event) => (vehicle.value = event.currentTarget.value.trim())} />
         </label>
         <label class="wide">
           <span>{t("destination")}</span>
           <input name="destination" list="station-names" autocomplete="off" required value={destination.value} onInput={(event) => (destination.value = event.currentTarget.value.trim())} />
         </label>
       </div>
+      {(CANCELLABLE.has(job.state) || ABORTABLE.has(job.state)) && (
+        <div class="fields">
+          <label class="wide">
+            <span>{t("reason_of_end")}</span>
+            <input name="reason" maxLength={200} autocomplete="off" placeholder={t("may_be_empty")} value={reason.value} onInput={(event) => (reason.value = event.currentTarget.value)} />
+          </label>
+        </div>
+      )}
       <datalist id="vehicle-names">
         {layout.value?.vehicles.map(({ id }) => <option key={id} value={id} />)}
       </datalist>
@@ -252,8 +262,8 @@ function Change({ job }: { job: Job }) {
         <Button needs="PATCH /jobs/{job}" type="submit" class="primary" disabled={Object.keys(body).length === 0}>
           {t("change")}
         </Button>
-        {CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => report(post(`${path}/cancel`))} />}
-        {ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => report(post(`${path}/abort`))} />}
+        {CANCELLABLE.has(job.state) && <Sure needs="POST /jobs/{job}/cancel" label={t("cancel")} does={() => end("cancel")} />}
+        {ABORTABLE.has(job.state) && <Sure needs="POST /jobs/{job}/abort" label={t("abort")} does={() => end("abort")} />}
         {done.value && <span class="done" role="status">{t("taken")}</span>}
       </div>
       <Problem error={error.value} />

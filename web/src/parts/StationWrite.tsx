@@ -6,18 +6,20 @@ import type { Station } from "../types";
 import { Choice, Field, Told, useAsking } from "./asking";
 import { Button } from "./Button";
 
+type Presence = "yes" | "no" | "unknown";
+const KNOWN: Record<Presence, boolean | null> = { yes: true, no: false, unknown: null };
+
 export function StationWrite({ station }: { station: Station }) {
-  const present = useSignal<"yes" | "no">(station.present ? "yes" : "no");
+  const present = useSignal<Presence>(station.present === null ? "unknown" : station.present ? "yes" : "no");
   const carrier = useSignal(station.carrier ?? "");
   const reserved = useSignal(station.reserved);
   const closed = useSignal(station.out_of_service);
   const asking = useAsking();
   const send = (event: Event): void => {
     event.preventDefault();
-    const there = present.value === "yes";
     const body = {
-      present: there,
-      carrier: there ? carrier.value.trim() : "",
+      present: KNOWN[present.value],
+      carrier: present.value === "yes" ? carrier.value.trim() : "",
       reserved: reserved.value.trim(),
       out_of_service: closed.value.trim(),
       by_person: true,
@@ -35,6 +37,7 @@ export function StationWrite({ station }: { station: Station }) {
             of={[
               ["yes", t("yes")],
               ["no", t("no")],
+              ["unknown", t("unknown")],
             ]}
           />
           <Field label={t("carrier")} name="carrier" value={carrier} hint={t("unknown")} />
