@@ -187,7 +187,8 @@ def _within(transfer: Transfer, phase: Phase, begin: float) -> float:
     return max(0.0, min(seconds, (ends[phase] or begin) - begin))
 
 
-_NAME = re.compile(r"[^\s,;()]*\d[^\s,;()]*")
+_NAME = re.compile(r"[^\s,;()]*\d[^\s,;()]*(?<!:)")
+"""A word with a digit, without a colon after it: that belongs to the sentence."""
 
 
 def cause_of(reason: str) -> str:

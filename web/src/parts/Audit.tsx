@@ -167,7 +167,7 @@ function Rows() {
           { name: t("when"), of: (row) => moment(row.at) },
           { name: t("who"), of: (row) => tell(row.actor) },
           { name: t("what"), of: (row) => <Did action={row.action} /> },
-          { name: t("on_what"), of: (row) => row.target },
+          { name: t("on_what"), of: (row) => tell(row.target) },
           { name: t("result"), of: (row) => <span class={row.accepted ? "good" : "bad"}>{t(row.accepted ? "carried_out" : "refused")}</span> },
           { name: t("in_words"), wraps: true, of: (row) => inWords(row.detail) },
         ]}

@@ -23,8 +23,25 @@ const MOMENTS: uPlot.Axis.DynamicValues | (string | number | null)[][] = [
   [1, "{HH}:{mm}:{ss}", "\n{MM}-{DD}", null, "\n{MM}-{DD}", null, null, null, 1],
 ];
 
-/** `times` in seconds since 1970, one for each value. */
-export function Chart({ label, times, lines, unit }: { label: string; times: number[]; lines: Line[]; unit: string }) {
+interface Shown {
+  label: string;
+  times: number[];
+  lines: Line[];
+  unit: string;
+}
+
+/** `times` in seconds since 1970, one for each value. Without any value there are words in place of empty axes. */
+export function Chart(shown: Shown) {
+  if (shown.lines.some(({ values }) => values.some((value) => value !== null))) return <Drawn {...shown} />;
+  return (
+    <figure class="chart">
+      <figcaption>{shown.label}</figcaption>
+      <p class="nothing">{t("nothing_in_period")}</p>
+    </figure>
+  );
+}
+
+function Drawn({ label, times, lines, unit }: Shown) {
   const box = useRef<HTMLDivElement>(null);
   const wears = theme.value;
   useEffect(() => {

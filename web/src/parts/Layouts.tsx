@@ -58,6 +58,7 @@ export function Layouts() {
             }}
           />
         </div>
+        {!version && <p class="nothing">{t("choose_version")}</p>}
         {version && <Detail key={version.number} version={version} active={active ?? null} after={() => again.value++} />}
       </div>
     </section>

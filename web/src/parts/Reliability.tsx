@@ -50,8 +50,8 @@ export function Reliability({ show }: { show: (vehicle: string) => void }) {
           { name: t("vehicle"), by: (row) => row.vehicle, of: (row) => <Name id={row.vehicle} /> },
           { name: t("failures"), by: (row) => row.failures, of: (row) => row.failures, number: true },
           { name: t("down_minutes"), by: (row) => row.down_minutes, of: (row) => row.down_minutes.toFixed(1), number: true },
-          { name: "MTBF (h)", by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours?.toFixed(2) ?? "–", number: true },
-          { name: "MTTR (min)", by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes?.toFixed(1) ?? "–", number: true },
+          { name: t("mtbf_hours"), by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours?.toFixed(2) ?? "–", number: true },
+          { name: t("mttr_minutes"), by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes?.toFixed(1) ?? "–", number: true },
           { name: t("availability"), by: (row) => row.availability, of: (row) => `${(row.availability * 100).toFixed(2)} %`, number: true },
           {
             name: t("failures_of"),

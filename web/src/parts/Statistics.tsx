@@ -136,14 +136,14 @@ function Shown({ found }: { found: StatisticsShown }) {
         </span>
       </p>
       <Chart label={t("throughput")} times={times} lines={through} unit={t("jobs")} />
-      <Chart label={t("delivery_time")} times={times} lines={delivery} unit="s" />
+      <Chart label={t("delivery_time")} times={times} lines={delivery} unit={t("seconds_unit")} />
       <Phases phases={found.phases} />
       <h3>{t("waits_by_cause")}</h3>
       <table class="list">
         <tbody>
           {found.waits.map((one) => (
             <tr key={one.cause}>
-              <td>{tell(said(one.cause))}</td>
+              <td>{unnamed(tell(said(one.cause)))}</td>
               <td class="number">{one.times}</td>
               <td class="number">{span(one.seconds * 1000)}</td>
               <td class="bar">
@@ -165,8 +165,8 @@ function Shown({ found }: { found: StatisticsShown }) {
           { name: t("completed"), by: (row) => row.completed, of: (row) => row.completed, number: true },
           { name: t("utilisation"), by: (row) => row.busy_share, of: (row) => `${(row.busy_share * 100).toFixed(1)} %`, number: true },
           { name: t("failures"), by: (row) => row.failures, of: (row) => row.failures, number: true },
-          { name: "MTBF (h)", by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours ?? "–", number: true },
-          { name: "MTTR (min)", by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes ?? "–", number: true },
+          { name: t("mtbf_hours"), by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours ?? "–", number: true },
+          { name: t("mttr_minutes"), by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes ?? "–", number: true },
           { name: t("availability"), by: (row) => row.availability, of: (row) => `${(row.availability * 100).toFixed(2)} %`, number: true },
         ]}
       />
@@ -205,4 +205,9 @@ function Phases({ phases }: { phases: Record<string, TimesShown> }) {
       </table>
     </>
   );
+}
+
+/** A cause has a dash for each name that it was counted without (app/api/statistics_report.py does the same). */
+function unnamed(cause: string): string {
+  return cause.replace(/(?<![^\s(])-(?![^\s.,:;)이은에을가(])/g, "…");
 }

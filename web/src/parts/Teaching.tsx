@@ -68,7 +68,7 @@ function Proposals() {
           { name: t("when"), by: (row) => row.at, of: (row) => clock(row.at) },
         ]}
       />
-      {id !== null && <Detail key={id} id={id} />}
+      {id === null ? <p class="nothing">{t("choose_proposal")}</p> : <Detail key={id} id={id} />}
     </div>
   );
 }
