@@ -100,6 +100,15 @@ def test_a_transfer_is_ordered_in_any_room_of_a_narrow_screen(plant: Staffed, wi
             expect(name).to_be_in_viewport(ratio=1)
 
 
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_whether_what_is_shown_is_live_is_seen_on_the_narrowest_screen(plant: Staffed, language: str) -> None:
+    with plant.at_work("kim", language=language) as page:
+        page.set_viewport_size({"width": 800, "height": 600})
+        expect(page.locator("header .link")).to_be_in_viewport(ratio=1)
+        for button in page.locator("header button:visible, .map-tools button:visible").all():
+            expect(button).to_be_in_viewport(ratio=1)
+
+
 def test_the_form_has_its_place_beside_the_table_where_there_is_room(plant: Staffed) -> None:
     with plant.at_work("kim", "alarms") as page:
         expect(page.locator("form.transfer")).to_be_visible()

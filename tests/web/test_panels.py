@@ -320,3 +320,36 @@ def test_a_webhook_is_added_its_secret_shown_once_and_events_are_told_again(plan
         expect(page.locator("[data-row='1']")).to_have_count(0)
     assert [request.url for request in seen(plant, AddWebhook)] == ["http://mes.fab/events"]
     assert [request.after for request in seen(plant, ReplayWebhook)] == [4]
+
+
+def test_the_focus_goes_back_to_what_opened_a_panel_or_a_menu(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        chip = page.locator(".chip").first
+        chip.focus()
+        page.keyboard.press("Enter")
+        close = page.locator(".panel h2").get_by_role("button", name="Close")
+        close.focus()
+        page.keyboard.press("Enter")
+        expect(page.locator(".panel")).to_have_count(0)
+        expect(chip).to_be_focused()
+        for name in ("Layers", "Plant…"):
+            opener = page.get_by_role("button", name=name, exact=True)
+            opener.focus()
+            page.keyboard.press("Enter")
+            page.keyboard.press("Tab")
+            expect(opener).not_to_be_focused()
+            page.keyboard.press("Escape")
+            expect(opener).to_be_focused()
+            expect(opener).to_have_attribute("aria-expanded", "false")
+
+
+def test_the_focus_stays_on_the_button_by_which_a_transfer_was_ordered(plant: Staffed) -> None:
+    with plant.at_work("lee") as page:
+        form = page.locator("form.transfer")
+        form.locator("select").first.select_option("P1")
+        form.locator("select").last.select_option("P2")
+        order = form.get_by_role("button", name="Order", exact=True)
+        order.focus()
+        page.keyboard.press("Enter")
+        expect(form.locator(".outcome .problem, .outcome .done:not(:empty)")).to_be_visible()
+        expect(order).to_be_focused()

@@ -43,7 +43,7 @@ function Menu({ name, roles, person }: { name: string; roles: string[]; person: 
   const open = useSignal(false);
   const box = useClosed(open);
   return (
-    <div ref={box} class="layers master account" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+    <div {...box} class="layers master account">
       <button type="button" aria-expanded={open.value} title={inWords(roles)} onClick={() => (open.value = !open.value)}>
         <b>{name}</b> <small>{inWords(roles)}</small>
       </button>

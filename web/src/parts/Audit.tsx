@@ -198,7 +198,7 @@ function inWords(detail: string): string {
 }
 
 /** What people or the plant file have named is not translated. */
-const NAMED = new Set(["vehicle", "station", "stations", "drive", "device", "job", "carrier", "place", "zone", "source", "destination", "reason", "note", "barcode", "tag"]);
+const NAMED = new Set(["vehicle", "station", "stations", "drive", "device", "job", "carrier", "place", "zone", "source", "destination", "reason", "note", "barcode", "tag", "idempotency_key", "fallbacks", "text", "other", "model", "url"]);
 
 /** What was asked for in words, and by the name that it is looked for by. */
 function Did({ action }: { action: string }) {

@@ -11,7 +11,7 @@ export function Layers() {
   const open = useSignal(false);
   const box = useClosed(open);
   return (
-    <div ref={box} class="layers" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+    <div {...box} class="layers">
       <button type="button" aria-expanded={open.value} onClick={() => (open.value = !open.value)}>
         {t("layers")}
       </button>

@@ -35,7 +35,7 @@ export function Master() {
   if (!now) return null;
   const emergencies = FIRES.filter((kind) => now.emergencies.some((words) => words.includes(kind)));
   return (
-    <div ref={box} class="layers master" onKeyDown={(event) => event.key === "Escape" && (open.value = false)}>
+    <div {...box} class="layers master">
       <button
         type="button"
         aria-expanded={open.value}
