@@ -41,6 +41,7 @@ LONG = {
     "tests/runtime/test_serial_hall.py": 20,
     "tests/e2e/test_demo_plant.py": 25,
     "tests/e2e/test_mes.py": 40,
+    "tests/e2e/test_sim_follows.py": 20,
     "tests/e2e/test_webhooks.py::test_no_event": 8,
     "tests/e2e/test_command_line.py::test_the_demo": 15,
     "tests/sim/test_whole_plant.py::test_a_controller_killed": 8,

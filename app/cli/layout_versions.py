@@ -87,18 +87,28 @@ class Server:
 
 @contextmanager
 def _server(url: str) -> Iterator[Server]:
-    """Give the server of a URL. The key, where one is wanted, is in HOISTWAY_KEY: on a command line everybody could read it."""
+    """Give the server of a URL; what it refuses ends the command."""
+    with plainly(), connected(url) as server:
+        yield server
+
+
+@contextmanager
+def connected(url: str, within: float = WITHIN) -> Iterator[Server]:
+    """Give the server of a URL, which has so many seconds for an answer.
+
+    The key, where one is wanted, is in HOISTWAY_KEY: on a command line everybody could read it.
+    Raises CannotStart: it is no URL.
+    """
     import httpx
 
     headers = {"X-Actor": getpass.getuser(), "Accept": "application/json", "Accept-Language": language()}
     if key := os.environ.get("HOISTWAY_KEY"):
         headers["Authorization"] = f"Bearer {key}"
-    with plainly():
-        if not url.startswith(("http://", "https://")):
-            refuse(f"{url} is no URL", f"Write it like {HERE}.")
-        base = url.rstrip("/") + "/api/v1/layout"
-        with httpx.Client(base_url=base, headers=headers, timeout=WITHIN, trust_env=False) as client:
-            yield Server(client)
+    if not url.startswith(("http://", "https://")):
+        raise CannotStart(f"{url} is no URL", remedy=f"Write it like {HERE}.")
+    base = url.rstrip("/") + "/api/v1/layout"
+    with httpx.Client(base_url=base, headers=headers, timeout=within, trust_env=False) as client:
+        yield Server(client)
 
 
 def stage(

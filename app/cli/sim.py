@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.addresses import Wanted, demanded, simulated_at
+from app.cli.following import follow_controller, is_url
 from app.cli.panel import set_panels
 from app.cli.plainly import CannotStart, plainly, positive, refuse, said, text_of
 from app.cli.running import bound, on_again, on_loop, plant_of, reader_of, stop_signal
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from app.domain.ids import VehicleId
     from app.domain.layout import LinkSpec, Plant, VehicleSpec
     from app.domain.ports import Endpoint
-    from app.domain.units import Seconds
+    from app.domain.units import Barcode, Seconds
     from app.protocols.itsc.simulator import Options, SimulatedVehicle
     from app.runtime.lines import Line
     from app.runtime.pty import PtyPort
@@ -71,6 +72,10 @@ def sim(
     without: Annotated[
         list[str] | None, typer.Option(help="do not simulate this vehicle or link: it is real (may be repeated)")
     ] = None,
+    source: Annotated[
+        str | None,
+        typer.Option("--from", help="follow the versions of the plant that the controller at this URL activates"),
+    ] = None,
     with_parent: Annotated[
         bool, typer.Option("--with-parent", help="follow what standard input says; end with it", hidden=True)
     ] = False,
@@ -82,6 +87,8 @@ def sim(
     with plainly():
         found = simulated(plant_of(plant), only or (), without or ())
         hands = () if operator is None else (Wanted("127.0.0.1", operator, "--operator"),)
+        if source is not None:
+            is_url(source)
         demanded([*hands, *simulated_at(found, host)], plant)
         reader = reader_of(plant)
 
@@ -90,7 +97,7 @@ def sim(
 
         try:
             floor = _Floor(found, journal, host, controller, haste, operator, panel or (), read)
-            code = on_loop(floor.run(with_parent))
+            code = on_loop(floor.run(with_parent, source))
         except OSError as wrong:
             at = f" ({wrong.filename})" if wrong.filename else ""
             refuse(f"cannot simulate {found.name}: {said(wrong)}{at}")
@@ -156,6 +163,8 @@ class _Floor:
         """Hoists that people have taken off the rail, whatever plant is told."""
         self._built = plant
         """What the simulated machines are built by, whatever plant is followed."""
+        self._unknown: set[Barcode] = set()
+        """Where a vehicle was sent to a station that the plant has not: said once each."""
         self._journal = journal.open("a", encoding="utf-8") if journal else None
         self._host = host
         self._controller = controller
@@ -163,8 +172,8 @@ class _Floor:
         self._hoists: dict[VehicleId, Line] = {}
         self._ends: dict[str, DeviceServer | Dialler | PtyPort] = {}
 
-    async def run(self, with_parent: bool) -> int:
-        """Serve until told to stop."""
+    async def run(self, with_parent: bool, source: str | None) -> int:
+        """Serve until told to stop; ``source`` is the URL of a controller whose versions of the plant are followed."""
         from app.runtime.clock import Clock
         from app.sim.oracle import Oracle
         from app.sim.plantworld import SimulatedPlant
@@ -191,6 +200,8 @@ class _Floor:
                 await self._serve_link(link, floor.lines[link.id])
             hands = await self._hands(floor, oracle)
             say(f"hoistway sim: {_counted(self._plant)} of {self._plant.name} are there")
+            if source is not None:
+                tasks.add(asyncio.create_task(follow_controller(source, follow)))
             await self._watch(floor, oracle, stop)
         finally:
             for task in tasks:
@@ -216,6 +227,7 @@ class _Floor:
                 say(f"hoistway sim: the plant is not followed: {wrong.message}", wrong=True)
                 return
             self._told = plant
+            self._unknown.clear()
             self._off &= {spec.id for spec in plant.hoists}
             await self._become(floor, oracle)
             for change in unfollowed(self._built, self._plant):
@@ -321,6 +333,14 @@ class _Floor:
 
     def _note(self, act: Act, oracle: Oracle, now: Seconds) -> None:
         oracle.act(act, now)
+        if act.station is None and act.barcode not in self._unknown:
+            self._unknown.add(act.barcode)
+            say(
+                f"hoistway sim: {act.vehicle} was sent to a station at barcode {act.barcode}, which is not known here: does "
+                "the controller run another version of the plant? --from URL follows it; or write that over the plant "
+                "file (hoistway layout get) and send SIGHUP",
+                wrong=True,
+            )
         self._write(
             {
                 "deed": act.deed,

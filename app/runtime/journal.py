@@ -60,7 +60,7 @@ class Journal:
         if event.vehicle:
             # An alarm of a device has its name where one of a vehicle has the vehicle's.
             yield self._devices.get(event.vehicle, "vehicle"), event.vehicle
-        if event.source:
+        if event.source and not event.vehicle and not event.job:  # else it is where the job begins
             yield self._kind(event), event.source
         if event.job:
             yield "job", event.job
@@ -69,6 +69,6 @@ class Journal:
         """Return what kind of thing the source of an event is."""
         if event.event in OF_DRIVES:
             return "drive"
-        if event.source in self._stations or event.job:
+        if event.source in self._stations:
             return "station"
         return "webhook" if str(event.source).startswith("webhook-") else "source"

@@ -62,7 +62,7 @@ def test_a_job_that_failed_and_what_is_noteworthy_are_warnings(
         (E.ALARM_CLEARED, {"vehicle": "BUFFER1"}, {"buffer": "BUFFER1"}),
         (E.ALARM_SET, {"vehicle": "CHARGER1"}, {"charger": "CHARGER1"}),
         (E.ALARM_SET, {"source": "ETCH01-P1"}, {"station": "ETCH01-P1"}),
-        (E.ALARM_SET, {"source": "ETCH09-P1", "job": "J1"}, {"station": "ETCH09-P1", "job": "J1"}),
+        (E.VEHICLE_HELD, {"vehicle": "V001", "job": "J1", "source": "SBA-R1"}, {"vehicle": "V001", "job": "J1"}),
         (E.ALARM_SET, {"source": "webhook-3"}, {"webhook": "webhook-3"}),
         (E.ALARM_SET, {"job": "J1"}, {"job": "J1"}),
         (E.DRIVE_OFFLINE, {"source": "AX1"}, {"drive": "AX1"}),
