@@ -60,6 +60,8 @@ from app.planning.traffic import Traffic
 
 SYSTEM = Actor("hoistway")
 """The controller itself, as the actor of what it decides alone."""
+UNNAMED = "(no name under alarm_codes)"
+"""What is said of an alarm that the plant file, which is where a site writes what its vehicles' codes mean, does not name."""
 REMEMBERED = 20_000
 """How many ended jobs are remembered for the idempotency of a host that repeats itself at once (our choice; older: database)."""
 
@@ -190,8 +192,8 @@ class Books:
         return self.vehicles.get(job.vehicle) if job.vehicle else None
 
     def named_alarm(self, code: int) -> str:
-        """Return an alarm's code with its name from the plant file, where it has one."""
-        return f"{code} {self.plant.alarm_codes.get(code, '')}".rstrip()
+        """Return an alarm's code with its name from the plant file; no specification has a table of them (I30)."""
+        return f"{code} {self.plant.alarm_codes.get(code, UNNAMED)}"
 
     # -- records ------------------------------------------------------------------------------------------------------
 

@@ -74,7 +74,11 @@ def test_each_alarm_is_an_event_when_it_comes_and_one_that_names_it_when_it_goes
     for code, oper in ((300, 1), (300, 1), (301, 1), (0, 0), (0, 0)):
         ready.report(V1, "103", words(oper=oper, code=code))
     told = [(e.event, e.detail) for e in ready.history() if e.event.startswith("Alarm")]
-    each = [(name, code) for code in ("300", "301") for name in ("AlarmSet", "AlarmCleared")]
+    each = [
+        (name, f"{code} (no name under alarm_codes)")
+        for code in ("300", "301")
+        for name in ("AlarmSet", "AlarmCleared")
+    ]
     assert told == each
 
 

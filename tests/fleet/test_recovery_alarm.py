@@ -43,7 +43,7 @@ def alarmed(ready: Script, condition: Condition | None = None) -> Script:
     for _ in range(3):
         ready.wait(1.1)
         ready.report(V1, "103", condition or IN_ALARM)
-    assert hold(ready) == "alarm 300"
+    assert hold(ready) == "alarm 300 (no name under alarm_codes)"
     ready.forget()
     return ready
 

@@ -172,7 +172,7 @@ def test_a_place_that_ended_in_an_alarm_with_f_0_waits_for_a_person_who_has_seen
     ready.toys[V1].linked = False
     ready.answer(ready.last(Place), "114", words(oper=1, code=300, trav=1), ok=False, reason="alarm 300")
     ready.stand(V1, "114", AT_PORT, link=False)
-    assert held(ready) == "its PLACE ended in alarm 300, and its FOUP bit is 0"
+    assert held(ready) == "its PLACE ended in alarm 300 (no name under alarm_codes), and its FOUP bit is 0"
     assert ready.job("J1").state.value == "transferring"
     ready.accept(release())
     ready.stand(V1, "114", AT_PORT, link=False)

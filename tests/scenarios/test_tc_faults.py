@@ -87,7 +87,7 @@ def test_s32_an_alarm_while_idle_is_found_by_the_next_poll(bench: Bench) -> None
     bench.vehicle.raise_alarm(300, bench.now)
     bench.run(5.0)
     assert not [h for h in bench.line if isinstance(h.frame, Enq) and h.way == "<" and h.frame.cmd_id >> 63]
-    assert bench.hold == "alarm 300"
+    assert bench.hold == "alarm 300 (no name under alarm_codes)"
     assert "AlarmSet" in bench.events()
 
 
@@ -101,7 +101,7 @@ def test_s33_an_alarm_while_moving_fails_the_move_and_holds_the_vehicle(bench: B
     (intent,) = bench.intents("move")
     assert intent.state is IntentState.FAILED
     assert "300" in intent.outcome
-    assert bench.hold == "alarm 300"
+    assert bench.hold == "alarm 300 (no name under alarm_codes)"
     assert len(bench.sent(Code.MOVE)) == 1
 
 

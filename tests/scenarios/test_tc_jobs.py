@@ -87,7 +87,7 @@ def test_a_controller_killed_during_the_pick_up_changes_nothing(bench: Bench, af
 def test_a_pick_up_where_no_foup_is_ends_in_alarm_201_and_the_job_fails_once_it_is_recovered(bench: Bench) -> None:
     bench.truth.remove(P1)
     bench.run(20.0)
-    assert bench.hold == "alarm 201"
+    assert bench.hold == "alarm 201 (no name under alarm_codes)"
     assert job(bench).state is not JobState.FAILED
     bench.accept(RecoverAlarm(KIM, V1))
     bench.run(15.0)
@@ -102,7 +102,7 @@ def test_a_foup_lost_on_the_way_holds_the_vehicle_until_a_person_has_looked_and_
     bench.until(lambda: bench.vehicle.state.foup and bench.vehicle.state.driving)
     bench.vehicle.lose_foup(bench.now)
     bench.run(8.0)
-    assert bench.hold == "alarm 202"
+    assert bench.hold == "alarm 202 (no name under alarm_codes)"
     bench.accept(RecoverAlarm(KIM, V1))
     bench.run(8.0)
     assert bench.hold == "it should carry F1, and its FOUP bit is 0"
