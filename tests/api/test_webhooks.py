@@ -55,8 +55,8 @@ async def test_a_url_that_the_settings_do_not_name_is_refused(client: httpx.Asyn
     [
         ("https://elsewhere.example/x", "in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file"),
         ("http://127.0.0.1/", "in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file"),
-        ("https://me:word@mes.fab/x", "Write such as https://mes.fab/events"),
-        ("https://mes.fab/x#y", "Write such as https://mes.fab/events"),
+        ("https://me:word@mes.fab/x", "Write a URL of http or https"),
+        ("https://mes.fab/x#y", "Write a URL of http or https"),
     ],
 )
 async def test_a_url_that_is_refused_is_told_what_to_set_or_to_write(

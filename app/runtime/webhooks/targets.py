@@ -20,7 +20,7 @@ REMEDY = (
     "Name the host, *.domain, address or network in HOISTWAY_WEBHOOK_TARGETS, or as webhook_targets in the settings file, "
     "and start the controller again."
 )
-NO_URL = "Write such as https://mes.fab/events: http or https, no name or password, no fragment."
+NO_URL = "Write a URL of http or https, without a name, a password or a fragment."
 
 
 class TargetsError(HoistwayError):
