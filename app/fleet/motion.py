@@ -7,7 +7,7 @@ XMOVE goes on from it; where that comes too late, the vehicle stops by itself an
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
-from math import sqrt
+from math import inf, sqrt
 
 from app.domain.commands import Move, Xmove
 from app.domain.errors import NoRoute
@@ -286,6 +286,8 @@ class Motion:
         if errand is None or here is None:
             return None
         _, high = horizon(self._books, vehicle)
+        if not vehicle.ahead and not vehicle.rest:
+            vehicle.rest = self._round(vehicle, here)
         blocked = self._claim(vehicle, high)
         if not vehicle.ahead and vehicle.rest and self.detours.over_free_track(vehicle, errand.goal):
             blocked = self._claim(vehicle, high)
@@ -311,6 +313,21 @@ class Motion:
         vehicle.drive = Drive(intent.cmd_id, move_path, intent)
         vehicle.waiting = ""
         return blocked
+
+    def _round(self, vehicle: VehicleNow, here: Barcode) -> list[Barcode]:
+        """Return the way round to the barcode that a hoist read last, where it cannot be told to stop: it is past it.
+
+        It was broken off on its way to a next barcode, or refused to stop at this one. Empty: it is where it says, as far
+        as is known, or there is no way round. Where it may be on its way to several, each is tried in its turn.
+        """
+        if vehicle.is_agv or not vehicle.missed or not vehicle.beyond:
+            return []
+        router = self._books.router
+        ways = sorted((router.time(via, here), via) for via in vehicle.beyond)
+        open_ways = [via for seconds, via in ways if seconds < inf]
+        if not open_ways:
+            return []
+        return list(router.route(open_ways[(vehicle.missed - 1) % len(open_ways)], here))
 
     def _display(self, job: Job | None) -> tuple[str, str, str]:
         """Return FOUP ID, SOURCE and DESTINATION for the vehicle's display."""
@@ -407,11 +424,17 @@ class Motion:
         vehicle.drive = None
         done = state in {IntentState.DONE, IntentState.SETTLED_DONE} and vehicle.barcode == drive.end.barcode
         vehicle.stopped = drive.end.action if done else None
-        vehicle.beyond = () if done else vehicle.beyond or tuple(vehicle.ahead[:1])
+        vehicle.beyond = () if done else vehicle.beyond or self._perhaps_left_for(vehicle)
         if vehicle.errand is None:
             self.shrink_ahead(vehicle)
         self._books.save_vehicle(vehicle, barcode=vehicle.barcode, held=(*reversed(vehicle.trail), *vehicle.ahead))
         self._books.wake(vehicle.id)
+
+    def _perhaps_left_for(self, vehicle: VehicleNow) -> tuple[Barcode, ...]:
+        """Return where a vehicle may be on its way to whose MOVE came to nothing; one to its own place does not say."""
+        if vehicle.ahead or vehicle.barcode is None or vehicle.is_agv:
+            return tuple(vehicle.ahead[:1])
+        return tuple(self._books.track.successors(vehicle.barcode))
 
     def answer(self, vehicle: VehicleNow, drive: Drive, answer: Answered) -> bool:
         """RESP1 of the MOVE. Returns whether the MOVE is over; False: it was answered on acceptance, and runs."""

@@ -4,10 +4,21 @@ from pathlib import Path
 
 import pytest
 
+from app.domain.commands import Plain
 from app.domain.errors import PlantHeld, Refusal
-from app.domain.ids import JobId, StationId
+from app.domain.ids import CarrierId, JobId, StationId
 from app.domain.job import JobState
-from app.domain.requests import Accepted, RecoverAlarm, ReleaseVehicle, Verdict
+from app.domain.requests import (
+    Accepted,
+    CancelJob,
+    CommandVehicle,
+    CreateJob,
+    MoveVehicle,
+    RecoverAlarm,
+    ReleaseVehicle,
+    Verdict,
+    WriteCarrier,
+)
 from app.domain.units import Barcode, Timestamp
 from app.protocols.itsc.messages import Code, Mode
 from app.sim.world import World
@@ -158,3 +169,33 @@ def test_a_killed_controller_leaves_its_jobs_to_the_next_one_in_the_database(tmp
     assert world.result().completed == world.result().takes == world.result().puts
     assert StationId("P1") in world.control.fleet.books.stations
     ledger.close()
+
+
+@pytest.mark.parametrize("killed", [False, True])
+def test_a_hoist_that_was_stopped_just_past_a_port_comes_round_to_it(killed: bool) -> None:
+    world = Watched()
+    world.pass_by(5.0)
+    assert isinstance(world.reply(MoveVehicle(ANNA, V1, Barcode("104"))), Accepted)
+    device = world.floor.devices[V1]
+    world.until(lambda: device.place(world.now)[0] == "104" and not device.state.moving)
+    world.pass_by(3.0)
+    world.reply(WriteCarrier(ANNA, CarrierId("F9"), "P3"))
+    away = CreateJob(ANNA, JobId("J0"), "P3", StationId("P2"), None, 50, "J0", vehicle=V1)
+    assert isinstance(world.reply(away), Accepted)
+    world.until(lambda: device.place(world.now)[1] > 0)
+    assert isinstance(world.reply(CancelJob(ANNA, JobId("J0"))), Accepted)
+    assert isinstance(world.reply(CommandVehicle(ANNA, V1, Plain.STOP_BY_HOST)), Accepted)
+    world.until(lambda: not device.state.moving)
+    at, past, _ = device.place(world.now)
+    assert at == "104"
+    assert past > 0, "it reports the port, and is past it"
+    if killed:
+        world.kill()
+        world.until(lambda: world.alive)
+    world.pass_by(5.0)
+    assert isinstance(world.reply(ReleaseVehicle(ANNA, V1, Verdict.GO_ON, "it may go on")), Accepted)
+    order = CreateJob(ANNA, JobId("J1"), "P1", StationId("P2"), None, 50, "J1", vehicle=V1)
+    assert isinstance(world.reply(order), Accepted)
+    world.until(lambda: world.books.jobs["J1"] is JobState.COMPLETED, 300.0)
+    assert world.control.fleet.books.vehicles[V1].record.hold is None
+    assert (world.oracle.takes, world.oracle.puts, world.oracle.violations) == (1, 1, [])
