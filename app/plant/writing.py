@@ -6,6 +6,7 @@ from itertools import pairwise
 from math import hypot
 from typing import TypeAlias
 
+from app.domain.ids import StationId
 from app.domain.layout import OVERDUE, Edge, Plant, Point, PulseSet, Station, Zone
 from app.domain.units import Barcode
 from app.plant.writing_machines import equipment, vehicles
@@ -17,11 +18,13 @@ PER_LINE = 20
 Notes: TypeAlias = Mapping[Barcode, str]
 
 
-def write(plant: Plant, head: Sequence[str] = (), notes: Notes | None = None) -> str:
+def write(
+    plant: Plant, head: Sequence[str] = (), notes: Notes | None = None, stations: Mapping[StationId, str] | None = None
+) -> str:
     """Return the plant file that reads back as this plant.
 
-    ``head`` are lines of comment before everything else, ``notes`` a comment behind the barcodes that have one. Catalogues
-    of drives are files of their own.
+    ``head`` are lines of comment before everything else, ``notes`` and ``stations`` a comment behind the barcodes and
+    stations that have one. Catalogues of drives are files of their own.
     """
     sections = (
         [f"# {_shown(line)}".rstrip() for line in head],
@@ -29,7 +32,7 @@ def write(plant: Plant, head: Sequence[str] = (), notes: Notes | None = None) ->
         ["barcodes:", *_barcodes(plant.points, notes or {})],
         ["track:" if plant.edges else "track: []", *_track(plant)],
         _parking(plant),
-        entries("stations", (_station(station) for station in plant.stations)),
+        entries("stations", (_station(station, (stations or {}).get(station.id)) for station in plant.stations)),
         _zones(plant),
         entries("dialects", (f"{word(name)}: {_plain(given)}" for name, given in plant.dialects.items())),
         *equipment(plant),
@@ -164,7 +167,7 @@ def pulses(given: PulseSet | None) -> str | None:
     return flow({"shft": given.shft, "rota": given.rota, "lift": given.lift}) if given else None
 
 
-def _station(station: Station) -> str:
+def _station(station: Station, note: str | None) -> str:
     given: dict[str, Value | None] = {
         "kind": station.kind.value,
         "at": mark(station.barcode),
@@ -176,7 +179,7 @@ def _station(station: Station) -> str:
         "display": quoted(station.display) if station.display not in ("", station.id) else None,
         "fallbacks": f"[{', '.join(map(word, station.fallbacks))}]" if station.fallbacks else None,
     }
-    return f"{word(station.id)}: {flow(given)}"
+    return f"{word(station.id)}: {flow(given)}" + (f"  # {_shown(note)}" if note else "")
 
 
 def _zones(plant: Plant) -> list[str]:

@@ -67,7 +67,7 @@ def import_layout(sources: Sequence[tuple[str, bytes]], wishes: Wishes) -> Impor
     settled = settle(draft, wishes.options, report)
     if not settled.plant.points:
         raise _nowhere(sources[0][0], report)
-    text = write(settled.plant, _head([name for name, _ in sources], report), settled.notes)
+    text = write(settled.plant, _head([name for name, _ in sources], report), settled.notes, settled.stations)
     try:
         _, findings = read(text, f"{settled.plant.name}.yaml")
     except UnusablePlant as unusable:

@@ -90,18 +90,33 @@ def _tags() -> Iterator[str]:
         yield "".join(letters[number // 36**place % 36] for place in (3, 2, 1, 0))
 
 
-def ids_of(names: Iterable[tuple[str, str]], taken: set[str], what: str, report: Report) -> dict[str, str]:
-    """Return an id for each (name, where), none of them twice or in ``taken``, which they are added to."""
+def ids_of(
+    names: Iterable[tuple[str, str]], taken: set[str], what: str, report: Report, *, titled: bool = False
+) -> dict[str, str]:
+    """Return an id for each (name, where), none of them twice or in ``taken``, which they are added to.
+
+    ``titled``: the name itself is kept beside the id.
+    """
     found: dict[str, str] = {}
     for name, where in names:
         if name in found:
             continue
-        wanted = name if is_id(name) else _id_from(name) or f"{what}-{len(found) + 1}"
+        lost = any(letter.isalnum() and not letter.isascii() for letter in name)
+        kept = _id_from(name) or str(len(found) + 1)
+        wanted = name if is_id(name) else f"{what}-{kept}"[:_LONGEST_ID] if lost or not _id_from(name) else kept
         made, number = wanted, 2
         while made in taken:
             made, number = f"{wanted[: _LONGEST_ID - 6]}-{number}", number + 1
-        if made != name:
-            report.repaired(f"{where} → {made}", "renamed: names are letters, digits and . _ - : + @, each used once")
+        if lost and not titled:
+            report.wrong(
+                f"{where}: {shown(name)} → {made}",
+                "renamed, and its letters are lost: names are Latin letters, digits and . _ - : + @",
+                "write the names into the list by which hosts are to order, and import it again",
+            )
+        elif made != name:
+            report.repaired(
+                f"{where}: {shown(name)} → {made}", "renamed: names are letters, digits and . _ - : + @, each used once"
+            )
         found[name] = made
         taken.add(made)
     return found

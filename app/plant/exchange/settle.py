@@ -54,10 +54,11 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Settled:
-    """The plant, and for each barcode that has another name in the source, that name."""
+    """The plant, and for each barcode and each station that has another name in the source, that name."""
 
     plant: Plant
     notes: dict[Barcode, str]
+    stations: dict[StationId, str]
 
 
 def settle(draft: Draft, options: Options, report: Report) -> Settled:
@@ -92,7 +93,7 @@ def settle(draft: Draft, options: Options, report: Report) -> Settled:
     )
     plant = crew(plant, draft, barcodes, kind, options.vehicles, top, taken, report, text=text)
     notes = {Barcode(by_name[s.name]): s.name for s in kept if by_name[s.name] != s.name}
-    return Settled(plant, notes)
+    return Settled(plant, notes, {station.id: name for name, station in stations.items() if station.id != name})
 
 
 def _kind(draft: Draft) -> VehicleKind:
@@ -332,7 +333,7 @@ def _chargers(
 
 
 def _zones(draft: Draft, barcodes: dict[str, Barcode], report: Report) -> Iterable[Zone]:
-    names = ids_of(((area.name, area.where) for area in draft.areas.values()), set(), "ZONE", report)
+    names = ids_of(((area.name, area.where) for area in draft.areas.values()), set(), "ZONE", report, titled=True)
     for area in draft.areas.values():
         inside = frozenset(barcodes[spot] for spot in area.spots if spot in barcodes)
         unknown = [spot for spot in area.spots if spot not in barcodes]
@@ -341,4 +342,4 @@ def _zones(draft: Draft, barcodes: dict[str, Barcode], report: Report) -> Iterab
         if not inside:
             report.left_out(area.where, "a zone without marks")
             continue
-        yield Zone(ZoneId(names[area.name]), inside, max(1, area.capacity), area.no_stop, names[area.name])
+        yield Zone(ZoneId(names[area.name]), inside, max(1, area.capacity), area.no_stop, area.name)

@@ -1,6 +1,7 @@
 """Barcode lists: CSV and workbooks, in English and Korean, as people write them."""
 
 import io
+import re
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -252,9 +253,15 @@ def test_station_names_that_no_plant_takes_are_written_otherwise() -> None:
     text = RING.replace("P1", "에치 1호기").replace("P2", "A-VERY-LONG-NAME-OF-A-PORT")
     made = imported(text)
     first, second, _ = made.plant.stations
-    assert (first.id, first.barcode) == ("1", "2")
+    assert (first.id, first.barcode) == ("ST-1", "2")
     assert len(second.display) <= 16
-    assert made.is_sound
+    (lost,) = [what for what in said(made, Kind.WRONG) if "에치" in what]
+    assert "에치 1호기 → ST-1" in lost
+    assert re.search(r"  ST-1: {.*}  # 에치 1호기\n", made.text), "the whole name is kept"
+    latin = imported(RING.replace("P1", "ETCH 1"))
+    assert latin.is_sound
+    assert latin.plant.stations[0].id == "ETCH-1"
+    assert "  # ETCH 1\n" in latin.text
 
 
 @pytest.mark.parametrize(
