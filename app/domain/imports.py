@@ -2,8 +2,8 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from app.domain.pulses import AxisPulses, carried_over, known, missing, named
-from app.domain.teaching import Fate, ImportRow, RowFate, Side
+from app.domain.pulses import AxisPulses, carried_over, drifts, known, missing, named
+from app.domain.teaching import DRIFT, Fate, ImportRow, RowFate, Side
 
 Present = Mapping[str, tuple[int, AxisPulses]]
 """Version and pulses of each station or vehicle that has any."""
@@ -34,7 +34,10 @@ def _fate(side: Side, row: ImportRow, names: Collection[str], present: Present, 
         return RowFate(row.line, row.name, Fate.NEW, detail, version=1)
     if after == before:
         return RowFate(row.line, row.name, Fate.SAME, version=version)
-    return RowFate(row.line, row.name, Fate.CHANGED, ", ".join(_differences(before, after)), version=version + 1)
+    far = drifts(before, after, DRIFT)
+    warning = f"; far from version {version}: {far}" if far else ""
+    detail = ", ".join(_differences(before, after)) + warning
+    return RowFate(row.line, row.name, Fate.CHANGED, detail, version=version + 1)
 
 
 def _wrong(row: ImportRow, detail: str, remedy: str) -> RowFate:

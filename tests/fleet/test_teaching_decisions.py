@@ -135,7 +135,7 @@ def test_an_import_writes_what_is_new_or_changed_and_leaves_the_rest(script: Scr
     )
     assert [(f.fate, f.version, f.detail) for f in accepted.fates] == [
         (Fate.SAME, 1, ""),
-        (Fate.CHANGED, 2, "LIFT 41200 -> 43000"),
+        (Fate.CHANGED, 2, "LIFT 41200 -> 43000; far from version 1: LIFT by +1800"),
     ]
     assert (dest(script, P2).pulses, dest(script, P2).source) == (pulses(1150, -280, 43000), "import")
     assert dest(script).version == 1
