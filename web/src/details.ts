@@ -26,6 +26,8 @@ export const FIELDS = {
   reserved: "reserved",
   out_of_service: "out_of_service",
   by_person: "field_by_person",
+  any_vehicle: "field_any_vehicle",
+  forgotten: "field_forgotten",
   walked: "field_walked",
   inputs: "inputs",
   parameters: "parameters",

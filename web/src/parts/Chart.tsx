@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { theme } from "../theme";
+import { none } from "../known";
 import { language, t } from "../texts";
 
 export interface Line {
@@ -36,7 +37,7 @@ export function Chart(shown: Shown) {
   return (
     <figure class="chart">
       <figcaption>{shown.label}</figcaption>
-      <p class="nothing">{t("nothing_in_period")}</p>
+      <p class="nothing">{none(t("nothing_in_period"))}</p>
     </figure>
   );
 }

@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { download, post, Refused, upload } from "../api";
 import { moment } from "../shows";
 import { layout, tick } from "../store";
+import { none } from "../known";
 import { said, t, tell } from "../texts";
 import type { Break, Change, Difference, Finding, Impact, Version } from "../versions";
 import { Field, Told, useAsking, useRead } from "./asking";
@@ -58,7 +59,7 @@ export function Layouts() {
             }}
           />
         </div>
-        {!version && <p class="nothing">{t("choose_version")}</p>}
+        {!version && <p class="nothing">{none(t("choose_version"))}</p>}
         {version && <Detail key={version.number} version={version} active={active ?? null} after={() => again.value++} />}
       </div>
     </section>

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { post } from "../api";
 import { clock } from "../shows";
 import { changes, layout } from "../store";
+import { none } from "../known";
 import { said, t, tell } from "../texts";
 import type { Axes, Drifted, Proposal, ProposalDetail, SessionDetail, TeachingSession, TaughtTarget } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
@@ -68,7 +69,7 @@ function Proposals() {
           { name: t("when"), by: (row) => row.at, of: (row) => clock(row.at) },
         ]}
       />
-      {id === null ? <p class="nothing">{t("choose_proposal")}</p> : <Detail key={id} id={id} />}
+      {id === null ? <p class="nothing">{none(t("choose_proposal"))}</p> : <Detail key={id} id={id} />}
     </div>
   );
 }
