@@ -2,8 +2,9 @@
 # Say that you know of an alarm; it goes on until its cause is gone.
 #   HOISTWAY=http://localhost:8080 ./alarm-acknowledge.sh 17 "a wheel is worn"
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-number=${1:?which alarm?} note=${2-}
+source "$(dirname -- "$0")/_lib.sh"
+usage "NUMBER [NOTE]" "$@"
 
-curl -sS --fail-with-body --json "{\"note\": \"$note\"}" -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/alarms/$number/acknowledge"
+body=$(object note="${2-}")
+ask POST "/alarms/$1/acknowledge" "$body"
 echo

@@ -4,10 +4,10 @@
 #   HOISTWAY=http://localhost:8080 PURPOSE=work ./closure-close.sh "new motor" station STK01-P02
 #   HOISTWAY=http://localhost:8080 MINUTES=30 ./closure-close.sh "crowded" barcode 1203
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}" "${PURPOSE:=traffic}" "${MINUTES:=null}"
-reason=${1:?why?}
-place=$("$(dirname "$0")/closure-place.sh" "${@:2}")
+source "$(dirname -- "$0")/_lib.sh"
+usage "REASON KIND NAME [TO]" "$@"
+place=$("$(dirname -- "$0")/closure-place.sh" "${@:2}")
 
-curl -fsS --json "{\"place\": $place, \"reason\": \"$reason\", \"purpose\": \"$PURPOSE\", \"minutes\": $MINUTES}" \
-  -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/closures"
+body=$(object place:="$place" reason="$1" purpose="${PURPOSE:-traffic}" minutes:="${MINUTES:-null}")
+ask POST /closures "$body"
 echo

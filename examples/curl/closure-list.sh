@@ -2,7 +2,8 @@
 # What is closed now, by whom and why, and who is still inside.
 #   HOISTWAY=http://localhost:8080 ./closure-list.sh
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 
-curl -fsS "$HOISTWAY/api/v1/closures"
+ask GET /closures
 echo

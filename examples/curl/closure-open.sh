@@ -2,8 +2,9 @@
 # End a closure by its number; one for people's work is ended by its owner, or by two others one after the other.
 #   HOISTWAY=http://localhost:8080 ./closure-open.sh 3 "rail is back"
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-number=${1:?which closure?} reason=${2-}
+source "$(dirname -- "$0")/_lib.sh"
+usage "NUMBER [REASON]" "$@"
 
-curl -sS --fail-with-body --json "{\"reason\": \"$reason\"}" -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/closures/$number/open"
+body=$(object reason="${2-}")
+ask POST "/closures/$1/open" "$body"
 echo

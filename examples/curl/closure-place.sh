@@ -2,10 +2,17 @@
 # Print a place as JSON, as the other closure scripts send it.
 #   ./closure-place.sh barcode 1203 | edge 1203 1204 | stretch 1203 1210 | zone merge-3 | station STK01-P02
 set -euo pipefail
-kind=${1:?barcode, edge, stretch, zone or station?} name=${2:?which one?}
-case $kind in
-  barcode) echo "{\"kind\": \"barcode\", \"barcodes\": [\"$name\"]}" ;;
-  edge | stretch) echo "{\"kind\": \"$kind\", \"from\": \"$name\", \"to\": \"${3:?to which barcode?}\"}" ;;
-  zone | station) echo "{\"kind\": \"$kind\", \"$kind\": \"$name\"}" ;;
-  *) echo "no such kind of place: $kind" >&2; exit 2 ;;
+source "$(dirname -- "$0")/_lib.sh"
+usage "KIND NAME [TO]" "$@"
+case $1 in
+  barcode)
+    barcodes=$(list "$2")
+    object kind=barcode barcodes:="$barcodes"
+    ;;
+  edge | stretch)
+    usage "$1 FROM TO" "$@"
+    object kind="$1" from="$2" to="$3"
+    ;;
+  zone | station) object kind="$1" "$1=$2" ;;
+  *) echo "no such kind of place: $1; barcode, edge, stretch, zone or station" >&2; exit 2 ;;
 esac

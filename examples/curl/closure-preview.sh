@@ -3,8 +3,10 @@
 #   HOISTWAY=http://localhost:8080 ./closure-preview.sh barcode 1203
 #   HOISTWAY=http://localhost:8080 ./closure-preview.sh stretch 1203 1210
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}"
-place=$("$(dirname "$0")/closure-place.sh" "$@")
+source "$(dirname -- "$0")/_lib.sh"
+usage "KIND NAME [TO]" "$@"
+place=$("$(dirname -- "$0")/closure-place.sh" "$@")
 
-curl -fsS --json "{\"place\": $place}" "$HOISTWAY/api/v1/closures/preview"
+body=$(object place:="$place")
+ask POST /closures/preview "$body"
 echo

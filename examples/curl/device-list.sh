@@ -2,7 +2,8 @@
 # List doors, buffers and chargers: state, who is in them or waits for them, what is wrong and what helps.
 #   HOISTWAY=http://localhost:8080 ./device-list.sh
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 
-curl -fsS "$HOISTWAY/api/v1/devices"
+ask GET /devices
 echo

@@ -3,13 +3,13 @@
 #   HOISTWAY=http://localhost:8080 ./device-lockout.sh DOOR1 "new motor"
 #   HOISTWAY=http://localhost:8080 ./device-lockout.sh DOOR1 --lift
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-device=${1:?which device?} reason=${2:?why, or --lift?}
-lockout="$HOISTWAY/api/v1/devices/$device/lockout"
+source "$(dirname -- "$0")/_lib.sh"
+usage "DEVICE REASON|--lift" "$@"
 
-if [[ $reason == --lift ]]; then
-  curl -fsS -X DELETE -H "X-Actor: $ACTOR" "$lockout"
+if [[ $2 == --lift ]]; then
+  ask DELETE "/devices/$1/lockout"
 else
-  curl -fsS --json "{\"reason\": \"$reason\"}" -H "X-Actor: $ACTOR" "$lockout"
+  body=$(object reason="$2")
+  ask POST "/devices/$1/lockout" "$body"
 fi
 echo

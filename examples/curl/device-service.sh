@@ -3,9 +3,9 @@
 #   HOISTWAY=http://localhost:8080 ./device-service.sh CHARGER1 "no current"
 #   HOISTWAY=http://localhost:8080 ./device-service.sh CHARGER1
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-device=${1:?which device?} reason=${2-}
-body="{\"in_service\": $([[ -z $reason ]] && echo true || echo false), \"reason\": \"$reason\"}"
+source "$(dirname -- "$0")/_lib.sh"
+usage "DEVICE [REASON]" "$@"
 
-curl -fsS -X PUT --json "$body" -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/devices/$device/service"
+body=$(object in_service:="$([[ -z ${2-} ]] && echo true || echo false)" reason="${2-}")
+ask PUT "/devices/$1/service" "$body"
 echo

@@ -3,13 +3,14 @@
 #   HOISTWAY=http://localhost:8080 ./door-keep.sh DOOR1 closed "cleaning the hall"
 #   HOISTWAY=http://localhost:8080 ./door-keep.sh DOOR1 back
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-door=${1:?which door?} how=${2:?open, closed or back?}
-pin="$HOISTWAY/api/v1/devices/$door/pin"
+source "$(dirname -- "$0")/_lib.sh"
+usage "DOOR open|closed|back [REASON]" "$@"
 
-if [[ $how == back ]]; then
-  curl -fsS -X DELETE -H "X-Actor: $ACTOR" "$pin"
+if [[ $2 == back ]]; then
+  ask DELETE "/devices/$1/pin"
 else
-  curl -fsS -X PUT --json "{\"position\": \"$how\", \"reason\": \"${3:?why?}\"}" -H "X-Actor: $ACTOR" "$pin"
+  usage "DOOR $2 REASON" "$@"
+  body=$(object position="$2" reason="$3")
+  ask PUT "/devices/$1/pin" "$body"
 fi
 echo

@@ -2,13 +2,12 @@
 # Back a drive up, and save the backup as CSV. Prints the backup's number.
 #   HOISTWAY=http://localhost:8080 ./drive-backup.sh AX1 "before tuning" backup.csv
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-drive=${1:?which drive?} note=${2:-} file=${3:-$drive.csv}
+source "$(dirname -- "$0")/_lib.sh"
+usage "DRIVE [NOTE] [FILE]" "$@"
+file=${3:-$1.csv}
 
-field() { sed -n "s/.*\"$1\":\"\{0,1\}\([^\",}]*\).*/\1/p"; }
-
-answer=$(curl -fsS --json "{\"note\": \"$note\"}" -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/backups?wait=60")
-backup=$(field backup <<<"$answer")
-[ -n "$backup" ] || { echo "$answer" >&2; exit 1; }
-curl -fsS -o "$file" "$HOISTWAY/api/v1/drives/$drive/backups/$backup?format=csv"
+body=$(object note="${2-}")
+answer=$(api POST "/drives/$1/backups?wait=60" "$body")
+backup=$(field result.backup <<<"$answer" 2>/dev/null) || { echo "$answer" >&2; exit 1; } # it failed, and says why
+ask GET "/drives/$1/backups/$backup?format=csv" "" --output "$file" || { cat -- "$file" >&2; exit 1; }
 echo "$backup"

@@ -2,9 +2,10 @@
 # List the drives of the plant: id, mode, error, whether they move, who has locked them out.
 #   HOISTWAY=http://localhost:8080 ./drive-list.sh
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 
-curl -fsS "$HOISTWAY/api/v1/drives"
+ask GET /drives
 echo
-curl -fsS "$HOISTWAY/api/v1/links"
+ask GET /links
 echo

@@ -2,15 +2,13 @@
 # Read all 256 parameters of a drive, with progress, then print what is known of each.
 #   HOISTWAY=http://localhost:8080 ./drive-read-all.sh AX1
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-drive=${1:?which drive?}
+source "$(dirname -- "$0")/_lib.sh"
+usage "DRIVE" "$@"
 
-field() { sed -n "s/.*\"$1\":\"\{0,1\}\([^\",}]*\).*/\1/p"; }
-
-operation=$(curl -fsS --json '{}' -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/read" | field id)
-while state=$(curl -fsS "$HOISTWAY/api/v1/operations/$operation?wait=1") && [ "$(field state <<<"$state")" = running ]; do
+operation=$(api POST "/drives/$1/read" '{}' | field id)
+while state=$(api GET "/operations/$operation?wait=1") && [ "$(field state <<<"$state")" = running ]; do
     echo "$(field done <<<"$state") of $(field total <<<"$state")" >&2
 done
-curl -fsS "$HOISTWAY/api/v1/drives/$drive/parameters"
+ask GET "/drives/$1/parameters"
 echo
 [ "$(field state <<<"$state")" = done ] || { field reason <<<"$state" >&2; exit 1; }

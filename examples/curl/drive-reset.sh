@@ -2,12 +2,12 @@
 # Show the error of a drive with its meaning and remedy, reset it, and show the status after that.
 #   HOISTWAY=http://localhost:8080 ./drive-reset.sh AX1
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-drive=${1:?which drive?}
+source "$(dirname -- "$0")/_lib.sh"
+usage "DRIVE" "$@"
 
-curl -fsS "$HOISTWAY/api/v1/drives/$drive"
+ask GET "/drives/$1"
 echo
-curl -fsS --json '{"key": "stop_reset"}' -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/keys?wait=10"
+ask POST "/drives/$1/keys?wait=10" '{"key": "stop_reset"}'
 echo
-curl -fsS -X POST -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/drives/$drive/status?wait=10"
+ask POST "/drives/$1/status?wait=10"
 echo

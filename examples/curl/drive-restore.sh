@@ -2,18 +2,17 @@
 # Restore a drive from a backup. First a dry run, which says what would be written; with a third word "really" it is done.
 #   HOISTWAY=http://localhost:8080 ./drive-restore.sh AX1 12 [really]
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-drive=${1:?which drive?} backup=${2:?which backup?} really=${3:-}
-
-field() { sed -n "s/.*\"$1\":\"\{0,1\}\([^\",}]*\).*/\1/p"; }
+source "$(dirname -- "$0")/_lib.sh"
+usage "DRIVE BACKUP [really]" "$@"
+drive=$1 backup=$2 really=${3:-}
 
 restore() {
-    local operation answer
-    answer=$(curl -sS --json "{\"backup\": $backup, \"dry_run\": $1}" -H "X-Actor: $ACTOR" \
-        "$HOISTWAY/api/v1/drives/$drive/restore?wait=60")
+    local operation answer body
+    body=$(object backup:="$backup" dry_run:="$1")
+    answer=$(api POST "/drives/$drive/restore?wait=60" "$body")
     operation=$(field id <<<"$answer")
     while [ "$(field state <<<"$answer")" = running ]; do
-        answer=$(curl -fsS "$HOISTWAY/api/v1/operations/$operation?wait=60")
+        answer=$(api GET "/operations/$operation?wait=60")
     done
     echo "$answer"
     grep -q '"state":"done"' <<<"$answer"

@@ -2,9 +2,9 @@
 # Stop all drives of a line at once.
 #   HOISTWAY=http://localhost:8080 ./drive-stop-all.sh axes
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-line=${1:?which line?}
+source "$(dirname -- "$0")/_lib.sh"
+usage "LINE" "$@"
 
-answer=$(curl -sS -X POST -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/links/$line/stop?wait=5")
+answer=$(ask POST "/links/$1/stop?wait=5") || true # what is wrong with it is seen below
 echo "$answer"
 grep -q '"state":"done"' <<<"$answer"

@@ -3,12 +3,14 @@
 #   HOISTWAY=http://localhost:8080 ./emergency.sh fire "smoke in bay 2"
 #   HOISTWAY=http://localhost:8080 ./emergency.sh --release fire "false alarm, seen" && curl -X POST $HOISTWAY/api/v1/controller/resume
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-path="$HOISTWAY/api/v1/controller/emergency"
+source "$(dirname -- "$0")/_lib.sh"
+path=/controller/emergency
 if [[ ${1-} == --release ]]; then
   path+=/release
   shift
 fi
+usage "[--release] fire|earthquake REASON" "$@"
 
-curl -fsS --json "{\"kind\": \"${1:?fire or earthquake?}\", \"reason\": \"${2:?why?}\"}" -H "X-Actor: $ACTOR" "$path"
+body=$(object kind="$1" reason="$2")
+ask POST "$path" "$body"
 echo

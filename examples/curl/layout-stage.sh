@@ -2,15 +2,15 @@
 # Stage a plant file as a new version; prints it with its number, then what differs and what stands in its way. Changes nothing yet.
 #   HOISTWAY=http://localhost:8080 ./layout-stage.sh new.yaml "a port more"
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-file=${1:?which plant file?} reason=${2:?why?}
-versions="$HOISTWAY/api/v1/layout/versions"
+source "$(dirname -- "$0")/_lib.sh"
+usage "FILE REASON" "$@"
+[[ -r $1 ]] || { echo "$1: there is no such file that can be read" >&2; exit 1; }
 
-answer=$(curl -sS --fail-with-body --data-binary "@$file" -H "Content-Type: application/yaml" -H "X-Actor: $ACTOR" \
-  --url-query "reason=$reason" "$versions")
+answer=$(ask POST /layout/versions "" --data-binary "@$1" --header "Content-Type: application/yaml" --url-query "reason=$2") ||
+  { echo "$answer"; exit 1; } # what is wrong with the plant
 echo "$answer"
-number=$(sed -n 's/.*"number":\([0-9]*\).*/\1/p' <<<"$answer")
-curl -fsS "$versions/$number/diff"
+number=$(field number <<<"$answer")
+ask GET "/layout/versions/$number/diff"
 echo
-curl -fsS "$versions/$number/impact"
+ask GET "/layout/versions/$number/impact"
 echo

@@ -2,7 +2,8 @@
 # The versions of the plant, newest first: who, when, why, and which one runs.
 #   HOISTWAY=http://localhost:8080 ./layout-versions.sh
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 
-curl -fsS "$HOISTWAY/api/v1/layout/versions"
+ask GET /layout/versions
 echo

@@ -2,13 +2,13 @@
 # Enter what stands at a place of a walk: empty, or full with the carrier's id if it can be read.
 #   HOISTWAY=http://localhost:8080 ./walk-enter.sh 1 B2 full FOUP0002
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-walk=${1:?which walk?} station=${2:?which station?}
-case ${3:?empty or full?} in
-  empty) body='{"present": false}' ;;
-  full) body="{\"present\": true, \"carrier\": $([[ -n ${4-} ]] && echo "\"$4\"" || echo null)}" ;;
+source "$(dirname -- "$0")/_lib.sh"
+usage "WALK STATION empty|full [CARRIER]" "$@"
+case $3 in
+  empty) body=$(object present:=false) ;;
+  full) if [[ -n ${4-} ]]; then body=$(object present:=true carrier="$4"); else body=$(object present:=true carrier:=null); fi ;;
   *) echo "empty or full, not $3" >&2; exit 2 ;;
 esac
 
-curl -sS --fail-with-body -X PUT --json "$body" -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/walks/$walk/places/$station"
+ask PUT "/walks/$1/places/$2" "$body"
 echo

@@ -3,11 +3,10 @@
 #   HOISTWAY=http://localhost:8080 ./walk-start.sh "after the outage"
 #   HOISTWAY=http://localhost:8080 ./walk-start.sh "spot check" B1 B2
 set -euo pipefail
-: "${HOISTWAY:=http://localhost:8080}" "${ACTOR:=$(id -un)}"
-reason=${1:?why?}
-stations=$(printf ', "%s"' "${@:2}")
-[[ $# -gt 1 ]] || stations=""
+source "$(dirname -- "$0")/_lib.sh"
+usage "REASON [STATION...]" "$@"
+stations=$(list "${@:2}")
 
-curl -sS --fail-with-body --json "{\"reason\": \"$reason\", \"stations\": [${stations#, }]}" \
-  -H "X-Actor: $ACTOR" "$HOISTWAY/api/v1/walks"
+body=$(object reason="$1" stations:="$stations")
+ask POST /walks "$body"
 echo

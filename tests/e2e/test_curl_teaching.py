@@ -6,6 +6,7 @@ import signal
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -56,7 +57,7 @@ class Shift:
             finally:
                 os.killpg(watching.pid, signal.SIGTERM)
 
-    def get(self, path: str) -> object:
+    def get(self, path: str) -> Any:
         """Ask for something, past the scripts."""
         return HTTP.get(f"{self.url}/api/v1{path}").json()
 
@@ -88,14 +89,37 @@ def ready(shift: Shift) -> bool:
     return all(vehicle["activity"] == "idle" for vehicle in vehicles["items"])
 
 
+def out_of_order_says_what_comes_first(shift: Shift) -> None:
+    """Nothing was taught yet, and no session is open."""
+    for script in ("teach-station.sh", "close-session.sh"):
+        assert shift.run(script, code=1) == "no open session for P1: open-session.sh first\n"
+    for script, *words in (("approve.sh",), ("reject.sh", "askew")):
+        told = shift.run(script, *words, code=1)
+        assert told == "no proposal about P1: teach-station.sh or reteach-lift.sh first\n"
+    for script in ("compare.sh", "roll-back.sh"):
+        refused = shift.run(script, "1", "2", code=1)
+        assert "P1 has no version 1" in refused
+        assert "Traceback" not in refused
+
+
 def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     refused = shift.order()
     assert (refused.status_code, refused.json()["detail"]) == (409, "P1 has no DEST (SHFT, ROTA, LIFT)")
     assert "would be refused: P1 has no DEST" in shift.run("what-would-be-sent.sh")
 
-    assert "bring V001 to barcode 104" in shift.run("open-session.sh", "new load port")
+    out_of_order_says_what_comes_first(shift)
+    assert "bring V001 to barcode 104" in shift.run("open-session.sh", 'say "new" load port')
+    assert shift.get("/teaching/sessions/1")["note"] == 'say "new" load port'
     assert "session 1" in shift.run("open-session.sh", code=1)
+    in_auto = shift.run("teach-station.sh", code=1)
+    assert "needs MANT" in in_auto
+    assert "Traceback" not in in_auto
     assert "in MANT" in shift.run("bring-vehicle.sh")
+    waited = shift.run("reteach-lift.sh", code=1, OPERATOR="", PATIENCE="1", REMIND="0")
+    assert waited.startswith("press LIFT DEST TEACHING on the hand controller of V001\n")
+    assert "still waiting for LIFT DEST TEACHING of V001 at P1; ends after 1 s\n" in waited
+    assert "nothing was taught at P1 in 1 s" in waited
+    assert "LIFT is not set" in shift.run("reteach-lift.sh", code=2)
     assert "proposal 1 is ready" in shift.run("teach-station.sh")
     changes = shift.run("approve.sh")
     assert re.search(r"^P1 V001 shft - -> -?\d+ rota - -> -?\d+ lift - -> \d+", changes, re.MULTILINE)
@@ -126,7 +150,9 @@ def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     assert shift.order().status_code == 201
     wait_until(lambda: "completed" in str(shift.get("/jobs")), "the end of the job")
 
+    assert "kept/for git/dests.csv: 3 rows" in shift.run("export.sh", "kept/for git")
     assert "3 rows" in shift.run("export.sh", ".")
+    assert (shift.directory / "kept/for git/dests.csv").read_bytes() == (shift.directory / "dests.csv").read_bytes()
     file = shift.directory / "dests.csv"
     file.write_text(re.sub(r"^(P2,1,\S+?,\S+?),\d+", r"\1,45000", file.read_text(), flags=re.MULTILINE))
     assert "line 3 P2 changed LIFT 41200 -> 45000" in shift.run("import.sh", "dests.csv")
@@ -142,7 +168,7 @@ def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     file_of_none.write_text("place,lift\nP1,1\n")
     assert "none.csv: its first line names no column station" in shift.run("import.sh", "none.csv", code=1)
     assert "there is no such file" in shift.run("import.sh", "nowhere.csv", code=1)
-    assert "usage: import.sh FILE.csv" in shift.run("import.sh", code=2)
+    assert "usage: import.sh FILE.csv\n" in shift.run("import.sh", code=2)
     shift.run("export.sh", ".", HISTORY="true")
     assert len((shift.directory / "dests.csv").read_text().splitlines()) == 7
 
@@ -151,3 +177,22 @@ def test_a_maintenance_persons_shift_of_teaching_is_curl(shift: Shift) -> None:
     assert len(re.findall(r"^event", history, re.MULTILINE)) == 8
     assert shift.prints('"event":"TeachingApproved"', "watch.sh", AFTER="0", SECONDS_LONG=f"{GENEROUS:.0f}")
     assert shift.done == {file.name for file in SCRIPTS.glob("[!_]*.sh")}
+
+
+def test_a_reference_vehicle_is_sent_what_the_port_is(tmp_path: Path) -> None:
+    plant = quick_plant("small", tmp_path)
+    text, found = re.subn(r"(V001: \{.*?), offset: \{.*?\}", r"\1, reference: true", plant.read_text(encoding="utf-8"))
+    assert found == 1
+    plant.write_text(text, encoding="utf-8")
+    (port,) = free_ports(1)
+    url, log = f"http://127.0.0.1:{port}", tmp_path / "serve.log"
+    database = f"sqlite:///{tmp_path}/plant.db"
+    with running("serve", "--plant", str(plant), "--database", database, "--port", str(port), log=log):
+        wait_until(lambda: answers(url), "the server", log)
+        shift = Shift(url, "", tmp_path)
+        lines = shift.run("what-would-be-sent.sh").splitlines()
+        port_itself = shift.get("/stations/P1/dest")["items"][0]
+        assert lines[0] == "V001 at P1: shft {shft}, rota {rota}, lift {lift}".format(**port_itself)
+        assert lines[2] == "and no OFFSET: V001 is a reference vehicle, whose OFFSET is zero by declaration"
+        other = shift.run("what-would-be-sent.sh", VEHICLE="V002").splitlines()
+        assert other[2].startswith("and OFFSET version 1 by ")

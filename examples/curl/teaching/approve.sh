@@ -3,8 +3,9 @@
 #   ./approve.sh [PROPOSAL]           (without a number: the newest about $STATION)
 # At a terminal it asks before it approves. REASON is kept with the version.
 set -euo pipefail
-source "$(dirname "$0")/_lib.sh"
-proposal=${1:-$(newest)}
+source "$(dirname -- "$0")/_lib.sh"
+usage "[PROPOSAL]" "$@"
+proposal=$(proposal "${1-}")
 answer=$(api GET "/teaching/proposals/$proposal")
 python3 -c '
 import json, sys
@@ -20,6 +21,6 @@ if [ -t 0 ]; then
 fi
 # If-Match: somebody else may have written meanwhile; then nothing is approved (412).
 revision=$(field revision <<<"$answer")
-body=$(python3 -c 'import json, sys; print(json.dumps({"reason": sys.argv[1]}))' "${REASON:-measured}")
+body=$(object reason="${REASON:-measured}")
 answer=$(api POST "/teaching/proposals/$proposal/approve" "$body" --header "If-Match: \"$revision\"")
 echo "proposal $proposal is $(field state <<<"$answer") as version $(field version <<<"$answer")"

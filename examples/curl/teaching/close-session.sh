@@ -2,11 +2,14 @@
 # Bring the vehicle home and back to AUTO, and open the port to jobs again.
 # With ABANDON=true, what the session has taught and nobody has approved is rejected.
 set -euo pipefail
-source "$(dirname "$0")/_lib.sh"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 number=$(session)
 for command in go_home auto; do
-  sent=$(api POST "/vehicles/$VEHICLE/commands" "{\"command\": \"$command\"}" | field cmd_id)
+  body=$(object command="$command")
+  sent=$(api POST "/vehicles/$VEHICLE/commands" "$body" | field cmd_id)
   wait_for "/vehicles/$VEHICLE/commands/$sent" state done
 done
-answer=$(api POST "/teaching/sessions/$number/close" "{\"abandon\": ${ABANDON:-false}}")
+body=$(object abandon:="${ABANDON:-false}")
+answer=$(api POST "/teaching/sessions/$number/close" "$body")
 echo "session $number is $(field state <<<"$answer")"

@@ -2,7 +2,8 @@
 # Compare two versions of a port (old new), or the OFFSETs of two vehicles and what each would be sent at the port.
 #   ./compare.sh 1 2          ./compare.sh V001 V002
 set -euo pipefail
-source "$(dirname "$0")/_lib.sh"
+source "$(dirname -- "$0")/_lib.sh"
+usage "ONE OTHER" "$@"
 if [[ $1 =~ ^[0-9]+$ ]]; then
   api GET "/teaching/compare/stations/$STATION/$1/$2" | field differences
 else

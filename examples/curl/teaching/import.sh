@@ -5,10 +5,7 @@
 #   ./import.sh dests.csv
 set -euo pipefail
 source "$(dirname -- "$0")/_lib.sh"
-if [[ $# -ne 1 ]]; then
-  echo "usage: $(basename -- "$0") FILE.csv     (CONFIRM=yes: import it, not only a dry run)" >&2
-  exit 2
-fi
+usage "FILE.csv" "$@"
 file=$1
 [[ $file == /* ]] || file=./$file # a name may begin with a dash
 [[ -f $file && -r $file ]] || { echo "$1: there is no such file that can be read" >&2; exit 1; }
@@ -20,11 +17,7 @@ case ",$columns," in
 esac
 send() { api POST "/teaching/$what/import?dry_run=$1" '' --header 'Content-Type: text/csv' --data-binary "@$file"; }
 answer=$(send true)
-python3 -c '
-import json, sys
-for row in json.load(sys.stdin)["items"]:
-    if row["fate"] != "same":
-        print("line", row["line"], row["name"], row["fate"], row["detail"], row["remedy"])' <<<"$answer"
+items 'if row["fate"] != "same": print("line", row["line"], row["name"], row["fate"], row["detail"], row["remedy"])' <<<"$answer"
 echo "dry run of $what: $(field counts <<<"$answer")"
 [[ ${CONFIRM:-no} == yes ]] || exit 0
 answer=$(send false)

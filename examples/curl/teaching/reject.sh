@@ -2,7 +2,9 @@
 # Make nothing of a proposal; its raw events stay for ever.
 #   ./reject.sh "taught askew" [PROPOSAL]
 set -euo pipefail
-source "$(dirname "$0")/_lib.sh"
-proposal=${2:-$(newest)}
-answer=$(api POST "/teaching/proposals/$proposal/reject" "{\"reason\": \"${1:?why}\"}")
+source "$(dirname -- "$0")/_lib.sh"
+usage "REASON [PROPOSAL]" "$@"
+proposal=$(proposal "${2-}")
+body=$(object reason="$1")
+answer=$(api POST "/teaching/proposals/$proposal/reject" "$body")
 echo "proposal $proposal is $(field state <<<"$answer")"

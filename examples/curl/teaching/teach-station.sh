@@ -2,10 +2,12 @@
 # Ask the vehicle for its three axes (PORT DEST TEACHING), and show what the port would become.
 # With WHAT=offset (PORT OFFSET TEACHING) the port is the reference, and the vehicle's own OFFSET is taught.
 set -euo pipefail
-source "$(dirname "$0")/_lib.sh"
+source "$(dirname -- "$0")/_lib.sh"
+usage "" "$@"
 number=$(session)
-before=$(newest 2>/dev/null || true)
-command=$(api POST "/teaching/sessions/$number/start" "{\"what\": \"${WHAT:-dest}\"}" | field cmd_id)
+before=$(newest)
+body=$(object what="${WHAT:-dest}")
+command=$(api POST "/teaching/sessions/$number/start" "$body" | field cmd_id)
 wait_for "/vehicles/$VEHICLE/commands/$command" state done
 proposal=$(newest)
 [[ $proposal != "$before" ]] || { echo "the vehicle sent nothing" >&2; exit 1; }
