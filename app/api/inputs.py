@@ -21,6 +21,8 @@ ID_PATTERN = rf"^[^.{_NOT_IN_IDS}][^{_NOT_IN_IDS}]*$"
 """Ids travel in URLs: no blanks, control characters, or characters that cut a URL; a first dot would mean a step there."""
 TEXT_PATTERN = rf"^[^\x00-\x1f\x7f-\x9f{_HIDDEN}]*$"
 _NUMBER = re.compile(r"[\s+\-\d.eE_]*")
+_EATEN_PLUS = re.compile(r"(:\d{2}(?:[.,]\d+)?) (?=\d{2}:?\d{2}$)")
+"""A blank between a time and its zone: in a query a ``+`` that was not escaped comes as one (HTML, URL-encoded forms)."""
 ASCII_PATTERN = r"^[\x20-\x7e]*$"
 
 Id = Annotated[str, StringConstraints(strict=True, min_length=1, max_length=64, pattern=ID_PATTERN)]
@@ -34,7 +36,7 @@ def _said(value: object) -> object:
     """Return what may be a moment: text that is no number, for that could be seconds, milliseconds or a day's date."""
     if value is not None and (not isinstance(value, str) or _NUMBER.fullmatch(value)):
         raise ValueError("is no moment in ISO 8601, such as 2026-07-01T08:30:00Z")
-    return value
+    return _EATEN_PLUS.sub(r"\1+", value) if isinstance(value, str) else value
 
 
 def _within(moment: datetime) -> datetime:

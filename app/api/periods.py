@@ -41,6 +41,8 @@ def period(begin: AwareDatetime | None, end: AwareDatetime | None, now: Timestam
     ordered(begin, end)
     last = now if end is None else end.timestamp()
     first = last - usual if begin is None else begin.timestamp()
+    if first >= last and end is None:
+        raise Problem("invalid", "from lies in the future.", "It is a period up to now, unless to is said.", "from")
     if first >= last:
         raise Problem("invalid", "from does not lie before to.", "Say both, or neither.", "from")
     if last - first > LONGEST:

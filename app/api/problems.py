@@ -256,6 +256,7 @@ def message_of(error: Mapping[str, object]) -> str:
         "missing": "is required" if _place(error) else "a body in JSON is required",
         "model_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
         "model_attributes_type": "a JSON object is required" if _place(error) else "the body has to be a JSON object",
+        "timezone_aware": "has no zone: say it, such as 2026-07-01T08:30:00Z or 2026-07-01T17:30:00+09:00",
         "union_tag_not_found": "is required",
         "union_tag_invalid": f"is none of {_context(error).get('expected_tags')}",
         "string_pattern_mismatch": "holds a character that is not allowed here (control characters never are)",

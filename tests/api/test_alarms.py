@@ -61,8 +61,8 @@ async def test_sums_are_of_the_last_week_unless_said_otherwise(client: httpx.Asy
     assert controller.reader.asked_for == {"begin": NOW - 7 * 86400, "end": NOW}
     (by_code,) = (await client.get("/alarms/pareto")).json()["items"]
     assert by_code["source"] is None
-    backwards = {"from": "2026-01-02T00:00:00Z"}
-    assert (await client.get("/alarms/pareto", params=backwards)).json()["detail"] == "from does not lie before to."
+    later = {"from": "2026-01-02T00:00:00Z"}
+    assert (await client.get("/alarms/pareto", params=later)).json()["detail"] == "from lies in the future."
 
 
 async def test_reliability_has_a_row_for_every_vehicle(client: httpx.AsyncClient) -> None:

@@ -59,6 +59,28 @@ async def test_how_vehicles_held_out_is_known_up_to_now_alone(client: httpx.Asyn
     assert (answer.status_code, answer.json()["detail"]) == (422, "from lies in the future.")
 
 
+@pytest.mark.parametrize("written", ["T06:00:00+09:00", "T06:00:00.5+0900", "T06:00+09:00"])
+async def test_a_plus_that_nobody_escaped_is_still_the_sign_of_a_zone(client: httpx.AsyncClient, written: str) -> None:
+    bare, escaped = [
+        await client.get(f"/statistics?from=2025-12-31{zone}&to=2025-12-31T08:00:00Z")
+        for zone in (written, written.replace("+", "%2B"))
+    ]
+    assert (bare.status_code, bare.json()["from"]) == (200, escaped.json()["from"])
+    assert bare.json()["from"].startswith("2025-12-30T21:00:00")
+
+
+async def test_a_blank_elsewhere_in_a_moment_is_no_sign(client: httpx.AsyncClient) -> None:
+    assert (await client.get("/statistics?from=2025-12-31 06:00:00Z")).json()["from"] == "2025-12-31T06:00:00.000Z"
+    assert (await client.get("/statistics?from=2025-12-31T06:00:00 z1")).status_code == 422
+
+
+async def test_a_moment_without_a_zone_is_refused_with_one_that_has_it(client: httpx.AsyncClient) -> None:
+    answer = (await client.get("/statistics?from=2025-12-31T06:00:00")).json()
+    assert answer["detail"].startswith("from: has no zone: say it, such as 2026-07-01T08:30:00Z")
+    korean = await client.get("/statistics?from=2025-12-31T06:00:00", headers={"Accept-Language": "ko"})
+    assert "시간대가 없음. 예: 2026-07-01T08:30:00Z" in korean.json()["detail"]
+
+
 @pytest.mark.parametrize(
     ("query", "detail"),
     [
