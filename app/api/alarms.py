@@ -124,7 +124,7 @@ async def show_reliability(controller: Ctl, begin: Begin = None, end: End = None
     )
 
 
-def held_out(found: Reliability) -> dict[str, object]:
+def held_out(found: Reliability) -> dict[str, int | float | None]:
     """Return how a vehicle held out, for people: hours and minutes."""
     return {
         "failures": found.failures,

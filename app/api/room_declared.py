@@ -59,7 +59,7 @@ ROOM: Json = {
             "waits": list_of(
                 record(
                     {
-                        "cause": {**TEXT, "description": "The reason, each name in it a dash."},
+                        "cause": {**TEXT, "description": "The reason, with … for each name in it."},
                         "times": WHOLE,
                         "seconds": NUMBER,
                     }

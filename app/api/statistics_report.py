@@ -1,6 +1,5 @@
 """The printable report of a shift: one HTML page that needs nothing else, in English or Korean."""
 
-import re
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from html import escape
@@ -39,11 +38,12 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "acquiring": "picking up, s",
         "carrying": "carrying, s",
         "depositing": "putting down, s",
-        "busy": "at work",
+        "busy_share": "at work",
         "failures": "failures",
-        "down": "down, min",
-        "mtbf": "MTBF, min",
-        "mttr": "MTTR, min",
+        "down_minutes": "down, min",
+        "mtbf_hours": "MTBF, h",
+        "mttr_minutes": "MTTR, min",
+        "availability": "available",
         "cause": "cause",
         "times": "times",
         "seconds": "seconds",
@@ -80,11 +80,12 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "acquiring": "적재(초)",
         "carrying": "운반(초)",
         "depositing": "하역(초)",
-        "busy": "가동률",
+        "busy_share": "가동률",
         "failures": "고장",
-        "down": "정지(분)",
-        "mtbf": "MTBF(분)",
-        "mttr": "MTTR(분)",
+        "down_minutes": "정지(분)",
+        "mtbf_hours": "MTBF(시간)",
+        "mttr_minutes": "MTTR(분)",
+        "availability": "가용률",
         "cause": "원인",
         "times": "횟수",
         "seconds": "초",
@@ -102,8 +103,8 @@ STYLE = (
 )
 
 
-MINUTES = frozenset({"down", "mtbf", "mttr"})
-"""Columns of seconds that are shown in minutes."""
+SHARES = frozenset({"busy_share", "availability"})
+"""Columns that are shown in per cent."""
 NAMED = frozenset({"phase", "kind"})
 """Columns whose cells are words of the page's catalogue."""
 
@@ -159,7 +160,7 @@ def _section(title: str, table: Table, words: Mapping[str, str], lang: Language)
 
 
 def _cell(column: str, cell: Cell, lang: Language) -> str:
-    """Return a cell as people read it. A cause has ``-`` for the names it was counted without."""
+    """Return a cell as people read it."""
     if cell is None:
         return ""
     if isinstance(cell, str):
@@ -167,11 +168,7 @@ def _cell(column: str, cell: Cell, lang: Language) -> str:
             return _local(datetime.fromisoformat(cell).timestamp())
         if column in NAMED:
             return escape(said(f"phase_{cell}" if column == "phase" else cell, lang))
-        return escape(
-            re.sub(r"(?<![^\s(])-(?![^\s.,:;)이은에을가(])", "…", told(cell, lang)) if column == "cause" else cell
-        )
-    if column == "busy":
+        return escape(told(cell, lang) if column == "cause" else cell)
+    if column in SHARES:
         return f"{cell:.1%}"
-    if column in MINUTES:
-        return f"{cell / 60:,.1f}"
     return f"{cell:,.1f}" if isinstance(cell, float) else escape(str(cell))

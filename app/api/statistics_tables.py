@@ -9,6 +9,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
+from app.api.alarms import held_out
 from app.api.problems import Problem
 from app.domain.statistics import Phase, Transfer
 from app.fleet.statistics import Statistics, Times
@@ -62,8 +63,8 @@ def _intervals(found: Statistics) -> Table:
 
 
 def _vehicles(found: Statistics) -> Table:
-    columns = ("vehicle", "completed", "fetching", "acquiring", "carrying", "depositing", "busy")
-    more = ("failures", "down", "mtbf", "mttr")
+    columns = ("vehicle", "completed", "fetching", "acquiring", "carrying", "depositing", "busy_share")
+    more = ("failures", "down_minutes", "mtbf_hours", "mttr_minutes", "availability")
     rows = [
         (
             one.vehicle,
@@ -73,10 +74,7 @@ def _vehicles(found: Statistics) -> Table:
             one.carrying,
             one.depositing,
             one.busy,
-            one.held_out.failures,
-            _round(one.held_out.down),
-            _round(one.held_out.between),
-            _round(one.held_out.to_repair),
+            *map(held_out(one.held_out).__getitem__, more),
         )
         for one in found.vehicles
     ]

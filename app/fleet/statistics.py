@@ -192,8 +192,11 @@ _NAME = re.compile(r"[^\s,;()]*\d[^\s,;()]*(?<!:)")
 
 
 def cause_of(reason: str) -> str:
-    """Return a reason without names and figures: each word with a digit becomes a dash, and the rest is what it is about."""
-    return _NAME.sub("-", reason)
+    """Return a reason without names and figures: each word with a digit becomes ``…``, and the rest is what it is about.
+
+    An ellipsis, not a dash: a spreadsheet takes a text that begins with a dash for a formula.
+    """
+    return _NAME.sub("…", reason)
 
 
 def _causes(waits: Sequence[Waited], begin: float, end: float) -> Iterable[Cause]:

@@ -35,7 +35,7 @@ async def test_a_period_is_shown_in_intervals_with_every_vehicle(client: httpx.A
     assert [one["completed"] for one in found["intervals"]] == [0, 0, 0, 1]
     assert [one["vehicle"] for one in found["vehicles"]] == ["V001", "V002"]
     assert found["vehicles"][0]["failures"] == 1
-    assert found["waits"] == [{"cause": "- is occupied by -", "times": 1, "seconds": 60.0}]
+    assert found["waits"] == [{"cause": "… is occupied by …", "times": 1, "seconds": 60.0}]
 
 
 @pytest.mark.parametrize("table", ["phases", "intervals", "vehicles", "waits", "transfers"])
@@ -86,6 +86,24 @@ async def test_every_column_holds_what_its_name_says(client: httpx.AsyncClient) 
                 assert (int if name in COUNTS else float)(cell) >= 0
 
 
+async def test_a_cause_is_spelt_in_a_file_as_everywhere_and_no_spreadsheet_takes_it_for_a_formula(
+    client: httpx.AsyncClient,
+) -> None:
+    _, row = csv.reader(io.StringIO((await client.get("/statistics/waits.csv")).text))
+    assert row[0] == "… is occupied by …"
+    assert "… is occupied by …" in (await client.get("/statistics/report")).text
+
+
+async def test_columns_of_a_file_have_the_names_and_units_of_the_json(client: httpx.AsyncClient) -> None:
+    shown = (await client.get("/statistics")).json()["vehicles"]
+    head, *rows = csv.reader(io.StringIO((await client.get("/statistics/vehicles.csv")).text))
+    assert head == list(shown[0])
+    for one, row in zip(shown, rows, strict=True):
+        told = dict(zip(head, row, strict=True))
+        assert told.pop("vehicle") == one.pop("vehicle")
+        assert {name: float(cell) if cell else None for name, cell in told.items()} == one
+
+
 async def test_the_report_of_a_shift_is_one_page_in_two_languages(client: httpx.AsyncClient) -> None:
     answer = await client.get("/statistics/report")
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
@@ -112,9 +130,9 @@ async def test_a_long_period_is_counted_by_the_day_unless_an_interval_is_asked_f
 
 
 async def test_the_report_of_a_shift_has_words_and_units_for_its_columns_and_its_causes_in_its_language() -> None:
-    found = _cell("cause", "- is occupied by -", "en"), _cell("cause", "- is occupied by -", "ko")
+    found = _cell("cause", "… is occupied by …", "en"), _cell("cause", "… is occupied by …", "ko")
     assert found == ("… is occupied by …", "…에 …이(가) 있음")
-    assert _cell("busy", 0.125, "ko") == "12.5%"
-    assert _cell("mtbf", 90.0, "en") == "1.5"
+    assert _cell("busy_share", 0.125, "ko") == "12.5%"
+    assert _cell("mtbf_hours", 1.5, "en") == "1.5"
     assert _cell("phase", "depositing", "ko") == "하역"
     assert WORDS["en"].keys() == WORDS["ko"].keys()

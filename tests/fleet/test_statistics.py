@@ -93,6 +93,7 @@ def test_waits_are_added_up_by_cause_without_names_and_within_the_period() -> No
         Waited(300, 400, "no vehicle is free"),
     ]
     found = statistics(Kept([], [], waits, 4, {}), 100, 200, 100, [])
-    assert found.waits == (Cause("no vehicle is free", 1, 50.0), Cause("- is occupied by -", 2, 40.0))
-    assert cause_of("P3 is closed by kim: x (closure 7)") == "- is closed by kim: x (closure -)"
-    assert cause_of("given back by V002: on hold: 10.0.0.1:17001") == "given back by -: on hold: -"
+    assert found.waits == (Cause("no vehicle is free", 1, 50.0), Cause("… is occupied by …", 2, 40.0))
+    assert cause_of("P3 is closed by kim: x (closure 7)") == "… is closed by kim: x (closure …)"
+    assert cause_of("given back by V002: on hold: 10.0.0.1:17001") == "given back by …: on hold: …"
+    assert cause_of("no way leads from P1 to SB-L2: N4 is closed (x)") == "no way leads from … to …: … is closed (x)"

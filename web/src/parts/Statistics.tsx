@@ -143,7 +143,7 @@ function Shown({ found }: { found: StatisticsShown }) {
         <tbody>
           {found.waits.map((one) => (
             <tr key={one.cause}>
-              <td>{unnamed(tell(said(one.cause)))}</td>
+              <td>{tell(said(one.cause))}</td>
               <td class="number">{one.times}</td>
               <td class="number">{span(one.seconds * 1000)}</td>
               <td class="bar">
@@ -205,9 +205,4 @@ function Phases({ phases }: { phases: Record<string, TimesShown> }) {
       </table>
     </>
   );
-}
-
-/** A cause has a dash for each name that it was counted without (app/api/statistics_report.py does the same). */
-function unnamed(cause: string): string {
-  return cause.replace(/(?<![^\s(])-(?![^\s.,:;)이은에을가(])/g, "…");
 }
