@@ -1,6 +1,7 @@
 """Schemas of what the control room asks for that is no view."""
 
 from app.api.schemas import FLAG, NUMBER, TEXT, TIME, WHOLE, Json, list_of, nullable, record
+from app.domain.statistics import Phase
 
 _MAYBE, _MAYBE_NUMBER = nullable(TEXT), nullable(NUMBER)
 
@@ -67,6 +68,49 @@ ROOM: Json = {
                 "The longest altogether first.",
             ),
             "waits_of": {**WHOLE, "description": "Waits are those of so many jobs: all, or the newest."},
+            "places": list_of(
+                record(
+                    {
+                        "place": {**TEXT, "description": "The first station, or else vehicle, that a reason names."},
+                        "jobs": WHOLE,
+                        "seconds": NUMBER,
+                        "cause": {**TEXT, "description": "What they waited for there the longest."},
+                    }
+                ),
+                "Where jobs waited, the longest altogether first.",
+            ),
+            "late": list_of(
+                record(
+                    {
+                        "job": TEXT,
+                        "carrier": _MAYBE,
+                        "source": TEXT,
+                        "destination": TEXT,
+                        "vehicle": _MAYBE,
+                        "created": TIME,
+                        "ended": TIME,
+                        **{phase.value: _MAYBE_NUMBER for phase in Phase},
+                        "waited": {**NUMBER, "description": "Seconds of its longest wait."},
+                        "reason": {**TEXT, "description": "What that was for; empty: nothing is kept."},
+                    }
+                ),
+                "The five completed jobs that took the longest, the longest first; phases in seconds.",
+            ),
+            "open": list_of(
+                record(
+                    {
+                        "job": TEXT,
+                        "carrier": _MAYBE,
+                        "source": TEXT,
+                        "destination": TEXT,
+                        "priority": WHOLE,
+                        "created": TIME,
+                        "seconds": {**NUMBER, "description": "From then to the end of the period."},
+                        "reason": {**TEXT, "description": "What it waited for at the end; empty: for nothing."},
+                    }
+                ),
+                "Jobs that had not ended at the end of the period, the oldest first; 1,000 at most.",
+            ),
         }
     ),
     "Moment": record(

@@ -6,7 +6,7 @@ from typing import Protocol
 from app.domain.alarms import Alarm, AlarmCount
 from app.domain.closures import Closure
 from app.domain.records import HistoryEvent
-from app.domain.statistics import Queued, Transfer, Waited
+from app.domain.statistics import OpenJob, Queued, Transfer, Waited
 from app.domain.walks import Walk, WalkPlace
 
 
@@ -93,4 +93,12 @@ class RoomReader(Protocol):
 
     def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
         """Return the waits of the newest jobs accepted between two moments, and of how many jobs they are."""
+        ...
+
+    def waits_named(self, names: Collection[str]) -> Sequence[Waited]:
+        """Return the waits of the named jobs, in order of acceptance."""
+        ...
+
+    def open_jobs(self, moment: float) -> Sequence[OpenJob]:
+        """Return the jobs that had been accepted before a moment and had not ended by then, the oldest first."""
         ...

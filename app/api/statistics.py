@@ -13,9 +13,9 @@ from app.api.periods import DAY, Begin, End, Period, period
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.statistics_report import report
-from app.api.statistics_tables import as_csv, as_parquet, table_of
+from app.api.statistics_tables import as_csv, as_objects, as_parquet, table_of
 from app.domain.statistics import Kept
-from app.fleet.statistics import MOST_INTERVALS, Statistics, Times, statistics
+from app.fleet.statistics import MOST_INTERVALS, Statistics, Times, latest, statistics
 from app.runtime.showing import iso
 
 router = APIRouter(prefix="/statistics", tags=["statistics"])
@@ -62,7 +62,9 @@ async def print_report(
 
 @router.get("/{table}.{kind}", responses=FILE, response_class=Response)
 async def export_statistics(
-    table: Annotated[Literal["phases", "intervals", "vehicles", "waits", "transfers"], Path()],
+    table: Annotated[
+        Literal["phases", "intervals", "vehicles", "waits", "places", "late", "open", "transfers"], Path()
+    ],
     kind: Annotated[Literal["csv", "parquet"], Path()],
     controller: Ctl,
     begin: Begin = None,
@@ -99,9 +101,18 @@ def _found(controller: Controller, asked: Period, interval: float) -> tuple[Any,
     for vehicle, begun, ended in reader.failures(asked.begin, asked.end):
         failures[vehicle].append((begun, ended))
     transfers = reader.transfers(asked.begin, asked.end)
-    kept = Kept(transfers, reader.queued(asked.begin, asked.end), waits, waits_of, failures)
-    names = [spec.id for spec in controller.plant.vehicles]
-    return transfers, statistics(kept, asked.begin, asked.end, float(interval), names)
+    kept = Kept(
+        transfers,
+        reader.queued(asked.begin, asked.end),
+        waits,
+        waits_of,
+        failures,
+        reader.waits_named([one.job for one in latest(transfers)]),
+        reader.open_jobs(asked.end),
+    )
+    vehicles = [spec.id for spec in controller.plant.vehicles]
+    stations = [spec.id for spec in controller.plant.stations]
+    return transfers, statistics(kept, asked.begin, asked.end, float(interval), vehicles, stations)
 
 
 def _times(times: Times) -> dict[str, object]:
@@ -142,4 +153,8 @@ def _shown(found: Statistics) -> dict[str, object]:
         ],
         "waits": [{"cause": one.cause, "times": one.times, "seconds": one.seconds} for one in found.waits],
         "waits_of": found.waits_of,
+        "places": [
+            {"place": one.place, "jobs": one.jobs, "seconds": one.seconds, "cause": one.cause} for one in found.places
+        ],
+        **{name: as_objects(table_of(name, found, ())) for name in ("late", "open")},
     }

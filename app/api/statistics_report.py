@@ -17,6 +17,9 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "intervals": "Throughput and queue",
         "vehicles": "Vehicles",
         "waits": "What jobs waited for",
+        "places": "Where jobs waited",
+        "late": "The latest lots",
+        "open": "Still open at the end",
         "alarms": "Alarms, the longest first",
         "empty": "Driven empty",
         "waits_of": "of the newest {} jobs that waited or were assigned",
@@ -47,8 +50,21 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "cause": "cause",
         "times": "times",
         "seconds": "seconds",
+        "place": "station or vehicle",
+        "jobs": "jobs",
+        "job": "job",
+        "carrier": "carrier",
+        "destination": "destination",
+        "priority": "priority",
+        "created": "accepted",
+        "ended": "ended",
+        "queued": "queued, s",
+        "total": "total, s",
+        "waited": "longest wait, s",
+        "reason": "what it waited for",
         "kind": "of",
-        "source": "machine",
+        "source": "source",
+        "machine": "machine",
         "code": "code",
         "minutes": "minutes",
     },
@@ -59,6 +75,9 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "intervals": "처리량과 대기열",
         "vehicles": "차량",
         "waits": "작업이 기다린 이유",
+        "places": "작업이 기다린 장소",
+        "late": "가장 늦은 작업",
+        "open": "종료 시점에 미완료인 작업",
         "alarms": "알람 (오래 지속된 순)",
         "empty": "공차 주행 비율",
         "waits_of": "대기했거나 배차된 최근 작업 {}건 기준",
@@ -89,8 +108,21 @@ WORDS: Mapping[str, Mapping[str, str]] = {
         "cause": "원인",
         "times": "횟수",
         "seconds": "초",
+        "place": "스테이션 또는 차량",
+        "jobs": "작업 수",
+        "job": "작업",
+        "carrier": "캐리어",
+        "destination": "목적지",
+        "priority": "우선순위",
+        "created": "접수",
+        "ended": "종료",
+        "queued": "대기(초)",
+        "total": "전체(초)",
+        "waited": "최장 대기(초)",
+        "reason": "대기 이유",
         "kind": "구분",
-        "source": "설비",
+        "source": "출발지",
+        "machine": "설비",
         "code": "코드",
         "minutes": "분",
     },
@@ -105,6 +137,8 @@ STYLE = (
 
 SHARES = frozenset({"busy_share", "availability"})
 """Columns that are shown in per cent."""
+SENTENCES = frozenset({"cause", "reason"})
+"""Columns whose cells are sentences of the controller."""
 NAMED = frozenset({"phase", "kind"})
 """Columns whose cells are words of the page's catalogue."""
 
@@ -115,7 +149,7 @@ def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: fl
     empty = words["none"] if found.empty is None else f"{found.empty:.1%}"
     summary = Table(tuple(found.states), [tuple(found.states.values())])
     counted = Table(
-        ("kind", "source", "code", "times", "minutes"),
+        ("kind", "machine", "code", "times", "minutes"),
         [
             (*(row.about[n] for n in ("kind", "source", "code")), row.times, round(row.seconds / 60, 1))
             for row in alarms
@@ -132,6 +166,7 @@ def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: fl
         ),
         _section(words["waits"], table_of("waits", found, ()), words, lang),
         f"<p>{escape(words['waits_of'].format(found.waits_of))}</p>",
+        *(_section(words[name], table_of(name, found, ()), words, lang) for name in ("places", "late", "open")),
         _section(words["alarms"], counted, words, lang),
     ]
     head = f'<meta charset="utf-8"><title>{escape(words["title"])}: {escape(plant)}</title><style>{STYLE}</style>'
@@ -168,7 +203,7 @@ def _cell(column: str, cell: Cell, lang: Language) -> str:
             return _local(datetime.fromisoformat(cell).timestamp())
         if column in NAMED:
             return escape(said(f"phase_{cell}" if column == "phase" else cell, lang))
-        return escape(told(cell, lang) if column == "cause" else cell)
+        return escape(told(cell, lang) if column in SENTENCES else cell)
     if column in SHARES:
         return f"{cell:.1%}"
     return f"{cell:,.1f}" if isinstance(cell, float) else escape(str(cell))

@@ -2,7 +2,7 @@
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from importlib import import_module
@@ -16,9 +16,9 @@ from app.fleet.statistics import Statistics, Times
 from app.runtime.showing import iso
 
 Cell = str | int | float | None
-NAMES = ("phases", "intervals", "vehicles", "waits", "transfers")
-TEXTS = frozenset({"phase", "vehicle", "cause", "job", "state", "carrier", "source", "destination"})
-COUNTS = frozenset({"count", "ordered", "completed", "unfinished", "failures", "times", "priority"})
+NAMES = ("phases", "intervals", "vehicles", "waits", "places", "late", "open", "transfers")
+TEXTS = frozenset({"phase", "vehicle", "cause", "job", "state", "carrier", "source", "destination", "place", "reason"})
+COUNTS = frozenset({"count", "ordered", "completed", "unfinished", "failures", "times", "priority", "jobs"})
 MOMENTS = frozenset({"begin", "created", "ended"})
 """What a column's cells are, by its name; in all others numbers that may have a fraction. It does not depend on the rows,
 so that the files of several shifts can be read as one table."""
@@ -34,9 +34,17 @@ class Table:
 
 def table_of(name: str, found: Statistics, transfers: Sequence[Transfer]) -> Table:
     """Return one of the tables by name. Raises KeyError: there is none."""
-    return {"phases": _phases, "intervals": _intervals, "vehicles": _vehicles, "waits": _waits}.get(
-        name, lambda _found: _transfers(transfers)
-    )(found)
+    made: Mapping[str, Callable[[Statistics], Table]] = {
+        "phases": _phases,
+        "intervals": _intervals,
+        "vehicles": _vehicles,
+        "waits": _waits,
+        "places": _places,
+        "late": _late,
+        "open": _open,
+        "transfers": lambda _found: _transfers(transfers),
+    }
+    return made[name](found)
 
 
 def _cells(times: Times) -> tuple[Cell, ...]:
@@ -85,6 +93,52 @@ def _waits(found: Statistics) -> Table:
     return Table(("cause", "times", "seconds"), [(one.cause, one.times, one.seconds) for one in found.waits])
 
 
+def _places(found: Statistics) -> Table:
+    rows = [(one.place, one.jobs, one.seconds, one.cause) for one in found.places]
+    return Table(("place", "jobs", "seconds", "cause"), rows)
+
+
+_PHASES = tuple(phase.value for phase in Phase)
+
+
+def _late(found: Statistics) -> Table:
+    columns = ("job", "carrier", "source", "destination", "vehicle", "created", "ended", *_PHASES, "waited", "reason")
+    rows = [
+        (
+            one.transfer.job,
+            one.transfer.carrier,
+            one.transfer.source,
+            one.transfer.destination,
+            one.transfer.vehicle,
+            iso(one.transfer.created),
+            iso(one.transfer.ended),
+            *(_round(one.transfer.seconds(phase)) for phase in Phase),
+            one.waited,
+            one.reason,
+        )
+        for one in found.late
+    ]
+    return Table(columns, rows)
+
+
+def _open(found: Statistics) -> Table:
+    columns = ("job", "carrier", "source", "destination", "priority", "created", "seconds", "reason")
+    rows = [
+        (
+            one.job,
+            one.carrier,
+            one.source,
+            one.destination,
+            one.priority,
+            iso(one.created),
+            _round(found.end - one.created),
+            one.reason,
+        )
+        for one in found.open
+    ]
+    return Table(columns, rows)
+
+
 def _transfers(transfers: Sequence[Transfer]) -> Table:
     columns = ("job", "state", "carrier", "source", "destination", "priority", "vehicle", "created", "ended")
     rows = [
@@ -102,7 +156,12 @@ def _transfers(transfers: Sequence[Transfer]) -> Table:
         )
         for one in transfers
     ]
-    return Table((*columns, *(phase.value for phase in Phase)), rows)
+    return Table((*columns, *_PHASES), rows)
+
+
+def as_objects(table: Table) -> list[dict[str, Cell]]:
+    """Return the rows of a table as JSON has them: objects with the columns as names."""
+    return [dict(zip(table.columns, row, strict=True)) for row in table.rows]
 
 
 def as_csv(table: Table) -> bytes:

@@ -61,19 +61,38 @@ class Queued:
 
 @dataclass(frozen=True, slots=True)
 class Waited:
-    """A wait of a job: since, until (None: it still waits), and why."""
+    """A wait of a job: since, until (None: it still waits), why, and which job."""
 
     since: float
     until: float | None
+    reason: str
+    job: str
+
+
+@dataclass(frozen=True, slots=True)
+class OpenJob:
+    """A job that had not ended at a moment, and what it waited for just then, empty: for nothing. Times are UTC seconds."""
+
+    job: str
+    carrier: str | None
+    source: str
+    destination: str
+    priority: int
+    created: float
     reason: str
 
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """All that is kept of a period. ``waits`` are those of the newest ``waits_of`` jobs that ended in it."""
+    """All that is kept of a period. ``waits`` are those of the newest ``waits_of`` jobs that were accepted in it.
+
+    ``waits_late`` are those of the latest transfers, whenever they were accepted; ``open`` what was open when it ended.
+    """
 
     transfers: Sequence[Transfer]
     queued: Sequence[Queued]
     waits: Sequence[Waited]
     waits_of: int
     failures: Mapping[str, Sequence[tuple[float, float | None]]]
+    waits_late: Sequence[Waited] = ()
+    open: Sequence[OpenJob] = ()

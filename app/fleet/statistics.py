@@ -2,20 +2,22 @@
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.domain.alarms import Reliability, reliability
 from app.domain.job import JobState
-from app.domain.statistics import Kept, Phase, Queued, Transfer, Waited
+from app.domain.statistics import Kept, OpenJob, Phase, Queued, Transfer, Waited
 from app.planning.tables import Floats
 
 MOST_INTERVALS = 2000
 """So many intervals at most (our choice)."""
 CAUSES = 30
-"""So many causes of waits are named (our choice)."""
+"""So many causes of waits, and places of waits, are named (our choice)."""
+LATEST = 5
+"""So many of the latest transfers are named (our choice)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +69,25 @@ class Cause:
 
 
 @dataclass(frozen=True, slots=True)
+class Place:
+    """The station, or else the vehicle, for which jobs waited: how many, how long, and for what there the longest."""
+
+    place: str
+    jobs: int
+    seconds: float
+    cause: str
+
+
+@dataclass(frozen=True, slots=True)
+class Late:
+    """A transfer that took long, and its longest wait in words, empty: it waited for nothing that was kept."""
+
+    transfer: Transfer
+    reason: str
+    waited: float
+
+
+@dataclass(frozen=True, slots=True)
 class Statistics:
     """All figures of a period. ``empty`` is the share of driving that is done empty, to the source; None if nobody drove."""
 
@@ -79,10 +100,18 @@ class Statistics:
     waits: tuple[Cause, ...]
     waits_of: int
     empty: float | None
+    places: tuple[Place, ...]
+    late: tuple[Late, ...]
+    open: tuple[OpenJob, ...]
 
 
-def statistics(kept: Kept, begin: float, end: float, interval: float, vehicles: Sequence[str]) -> Statistics:
-    """Return the figures of a period in steps of so many seconds, with a row for each of these vehicles."""
+def statistics(
+    kept: Kept, begin: float, end: float, interval: float, vehicles: Sequence[str], stations: Collection[str] = ()
+) -> Statistics:
+    """Return the figures of a period in steps of so many seconds, with a row for each of these vehicles.
+
+    Waits are told by place for the vehicles and stations that are named here.
+    """
     states = {state.value: 0 for state in JobState if state.terminal}
     for transfer in kept.transfers:
         states[transfer.state] += 1
@@ -100,6 +129,9 @@ def statistics(kept: Kept, begin: float, end: float, interval: float, vehicles: 
         tuple(_causes(kept.waits, begin, end)),
         kept.waits_of,
         empty / (empty + loaded) if empty + loaded else None,
+        tuple(_places(kept.waits, begin, end, frozenset(stations), frozenset(vehicles))),
+        tuple(_late(kept)),
+        tuple(sorted(kept.open, key=lambda one: one.created)),
     )
 
 
@@ -199,11 +231,57 @@ def cause_of(reason: str) -> str:
     return _NAME.sub("…", reason)
 
 
-def _causes(waits: Sequence[Waited], begin: float, end: float) -> Iterable[Cause]:
-    found: defaultdict[str, list[float]] = defaultdict(list)
+def place_of(reason: str, stations: Collection[str], vehicles: Collection[str]) -> str | None:
+    """Return the first station that a reason names, or else the first vehicle; None: it names neither."""
+    words = [name for word in _WORD.findall(reason) for name in (word, word.rstrip(":.'"))]
+    return next((name for known in (stations, vehicles) for name in words if name in known), None)
+
+
+_WORD = re.compile(r"[^\s,;()]+")
+
+
+def latest(transfers: Iterable[Transfer]) -> list[Transfer]:
+    """Return those of the transfers that were completed and took the longest from their acceptance on, the longest first."""
+    done = (transfer for transfer in transfers if transfer.state == JobState.COMPLETED)
+    return sorted(done, key=lambda one: (one.created - one.ended, one.job))[:LATEST]
+
+
+def _late(kept: Kept) -> Iterable[Late]:
+    for transfer in latest(kept.transfers):
+        found: defaultdict[str, float] = defaultdict(float)
+        for wait in kept.waits_late:
+            if wait.job == transfer.job:
+                found[wait.reason] += max(0.0, (wait.until or transfer.ended) - wait.since)
+        reason = max(found, key=lambda one: (found[one], one), default="")
+        yield Late(transfer, reason, round(found.get(reason, 0.0), 3))
+
+
+def _within_period(waits: Sequence[Waited], begin: float, end: float) -> Iterator[tuple[Waited, float]]:
+    """Give each wait with its seconds within a period, where there are any."""
     for wait in waits:
         first, last = max(wait.since, begin), min(end if wait.until is None else wait.until, end)
         if last > first:
-            found[cause_of(wait.reason)].append(last - first)
+            yield wait, last - first
+
+
+def _causes(waits: Sequence[Waited], begin: float, end: float) -> Iterable[Cause]:
+    found: defaultdict[str, list[float]] = defaultdict(list)
+    for wait, seconds in _within_period(waits, begin, end):
+        found[cause_of(wait.reason)].append(seconds)
     longest = sorted(found.items(), key=lambda item: (-sum(item[1]), item[0]))[:CAUSES]
-    return (Cause(cause, len(seconds), round(sum(seconds), 3)) for cause, seconds in longest)
+    return (Cause(cause, len(each), round(sum(each), 3)) for cause, each in longest)
+
+
+def _places(
+    waits: Sequence[Waited], begin: float, end: float, stations: frozenset[str], vehicles: frozenset[str]
+) -> Iterable[Place]:
+    spent: defaultdict[str, defaultdict[str, float]] = defaultdict(lambda: defaultdict(float))
+    jobs: defaultdict[str, set[str]] = defaultdict(set)
+    for wait, seconds in _within_period(waits, begin, end):
+        if place := place_of(wait.reason, stations, vehicles):
+            spent[place][cause_of(wait.reason)] += seconds
+            jobs[place].add(wait.job)
+    longest = sorted(spent.items(), key=lambda item: (-sum(item[1].values()), item[0]))[:CAUSES]
+    for place, causes in longest:
+        cause = max(causes, key=lambda one: (causes[one], one))
+        yield Place(place, len(jobs[place]), round(sum(causes.values()), 3), cause)

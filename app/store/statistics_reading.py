@@ -8,10 +8,10 @@ import sqlalchemy as sa
 
 from app.domain.job import TERMINAL, JobEvent
 from app.domain.records import HistoryEvent
-from app.domain.statistics import Queued, Transfer, Waited
+from app.domain.statistics import OpenJob, Queued, Transfer, Waited
 from app.store import rows
 from app.store.columns import Found
-from app.store.tables import events, job_whys, jobs
+from app.store.tables import events, going_on, job_whys, jobs
 from app.store.teaching_reading import where
 
 T = TypeVar("T")
@@ -19,6 +19,8 @@ BEFORE = 86_400.0
 """Seconds before a period in which the events of jobs that end in it are looked for (our choice)."""
 WAITS_OF = 20_000
 """Waits are counted of so many jobs at most, the newest (our choice)."""
+OPEN = 1000
+"""So many jobs that are open at the end of a period are named, the oldest (our choice)."""
 
 MARKS = {
     "assigned": JobEvent.VEHICLE_ASSIGNED,
@@ -100,9 +102,38 @@ class StatisticsReader(ABC):
         """Return the waits of the newest jobs accepted between two moments, and of how many jobs they are."""
         j = jobs.c
         first, last = self._first_since(j.number, begin), self._first_since(j.number, end)
-        query = sa.select(job_whys.c.waits).where(job_whys.c.number >= first, job_whys.c.number < last)
-        found = self._list(query.order_by(job_whys.c.number.desc()).limit(WAITS_OF), lambda row: row.waits)
-        return [Waited(since, until, reason) for row in found for since, reason, until in row], len(found)
+        w = job_whys.c
+        query = sa.select(w.job, w.waits).where(w.number >= first, w.number < last)
+        found = self._list(query.order_by(w.number.desc()).limit(WAITS_OF), _waited)
+        return [wait for one in found for wait in one], len(found)
+
+    def waits_named(self, names: Collection[str]) -> list[Waited]:
+        """Return the waits of the named jobs, in order of acceptance."""
+        w = job_whys.c
+        query = sa.select(w.job, w.waits).join(jobs, jobs.c.number == w.number).where(jobs.c.id.in_(sorted(names)))
+        return [wait for one in self._list(query.order_by(w.number), _waited) for wait in one]
+
+    def open_jobs(self, moment: float) -> list[OpenJob]:
+        """Return the jobs that had been accepted before a moment and had not ended by then, the oldest first, ``OPEN`` at most.
+
+        One that has ended since is known if it was accepted within the day before the moment.
+        """
+        j = jobs.c
+        first, last = self._first_since(j.number, moment - BEFORE), self._first_since(j.number, moment)
+        columns = (j.id, j.carrier, j.source, j.destination, j.priority, j.created, job_whys.c.waits)
+        query = sa.select(*columns).join(job_whys, job_whys.c.number == j.number, isouter=True)
+        query = query.where(j.number < last).order_by(j.number).limit(OPEN)
+
+        def made(row: Found) -> OpenJob:
+            waits = ((since, reason, until) for since, reason, until in row.waits or ())
+            now = [why for since, why, until in waits if since < moment and (until is None or until >= moment)]
+            reason = now[-1] if now else ""
+            return OpenJob(row.id, row.carrier, row.source, row.destination, row.priority, row.created, reason)
+
+        # Two questions, so that the index of what is going on serves the first.
+        ended_since = self._list(query.where(j.number >= first, j.ended >= moment), made)
+        found = [*self._list(query.where(going_on), made), *ended_since]
+        return sorted(found, key=lambda one: one.created)[:OPEN]
 
     def _first_since(self, number: sa.Column[int], moment: float) -> int:
         """Return the first number of a row that is not before a moment, one above the last if none is.
@@ -123,6 +154,10 @@ class StatisticsReader(ABC):
             else:
                 low = found[0][0] + 1
         return low
+
+
+def _waited(row: Found) -> list[Waited]:
+    return [Waited(since, until, reason, row.job) for since, reason, until in row.waits]
 
 
 def _transfer(row: Found) -> Transfer:

@@ -33,7 +33,7 @@ from app.domain.records import (
     TeachingEvent,
     VehicleOffset,
 )
-from app.domain.statistics import Queued, Transfer, Waited
+from app.domain.statistics import OpenJob, Queued, Transfer, Waited
 from app.domain.teaching import Fate, Proposal, ProposalState, Reading, RowFate, Side, TeachingSession
 from app.domain.units import Barcode, Millimetres, Pulses, Timestamp
 from app.domain.view import (
@@ -151,7 +151,13 @@ class MemoryReader:
         return [Queued(one.created, one.assigned) for one in self.done]
 
     def waits(self, begin: float, end: float) -> tuple[Sequence[Waited], int]:
-        return [Waited(begin, begin + 60, "P2 is occupied by F1")], 1
+        return [Waited(begin, begin + 60, "P2 is occupied by F1", "LOT-1")], 1
+
+    def waits_named(self, names: Collection[str]) -> Sequence[Waited]:
+        return [Waited(NOW - 580, NOW - 565, "P2 is occupied by F1", name) for name in sorted(names)]
+
+    def open_jobs(self, moment: float) -> Sequence[OpenJob]:
+        return [OpenJob("LOT-9", None, "P1", "P2", 50, moment - 90, "no vehicle is free")]
 
     def walk(self, number: int) -> Walk | None:
         return self.walked.get(number)

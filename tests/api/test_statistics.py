@@ -38,7 +38,7 @@ async def test_a_period_is_shown_in_intervals_with_every_vehicle(client: httpx.A
     assert found["waits"] == [{"cause": "… is occupied by …", "times": 1, "seconds": 60.0}]
 
 
-@pytest.mark.parametrize("table", ["phases", "intervals", "vehicles", "waits", "transfers"])
+@pytest.mark.parametrize("table", NAMES)
 async def test_every_table_is_a_csv_file_with_a_head(client: httpx.AsyncClient, table: str) -> None:
     answer = await client.get(f"/statistics/{table}.csv")
     assert answer.headers["content-type"] == "text/csv; charset=utf-8"
@@ -104,11 +104,28 @@ async def test_columns_of_a_file_have_the_names_and_units_of_the_json(client: ht
         assert {name: float(cell) if cell else None for name, cell in told.items()} == one
 
 
+async def test_why_lots_were_late_is_answered_by_place_by_lot_and_by_what_is_still_open(
+    client: httpx.AsyncClient,
+) -> None:
+    asked = {"from": "2025-12-31T22:00:00Z", "to": "2026-01-01T00:00:00Z"}
+    found = (await client.get("/statistics", params=asked)).json()
+    assert found["places"] == [{"place": "P2", "jobs": 1, "seconds": 60.0, "cause": "… is occupied by …"}]
+    (late,) = found["late"]
+    assert (late["job"], late["total"], late["carrying"]) == ("LOT-1", 100.0, 40.0)
+    assert (late["waited"], late["reason"]) == (15.0, "P2 is occupied by F1")
+    (still,) = found["open"]
+    assert (still["job"], still["seconds"], still["reason"]) == ("LOT-9", 90.0, "no vehicle is free")
+    korean = (await client.get("/statistics/report", params={**asked, "lang": "ko"})).text
+    assert "P2에 F1이 있음" in korean
+
+
 async def test_the_report_of_a_shift_is_one_page_in_two_languages(client: httpx.AsyncClient) -> None:
     answer = await client.get("/statistics/report")
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
     assert "Shift report: tiny" in answer.text
     assert "<td>V001</td>" in answer.text
+    for title in ("Where jobs waited", "The latest lots", "Still open at the end"):
+        assert f"<h2>{title}</h2><table>" in answer.text
     assert "http" not in answer.text
     assert "교대 보고서" in (await client.get("/statistics/report", params={"lang": "ko"})).text
 

@@ -75,10 +75,24 @@ def test_events_are_counted_and_jobs_found_by_their_moments(url: str, open_ledge
     assert reader.queued(at(20), at(60)) == [Queued(at(5), at(50))]
     waits, jobs = reader.waits(at(0), at(100))
     assert (waits, jobs) == (
-        [Waited(at(61), at(70), "no vehicle is free"), Waited(at(70), None, "P1 is empty")],
+        [Waited(at(61), at(70), "no vehicle is free", "J3"), Waited(at(70), None, "P1 is empty", "J3")],
         1,
     )
     assert reader.waits(at(0), at(60)) == ([], 0)
+    assert reader.waits_named(["J3", "J9"]) == waits
+    assert reader.waits_named([]) == []
+    reader.close()
+
+
+def test_what_was_open_at_a_moment_has_what_it_waited_for_then(url: str, open_ledger: Open) -> None:
+    ledger, reader = open_ledger(url), Reader(url)
+    ledger.load()
+    assert reader.open_jobs(at(100)) == []
+    ledger.commit(story())
+    assert [(one.job, one.reason) for one in reader.open_jobs(at(40))] == [("J1", ""), ("J2", "")]
+    assert [(one.job, one.reason) for one in reader.open_jobs(at(65))] == [("J1", ""), ("J3", "no vehicle is free")]
+    (last,) = reader.open_jobs(at(100))
+    assert (last.job, last.created, last.reason) == ("J3", at(60), "P1 is empty")
     reader.close()
 
 

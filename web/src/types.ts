@@ -345,6 +345,24 @@ export interface TimesShown {
   longest: number | null;
 }
 
+/** A completed job that took long: its phases in s, and its longest wait in words. */
+export interface LateShown {
+  job: string;
+  carrier: string | null;
+  source: string;
+  destination: string;
+  vehicle: string | null;
+  created: string;
+  queued: number | null;
+  fetching: number | null;
+  acquiring: number | null;
+  carrying: number | null;
+  depositing: number | null;
+  total: number | null;
+  waited: number;
+  reason: string;
+}
+
 export interface StatisticsShown {
   from: string;
   to: string;
@@ -362,6 +380,9 @@ export interface StatisticsShown {
     availability: number;
   }[];
   waits: { cause: string; times: number; seconds: number }[];
+  places: { place: string; jobs: number; seconds: number; cause: string }[];
+  late: LateShown[];
+  open: { job: string; carrier: string | null; source: string; destination: string; priority: number; created: string; seconds: number; reason: string }[];
 }
 
 /** A reason for which a place is closed: draining while vehicles are inside, then closed. */

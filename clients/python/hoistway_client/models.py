@@ -1282,6 +1282,9 @@ Statistics = TypedDict(
         'vehicles': 'list[Any]',
         'waits': 'list[dict[str, Any]]',
         'waits_of': 'int',
+        'places': 'list[dict[str, Any]]',
+        'late': 'list[dict[str, Any]]',
+        'open': 'list[dict[str, Any]]',
     },
 )
 

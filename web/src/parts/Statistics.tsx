@@ -3,9 +3,9 @@ import { useSignal } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import { bytes, download, serverNow } from "../api";
 import { span } from "../shows";
-import { tick } from "../store";
+import { selected, tick } from "../store";
 import { language, said, t, tell, type Word } from "../texts";
-import type { StatisticsShown, TimesShown } from "../types";
+import type { LateShown, StatisticsShown, TimesShown } from "../types";
 import { Field, Told, useAsking, useRead } from "./asking";
 import { Chart } from "./Chart";
 import { Name } from "./Name";
@@ -18,7 +18,7 @@ const INTERVALS = 60;
 type Period = keyof typeof PERIODS | "other";
 const KINDS = ["csv", "parquet"] as const;
 const PHASES = ["queued", "fetching", "acquiring", "carrying", "depositing", "total"] as const;
-const TABLES = ["phases", "intervals", "vehicles", "waits", "transfers"] as const;
+const TABLES = ["phases", "intervals", "vehicles", "waits", "places", "late", "open", "transfers"] as const;
 /** Read anew so often, s. */
 const EVERY = 60;
 
@@ -154,6 +154,7 @@ function Shown({ found }: { found: StatisticsShown }) {
         </tbody>
       </table>
       {found.waits.length === 0 && <p class="nothing">{t("never_waited")}</p>}
+      <Lateness found={found} />
       <h3>{t("vehicles")}</h3>
       <Table
         label={t("vehicles")}
@@ -168,6 +169,65 @@ function Shown({ found }: { found: StatisticsShown }) {
           { name: t("mtbf_hours"), by: (row) => row.mtbf_hours, of: (row) => row.mtbf_hours ?? "–", number: true },
           { name: t("mttr_minutes"), by: (row) => row.mttr_minutes, of: (row) => row.mttr_minutes ?? "–", number: true },
           { name: t("availability"), by: (row) => row.availability, of: (row) => `${(row.availability * 100).toFixed(2)} %`, number: true },
+        ]}
+      />
+    </>
+  );
+}
+
+/** Why lots were late: where jobs waited, the latest by name, and what is still open. */
+function Lateness({ found }: { found: StatisticsShown }) {
+  const reason = (row: { reason: string }): string => tell(said(row.reason));
+  const pick = (row: { job: string }): void => void (selected.value = { kind: "job", id: row.job });
+  return (
+    <>
+      <h3>{t("waits_by_place")}</h3>
+      <Table
+        label={t("waits_by_place")}
+        rows={found.places}
+        keyOf={(row) => row.place}
+        none={t("nothing_found")}
+        columns={[
+          { name: t("place"), by: (row) => row.place, of: (row) => <Name id={row.place} /> },
+          { name: t("jobs"), by: (row) => row.jobs, of: (row) => row.jobs, number: true },
+          { name: t("waits"), by: (row) => row.seconds, of: (row) => seconds(row.seconds), number: true },
+          { name: t("cause"), by: (row) => row.cause, of: (row) => tell(said(row.cause)), wraps: true },
+        ]}
+      />
+      <h3>{t("late_lots")}</h3>
+      <Table
+        label={t("late_lots")}
+        rows={found.late}
+        keyOf={(row) => row.job}
+        pick={pick}
+        none={t("nothing_found")}
+        columns={[
+          { name: t("job"), by: (row) => row.job, of: (row) => row.job },
+          { name: t("source"), by: (row) => row.source, of: (row) => row.source },
+          { name: t("destination"), by: (row) => row.destination, of: (row) => row.destination },
+          ...PHASES.map((phase) => ({
+            name: t(`phase_${phase}`),
+            by: (row: LateShown) => row[phase],
+            of: (row: LateShown) => seconds(row[phase]),
+            number: true,
+          })),
+          { name: t("longest_wait"), by: (row) => row.waited, of: (row) => seconds(row.waited), number: true },
+          { name: t("waited_for"), by: reason, of: reason, wraps: true },
+        ]}
+      />
+      <h3>{t("open_at_end")}</h3>
+      <Table
+        label={t("open_at_end")}
+        rows={found.open}
+        keyOf={(row) => row.job}
+        pick={pick}
+        none={t("nothing_found")}
+        columns={[
+          { name: t("job"), by: (row) => row.job, of: (row) => row.job },
+          { name: t("source"), by: (row) => row.source, of: (row) => row.source },
+          { name: t("destination"), by: (row) => row.destination, of: (row) => row.destination },
+          { name: t("age"), by: (row) => row.seconds, of: (row) => seconds(row.seconds), number: true },
+          { name: t("waited_for"), by: reason, of: reason, wraps: true },
         ]}
       />
     </>
