@@ -136,9 +136,12 @@ OTHERS: Json = {
             "state": TEXT,
             "reason": {"type": "string", "description": "What it waits for now; empty: for nothing."},
             "created": TIME,
-            "queued": _SPAN | {"description": "Seconds until it first got a vehicle."},
-            "fetching": _SPAN | {"description": "Seconds from then until the pick-up."},
-            "carrying": _SPAN | {"description": "Seconds from then until its end."},
+            "queued": _SPAN | {"description": "Seconds until it got the vehicle that it has or had last."},
+            "fetching": _SPAN | {"description": "Seconds from then until the pick-up began."},
+            "acquiring": _SPAN | {"description": "Seconds of the pick-up."},
+            "carrying": _SPAN | {"description": "Seconds from the pick-up to the beginning of the put-down."},
+            "depositing": _SPAN | {"description": "Seconds of the put-down."},
+            "total": _SPAN | {"description": "Seconds from its acceptance to its end."},
             "assignments": list_of(
                 record(
                     {

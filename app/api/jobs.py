@@ -156,7 +156,9 @@ async def get_why(job: PathId, controller: Ctl) -> Response:
     kept = await read(controller.reader.job, JobId(job))
     if kept is None:
         missing("job", job)
-    return answer_of(told(kept, await read(controller.reader.why, kept.order)))
+    why = await read(controller.reader.why, kept.order)
+    events = await read(controller.reader.events, 0, HISTORY, job=job)
+    return answer_of(told(kept, why, events))
 
 
 NO_REASON = JobEndIn()

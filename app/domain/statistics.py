@@ -4,6 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from app.domain.job import JobEvent
+
 
 class Phase(StrEnum):
     """Parts of a transfer's life, in order; ``total`` is all of it."""
@@ -16,6 +18,33 @@ class Phase(StrEnum):
     CARRYING = "carrying"
     DEPOSITING = "depositing"
     TOTAL = "total"
+
+
+MARKS = {
+    "assigned": JobEvent.VEHICLE_ASSIGNED,
+    "acquire_started": JobEvent.VEHICLE_ACQUIRE_STARTED,
+    "acquired": JobEvent.VEHICLE_ACQUIRE_COMPLETED,
+    "deposit_started": JobEvent.VEHICLE_DEPOSIT_STARTED,
+    "deposited": JobEvent.VEHICLE_DEPOSIT_COMPLETED,
+}
+"""The last event of each kind is a moment of the transfer."""
+
+
+def spent(created: float, marks: Mapping[str, float | None], ended: float | None) -> dict[Phase, float | None]:
+    """Return how long each phase took, seconds, by the moments of :data:`MARKS` that there were; None: it is not over."""
+    assigned, acquire_started, acquired, deposit_started, deposited = (marks.get(name) for name in MARKS)
+    both = {
+        Phase.QUEUED: (created, assigned),
+        Phase.FETCHING: (assigned, acquire_started),
+        Phase.ACQUIRING: (acquire_started, acquired),
+        Phase.CARRYING: (acquired, deposit_started),
+        Phase.DEPOSITING: (deposit_started, deposited),
+        Phase.TOTAL: (created, ended),
+    }
+    return {
+        phase: None if begin is None or end is None or end < begin else end - begin
+        for phase, (begin, end) in both.items()
+    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,16 +68,7 @@ class Transfer:
 
     def seconds(self, phase: Phase) -> float | None:
         """Return how long a phase took; None if it did not come to its end."""
-        marks: dict[Phase, tuple[float | None, float | None]] = {
-            Phase.QUEUED: (self.created, self.assigned),
-            Phase.FETCHING: (self.assigned, self.acquire_started),
-            Phase.ACQUIRING: (self.acquire_started, self.acquired),
-            Phase.CARRYING: (self.acquired, self.deposit_started),
-            Phase.DEPOSITING: (self.deposit_started, self.deposited),
-            Phase.TOTAL: (self.created, self.ended),
-        }
-        begin, end = marks[phase]
-        return None if begin is None or end is None or end < begin else end - begin
+        return spent(self.created, {name: getattr(self, name) for name in MARKS}, self.ended)[phase]
 
 
 @dataclass(frozen=True, slots=True)

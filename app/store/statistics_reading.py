@@ -8,7 +8,7 @@ import sqlalchemy as sa
 
 from app.domain.job import TERMINAL, JobEvent
 from app.domain.records import HistoryEvent
-from app.domain.statistics import OpenJob, Queued, Transfer, Waited
+from app.domain.statistics import MARKS, OpenJob, Queued, Transfer, Waited
 from app.store import rows
 from app.store.columns import Found
 from app.store.tables import events, going_on, job_whys, jobs
@@ -22,14 +22,6 @@ WAITS_OF = 20_000
 OPEN = 1000
 """So many jobs that are open at the end of a period are named, the oldest (our choice)."""
 
-MARKS = {
-    "assigned": JobEvent.VEHICLE_ASSIGNED,
-    "acquire_started": JobEvent.VEHICLE_ACQUIRE_STARTED,
-    "acquired": JobEvent.VEHICLE_ACQUIRE_COMPLETED,
-    "deposit_started": JobEvent.VEHICLE_DEPOSIT_STARTED,
-    "deposited": JobEvent.VEHICLE_DEPOSIT_COMPLETED,
-}
-"""The last event of each kind is a moment of the transfer."""
 ENDS = (
     JobEvent.TRANSFER_COMPLETED,
     JobEvent.TRANSFER_CANCEL_COMPLETED,

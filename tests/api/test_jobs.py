@@ -11,6 +11,8 @@ from app.domain import requests as r
 from app.domain.errors import PlantHeld, Refusal, StoreError
 from app.domain.ids import JobId, VehicleId
 from app.domain.job import Job, JobState
+from app.domain.records import HistoryEvent
+from app.domain.statistics import Phase, Transfer
 from app.domain.units import Timestamp
 from app.domain.why import Candidate, Choice, Why
 from tests.api.scripted import Scripted
@@ -256,25 +258,44 @@ async def test_an_id_has_no_hidden_letters_and_no_first_dot(
     assert not controller.seen
 
 
-async def test_the_phases_of_a_job_that_was_given_back_begin_with_its_last_vehicle(
+LIFE = (
+    ("VehicleAssigned", 10.0),
+    ("VehicleUnassigned", 40.0),
+    ("VehicleAssigned", 60.0),
+    ("VehicleAcquireStarted", 90.0),
+    ("VehicleAcquireCompleted", 95.0),
+    ("VehicleDepositStarted", 135.0),
+    ("VehicleDepositCompleted", 142.0),
+    ("TransferCompleted", 143.0),
+)
+"""A job that got another vehicle, seconds after its acceptance."""
+
+
+async def test_the_phases_of_a_job_are_those_of_the_statistics_and_begin_with_its_last_vehicle(
     client: httpx.AsyncClient, controller: Scripted
 ) -> None:
     await client.post("/jobs", json=ORDER)
-    kept = controller.reader.kept
-    begun = kept["LOT-1"].created
-    first, last = (
-        Choice(Timestamp(begun + after), VehicleId("V1"), 3.5, 50, hot=False, waited=1.2, switch=0.0)
-        for after in (10.0, 60.0)
-    )
-    why = Why(1, JobId("LOT-1")).chosen(first)
-    kept["LOT-1"] = replace(kept["LOT-1"], state=JobState.QUEUED, assigned=first.at)
-    controller.reader.whys[kept["LOT-1"].order] = why
-    again = (await client.get("/jobs/LOT-1/why")).json()
-    assert (again["queued"], again["fetching"]) == (None, None)
-    kept["LOT-1"] = replace(kept["LOT-1"], state=JobState.TRANSFERRING, picked=Timestamp(begun + 90.0))
-    controller.reader.whys[kept["LOT-1"].order] = why.chosen(last)
-    told = (await client.get("/jobs/LOT-1/why")).json()
-    assert (told["queued"], told["fetching"]) == (60.0, 30.0)
+    reader = controller.reader
+    begun = reader.kept["LOT-1"].created
+    happened = [
+        HistoryEvent(seq, Timestamp(begun + after), event, 0, JobId("LOT-1"))
+        for seq, (event, after) in enumerate(LIFE, 1)
+    ]
+    names = ("queued", "fetching", "acquiring", "carrying", "depositing", "total")
+
+    async def phases(state: JobState, events: int, ended: float | None = None) -> list[float | None]:
+        over = None if ended is None else Timestamp(begun + ended)
+        reader.kept["LOT-1"] = replace(reader.kept["LOT-1"], state=state, ended=over)
+        reader.past[:] = happened[:events]
+        told = (await client.get("/jobs/LOT-1/why")).json()
+        return [told[name] for name in names]
+
+    assert await phases(JobState.QUEUED, 2) == [None] * 6
+    assert await phases(JobState.TRANSFERRING, 5) == [60.0, 30.0, 5.0, None, None, None]
+    assert await phases(JobState.COMPLETED, 8, ended=143.0) == [60.0, 30.0, 5.0, 40.0, 7.0, 143.0]
+    marks = (begun + 60, begun + 90, begun + 95, begun + 135, begun + 142)
+    same = Transfer("LOT-1", "completed", None, "P1", "P2", 50, "V1", begun, *marks, begun + 143)
+    assert [same.seconds(Phase(name)) for name in names] == [60.0, 30.0, 5.0, 40.0, 7.0, 143.0]
 
 
 async def test_why_a_job_went_as_it_did_is_told_with_its_vehicles_and_waits(

@@ -189,7 +189,10 @@ export interface JobWhy {
   created: string;
   queued: number | null;
   fetching: number | null;
+  acquiring: number | null;
   carrying: number | null;
+  depositing: number | null;
+  total: number | null;
   assignments: Assignment[];
   waits: { since: string; until: string | null; seconds: number | null; reason: string }[];
   left_out: number;

@@ -633,7 +633,10 @@ class JobWhy(TypedDict):
     created: str
     queued: float | None
     fetching: float | None
+    acquiring: float | None
     carrying: float | None
+    depositing: float | None
+    total: float | None
     assignments: list[dict[str, Any]]
     waits: list[dict[str, Any]]
     left_out: int
