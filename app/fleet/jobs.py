@@ -15,7 +15,7 @@ from app.fleet.kinds import between_kinds
 from app.fleet.missions import Missions
 from app.fleet.obstacles import brought_first, in_line
 from app.fleet.plant_orders import unfit_name
-from app.fleet.refusals import leaves
+from app.fleet.refusals import leaves, meant
 from app.fleet.targets import no_dest, no_offset
 
 OUR_NAMES = "HW-"
@@ -107,7 +107,8 @@ class Jobs:
         if refusal := self._unknown_ends(request.source, request.destination, request.fallbacks):
             return refusal
         if request.vehicle and request.vehicle not in books.vehicles:
-            return Refusal("invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle")
+            remedy = meant(request.vehicle, "see GET /api/v1/vehicles", books.vehicles)
+            return Refusal("invalid", f"there is no vehicle {request.vehicle}", remedy, "vehicle")
         if request.source in books.vehicles and request.vehicle not in {None, request.source}:
             return Refusal("invalid", f"the carrier is aboard {request.source}", "leave vehicle out", "vehicle")
         if request.carrier and (refusal := unfit_name(request.carrier)):
@@ -126,10 +127,11 @@ class Jobs:
         books = self._books
         see = "see GET /api/v1/stations"
         if source not in books.specs and source not in books.vehicles:
-            return Refusal("invalid", f"there is no station or vehicle {source}", see, "source")
+            remedy = meant(source, see, books.specs, books.vehicles)
+            return Refusal("invalid", f"there is no station or vehicle {source}", remedy, "source")
         for name, field in ((destination, "destination"), *((f, "fallbacks") for f in fallbacks)):
             if name not in books.specs:
-                return Refusal("invalid", f"there is no station {name}", see, field)
+                return Refusal("invalid", f"there is no station {name}", meant(name, see, books.specs), field)
         if source == destination:
             return Refusal("invalid", "source and destination are the same station", "name another", "destination")
         return self._no_other_place(destination, fallbacks)
@@ -283,9 +285,8 @@ class Jobs:
     def _bad_change(self, job: Job, request: ChangeJob) -> Refusal | None:
         if request.vehicle is not None:
             if request.vehicle not in self._books.vehicles:
-                return Refusal(
-                    "invalid", f"there is no vehicle {request.vehicle}", "see GET /api/v1/vehicles", "vehicle"
-                )
+                remedy = meant(request.vehicle, "see GET /api/v1/vehicles", self._books.vehicles)
+                return Refusal("invalid", f"there is no vehicle {request.vehicle}", remedy, "vehicle")
             if refusal := leaves(self._books, request.vehicle, "vehicle"):
                 return refusal
             if refusal := between_kinds(self._books, job.source, (), request.vehicle):

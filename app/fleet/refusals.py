@@ -1,9 +1,18 @@
 """Refusals that several desks give, in the same words."""
 
+from collections.abc import Collection
+
 from app.domain.errors import Refusal
 from app.domain.lockout import Lockout
 from app.fleet.books import Books
 from app.fleet.vehicle import VehicleNow
+from app.wire.names import misspelt
+
+
+def meant(name: str, see: str, *known: Collection[str]) -> str:
+    """Return what helps who named something that there is not: the name that was surely meant, or else where all are."""
+    close = next((found for names in known if (found := misspelt(name, names))), None)
+    return f"did you mean {close}?" if close else see
 
 
 def no_vehicle(name: str) -> Refusal:

@@ -747,3 +747,22 @@ def test_jobs_accepted_before_go_on_to_their_end(ready: Script) -> None:
     ready.fleet.books.leaving = Leaving(7, frozenset({"P1", "P3", "V001"}), frozenset())
     ready.run_until("J1")
     assert ready.job("J1").state is JobState.COMPLETED
+
+
+@pytest.mark.parametrize(
+    ("source", "destination", "vehicle", "field", "remedy"),
+    [
+        ("p1", "B2", None, "source", "did you mean P1?"),
+        ("v001", "B2", None, "source", "did you mean V001?"),
+        ("P1", "b-2", None, "destination", "did you mean B2?"),
+        ("P1", "B2", "V1", "vehicle", "did you mean V001?"),
+        ("P1", "NOPE", None, "destination", "see GET /api/v1/stations"),
+        ("P1", "B2", "crane", "vehicle", "see GET /api/v1/vehicles"),
+    ],
+)
+def test_a_wrong_name_in_an_order_is_refused_with_the_one_that_was_surely_meant(
+    ready: Script, source: str, destination: str, vehicle: str | None, field: str, remedy: str
+) -> None:
+    wished = None if vehicle is None else VehicleId(vehicle)
+    refusal = ready.refuse(transfer(source, destination, vehicle=wished))
+    assert (refusal.field, refusal.remedy) == (field, remedy)
