@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from typing import Annotated
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError, available_timezones
 
 from fastapi import Query
 from pydantic import AwareDatetime
@@ -10,6 +11,12 @@ from app.api.inputs import Moment
 from app.api.problems import Problem
 from app.domain.units import Timestamp
 
+Zone = Annotated[
+    str | None,
+    Query(
+        alias="tz", max_length=64, description="Zone of the moments shown, such as Asia/Seoul; by default the server's."
+    ),
+]
 Begin = Annotated[Moment | None, Query(alias="from", description="First moment; ISO 8601 with a zone.")]
 End = Annotated[Moment | None, Query(alias="to", description="Where it ends; by default now.")]
 DAY = 86_400.0
@@ -48,3 +55,20 @@ def period(begin: AwareDatetime | None, end: AwareDatetime | None, now: Timestam
     if last - first > LONGEST:
         raise Problem("invalid", f"At most {LONGEST / DAY:.0f} days at a time.", "Ask for less.", "from")
     return Period(first, last)
+
+
+def zone_of(name: str | None) -> ZoneInfo | None:
+    """Return a time zone by its name in the IANA database; None: no name, so that of this machine. Raises Problem: there is none.
+
+    Windows, and some containers, have no such database: there the package tzdata brings it.
+    """
+    if name is None:
+        return None
+    try:
+        return ZoneInfo(name)
+    except (ValueError, OSError, ZoneInfoNotFoundError):
+        pass
+    if not available_timezones():
+        remedy = "pip install tzdata, or leave tz out."
+        raise Problem("not-now", "This machine has no time zones.", remedy, "tz")
+    raise Problem("invalid", f"There is no time zone {name!r}.", "Such as Asia/Seoul, Europe/Berlin or UTC.", "tz")

@@ -9,7 +9,7 @@ from starlette.responses import Response
 from app.api.alarms import held_out
 from app.api.calls import Ctl, answer_of, read
 from app.api.declared import gives
-from app.api.periods import DAY, Begin, End, Period, period
+from app.api.periods import DAY, Begin, End, Period, Zone, period, zone_of
 from app.api.port import Controller
 from app.api.problems import Problem
 from app.api.statistics_report import report
@@ -49,13 +49,15 @@ async def print_report(
     end: End = None,
     interval: Every = None,
     lang: Annotated[Literal["en", "ko"], Query()] = "en",
+    tz: Zone = None,
 ) -> Response:
     """Give the report of a shift as a page to print (by default the last 8 hours)."""
+    zone = zone_of(tz)
     asked, every = await _asked(controller, begin, end, interval, usual=8 * 3600.0)
     _, found = await read(_found, controller, asked, every)
     columns = ("kind", "source", "code")
     alarms = await read(controller.reader.alarm_counts, columns, asked.begin, asked.end, ALARMS_NAMED)
-    page = await read(report, controller.plant.name, found, alarms, controller.utc(), lang)
+    page = await read(report, controller.plant.name, found, alarms, controller.utc(), lang, zone)
     headers = {"Content-Security-Policy": "default-src 'none'; style-src 'unsafe-inline'", "Cache-Control": "no-store"}
     return Response(page, headers=headers, media_type="text/html")
 

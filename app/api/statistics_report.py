@@ -1,7 +1,7 @@
 """The printable report of a shift: one HTML page that needs nothing else, in English or Korean."""
 
 from collections.abc import Mapping, Sequence
-from datetime import datetime
+from datetime import UTC, datetime, tzinfo
 from html import escape
 
 from app.api.statistics_tables import MOMENTS, Cell, Table, table_of
@@ -143,8 +143,15 @@ NAMED = frozenset({"phase", "kind"})
 """Columns whose cells are words of the page's catalogue."""
 
 
-def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: float, lang: Language) -> bytes:
-    """Return the report as HTML. Moments are in the time zone of this machine."""
+def report(
+    plant: str,
+    found: Statistics,
+    alarms: Sequence[AlarmCount],
+    made: float,
+    lang: Language,
+    zone: tzinfo | None = None,
+) -> bytes:
+    """Return the report as HTML. Moments are in a time zone, which it says; None: that of this machine."""
     words = WORDS[lang]
     empty = words["none"] if found.empty is None else f"{found.empty:.1%}"
     summary = Table(tuple(found.states), [tuple(found.states.values())])
@@ -155,19 +162,20 @@ def report(plant: str, found: Statistics, alarms: Sequence[AlarmCount], made: fl
             for row in alarms
         ],
     )
+    when = f"{_local(found.begin, zone)} – {_local(found.end, zone)} {escape(_named(found.end, zone))}"
     parts = [
         f"<h1>{escape(words['title'])}: {escape(plant)}</h1>",
-        f"<p>{_local(found.begin)} – {_local(found.end, zone=True)} ({words['made']} {_local(made)})</p>",
-        _section(words["summary"], summary, words, lang),
+        f"<p>{when} ({escape(words['made'])} {_local(made, zone)})</p>",
+        _section(words["summary"], summary, words, lang, zone),
         f"<p>{escape(words['empty'])}: {empty}</p>",
         *(
-            _section(words[name], table_of(name, found, ()), words, lang)
+            _section(words[name], table_of(name, found, ()), words, lang, zone)
             for name in ("phases", "intervals", "vehicles")
         ),
-        _section(words["waits"], table_of("waits", found, ()), words, lang),
+        _section(words["waits"], table_of("waits", found, ()), words, lang, zone),
         f"<p>{escape(words['waits_of'].format(found.waits_of))}</p>",
-        *(_section(words[name], table_of(name, found, ()), words, lang) for name in ("places", "late", "open")),
-        _section(words["alarms"], counted, words, lang),
+        *(_section(words[name], table_of(name, found, ()), words, lang, zone) for name in ("places", "late", "open")),
+        _section(words["alarms"], counted, words, lang, zone),
     ]
     head = f'<meta charset="utf-8"><title>{escape(words["title"])}: {escape(plant)}</title><style>{STYLE}</style>'
     return f'<!doctype html><html lang="{lang}"><head>{head}</head><body>{"".join(parts)}</body></html>'.encode()
@@ -178,29 +186,37 @@ def said(word: str, lang: Language) -> str:
     return catalogue(lang)["page"].get(word, word)
 
 
-def _local(moment: float, *, zone: bool = False) -> str:
-    there = datetime.fromtimestamp(moment).astimezone()
-    return there.strftime("%Y-%m-%d %H:%M" + (" %Z" if zone else ""))
+def _local(moment: float, zone: tzinfo | None) -> str:
+    return datetime.fromtimestamp(moment, UTC).astimezone(zone).strftime("%Y-%m-%d %H:%M")
 
 
-def _section(title: str, table: Table, words: Mapping[str, str], lang: Language) -> str:
+def _named(moment: float, zone: tzinfo | None) -> str:
+    """Return the zone by its name and its offset, as 'Asia/Seoul, UTC+09:00'."""
+    there = datetime.fromtimestamp(moment, UTC).astimezone(zone)
+    name = there.tzname() if zone is None else str(zone)
+    return "UTC" if name in {"UTC", None} else f"{name}, UTC{there.isoformat()[-6:]}"
+
+
+def _section(title: str, table: Table, words: Mapping[str, str], lang: Language, zone: tzinfo | None) -> str:
     if not table.rows:
         return f"<h2>{escape(title)}</h2><p>{escape(words['none'])}</p>"
     head = "".join(f"<th>{escape(words.get(column) or said(column, lang))}</th>" for column in table.columns)
     rows = "".join(
-        "<tr>" + "".join(f"<td>{_cell(*cell, lang)}</td>" for cell in zip(table.columns, row, strict=True)) + "</tr>"
+        "<tr>"
+        + "".join(f"<td>{_cell(*cell, lang, zone)}</td>" for cell in zip(table.columns, row, strict=True))
+        + "</tr>"
         for row in table.rows
     )
     return f"<h2>{escape(title)}</h2><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 
 
-def _cell(column: str, cell: Cell, lang: Language) -> str:
+def _cell(column: str, cell: Cell, lang: Language, zone: tzinfo | None = None) -> str:
     """Return a cell as people read it."""
     if cell is None:
         return ""
     if isinstance(cell, str):
         if column in MOMENTS:
-            return _local(datetime.fromisoformat(cell).timestamp())
+            return _local(datetime.fromisoformat(cell).timestamp(), zone)
         if column in NAMED:
             return escape(said(f"phase_{cell}" if column == "phase" else cell, lang))
         return escape(told(cell, lang) if column in SENTENCES else cell)

@@ -5,10 +5,12 @@ import io
 from datetime import datetime
 from importlib import import_module
 from importlib.util import find_spec
+from zoneinfo import ZoneInfoNotFoundError
 
 import httpx
 import pytest
 
+from app.api import periods
 from app.api.statistics_report import WORDS, _cell
 from app.api.statistics_tables import COUNTS, MOMENTS, NAMES, TEXTS
 from app.domain.statistics import Transfer
@@ -153,3 +155,35 @@ async def test_the_report_of_a_shift_has_words_and_units_for_its_columns_and_its
     assert _cell("mtbf_hours", 1.5, "en") == "1.5"
     assert _cell("phase", "depositing", "ko") == "하역"
     assert WORDS["en"].keys() == WORDS["ko"].keys()
+
+
+async def test_the_report_is_in_the_zone_that_is_asked_for_and_says_it(client: httpx.AsyncClient) -> None:
+    asked = {"from": "2025-12-31T21:00:00Z", "to": "2026-01-01T00:00:00Z", "interval": "3600"}
+    seoul = (await client.get("/statistics/report", params={**asked, "tz": "Asia/Seoul"})).text
+    assert "2026-01-01 06:00 – 2026-01-01 09:00 Asia/Seoul, UTC+09:00" in seoul
+    assert "<td>2026-01-01 07:00</td>" in seoul
+    utc = (await client.get("/statistics/report", params={**asked, "tz": "UTC"})).text
+    assert "2025-12-31 21:00 – 2026-01-01 00:00 UTC (" in utc
+
+
+@pytest.mark.parametrize("name", ["Asia/Nowhere", "../etc/passwd", "/etc/passwd", "Asia", "", "x" * 64])
+async def test_a_zone_that_there_is_not_is_refused(client: httpx.AsyncClient, name: str) -> None:
+    answer = await client.get("/statistics/report", params={"tz": name})
+    assert (answer.status_code, answer.json()["field"]) == (422, "tz")
+    assert answer.json()["detail"] == f"There is no time zone {name!r}."
+    assert answer.json()["remedy"] == "Such as Asia/Seoul, Europe/Berlin or UTC."
+
+
+async def test_a_machine_without_zones_says_so_and_what_would_help(
+    client: httpx.AsyncClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(periods, "ZoneInfo", _no_zones)
+    monkeypatch.setattr(periods, "available_timezones", set)
+    answer = await client.get("/statistics/report", params={"tz": "Asia/Seoul"})
+    assert (answer.status_code, answer.json()["detail"]) == (409, "This machine has no time zones.")
+    assert answer.json()["remedy"] == "pip install tzdata, or leave tz out."
+    assert (await client.get("/statistics/report")).status_code == 200
+
+
+def _no_zones(name: str) -> None:
+    raise ZoneInfoNotFoundError(name)

@@ -66,10 +66,10 @@ export function Statistics() {
             {t(`table_${table}` as Word)} ⤓
           </button>
         ))}
-        <button type="button" disabled={query === null} onClick={() => save(`/statistics/report?${query}&lang=${language.value}`, "report.html")}>
+        <button type="button" disabled={query === null} onClick={() => save(reportOf(query), "report.html")}>
           {t("report")} ⤓
         </button>
-        <button type="button" disabled={query === null} title={t("print_report")} onClick={() => void asking.ask(() => print(`/statistics/report?${query}&lang=${language.value}`), "")}>
+        <button type="button" disabled={query === null} title={t("print_report")} onClick={() => void asking.ask(() => print(reportOf(query)), "")}>
           {t("print")}
         </button>
         <Told asking={asking} />
@@ -94,6 +94,12 @@ function queryOf(period: Period, begin: string, end: string): URLSearchParams | 
   const [from, to] = [Date.parse(begin), Date.parse(end)];
   if (!(from < to)) return null;
   return of(from, to, Math.max(60, Math.ceil((to - from) / 1000 / INTERVALS)));
+}
+
+/** The report in the language of the page and the time of this browser. */
+function reportOf(query: URLSearchParams | null): string {
+  const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
+  return `/statistics/report?${query}&lang=${language.value}${zone ? `&tz=${encodeURIComponent(zone)}` : ""}`;
 }
 
 /** Open a page of the server by itself, and its print dialog. A link could not carry the access key. */
