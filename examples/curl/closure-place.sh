@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Print a place as JSON, as the other closure scripts send it.
-#   ./closure-place.sh barcode 1203 | edge 1203 1204 | stretch 1203 1210 | zone merge-3 | station STK01-P02
+#   ./closure-place.sh barcode 1067 | edge 1066 1067 | stretch 1065 1069 | zone M-A-PARK | station STK01-P02
 set -euo pipefail
 source "$(dirname -- "$0")/_lib.sh"
 usage "KIND NAME [TO]" "$@"

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from app.plant import read
 from tests.e2e.processes import GENEROUS
 
 SCRIPTS = Path(__file__).parents[2] / "examples" / "curl"
@@ -167,3 +168,24 @@ def test_each_script_asks_by_the_one_function_that_shows_refusals() -> None:
         if re.search(r"^[^#]*\bcurl ", (SCRIPTS / name).read_text(encoding="utf-8"), re.MULTILINE)
     }
     assert asking == of_their_own
+
+
+def test_places_that_the_page_about_closures_names_are_of_the_plant_that_make_run_shows() -> None:
+    root = SCRIPTS.parents[1]
+    plant, _ = read((root / "plants" / "demo.yaml").read_text(encoding="utf-8"), "demo.yaml")
+    known = {
+        "barcode": {point.barcode for point in plant.points},
+        "zone": {zone.id for zone in plant.zones},
+        "station": {station.id for station in plant.stations},
+    }
+    known["edge"] = known["stretch"] = known["barcode"]
+    texts = [(root / "docs" / "closures.md").read_text(encoding="utf-8")]
+    texts += [file.read_text(encoding="utf-8") for file in sorted(SCRIPTS.glob("closure-*.sh"))]
+    named: set[str] = set()
+    for text in texts:
+        for kind, *names in re.findall(r"\b(barcode|edge|stretch|zone|station) ([A-Z\d][\w-]+)(?: (\d+))?", text):
+            named.add(kind)
+            assert {name for name in names if name and name not in ("NAME",)} <= known[kind], (kind, names)
+        for zone in re.findall(r"/zones/([\w-]+)/", text):
+            assert zone in known["zone"] | {"ZONE"}
+    assert named == set(known)
