@@ -247,6 +247,18 @@ class Control:
         self.fleet.watch.refused(reason)
         self._decide()
 
+    def unreachable(self, line: str, reason: str, now: Seconds) -> None:
+        """The shell could not connect a line, and why: what was never heard on it says so."""
+        self.fleet.tick(now)
+        link = self._links.get(LinkId(line))
+        if link is not None:
+            link.connection.failed(reason)
+        vehicles = self.fleet.books.vehicles
+        on_it = [line] if link is None else [agv.id for agv in self.fleet.books.plant.agvs_on(LinkId(line))]
+        for name in on_it:
+            self.fleet.recovery.unreachable(vehicles[VehicleId(name)], reason)
+        self._decide()
+
     # -- webhooks -----------------------------------------------------------------------------------------------------
 
     def webhooks(self) -> list[tuple[Webhook, WebhookProgress]]:

@@ -35,6 +35,11 @@ class Connection:
         """It came up, or went down."""
         self.up, self.since, self.reason = up, now, reason
 
+    def failed(self, reason: str) -> None:
+        """An attempt to connect has failed: what was never up says why."""
+        if self.since is None:
+            self.reason = reason
+
 
 class HallLink(LinkSession):
     """An ENIG link with the AGVs, buffers and doors on it: an ``app.domain.ports.Endpoint`` that tells after every input."""

@@ -325,6 +325,12 @@ class Recovery:
         vehicle.agreed, vehicle.trusted, vehicle.waiting = None, False, ""
         self._books.touch(vehicle)
 
+    def unreachable(self, vehicle: VehicleNow, reason: str) -> None:
+        """An attempt to reach the vehicle has failed: one that was not heard of since the start is silent for that reason."""
+        if vehicle.seen is None and not vehicle.linked and vehicle.link_reason != reason:
+            vehicle.link_reason = reason
+            self._books.touch(vehicle)
+
 
 def _agv_shows(intent: Intent, agv: AgvStatus) -> bool:
     """Whether the effect of one of ENIG's own commands is visible in a Status; that of a manual move never is."""

@@ -8,6 +8,7 @@ import socket
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import takewhile
 from typing import TypeVar
 
@@ -363,12 +364,12 @@ class Controller:
             if spec.listen:
                 coming.append(Expected(spec, line, Codec(dialect_of(self.plant, spec.dialect))))
             else:
-                dialler = Dialler(line, Tcp(spec.host, spec.port), spec.id)
+                dialler = Dialler(line, Tcp(spec.host, spec.port), spec.id, partial(self._unreachable, spec.id))
                 self._diallers.append(dialler)
                 dialler.start()
         for link in self.plant.links:
             way = Serial(link.serial) if link.serial else Tcp(link.host, link.port)
-            keeper = Dialler(self._lines[link.id], way, link.id)
+            keeper = Dialler(self._lines[link.id], way, link.id, partial(self._unreachable, link.id))
             self._diallers.append(keeper)
             keeper.start()
         if coming and self.plant.listen is not None:
@@ -380,6 +381,12 @@ class Controller:
         if not self._over:
             with self._whole:
                 self._control.stranger(reason, self._clock.now())
+                self._kick()
+
+    def _unreachable(self, line: str, reason: str) -> None:
+        if not self._over:
+            with self._whole:
+                self._control.unreachable(line, reason, self._clock.now())
                 self._kick()
 
     def _kick(self) -> None:

@@ -71,10 +71,11 @@ class _Dialled(asyncio.Protocol):
 
 
 class Dialler:
-    """Keeps one line connected to one peer for as long as it runs."""
+    """Keeps one line connected to one peer for as long as it runs; ``failed`` is told why it cannot, once for each reason."""
 
-    def __init__(self, line: Line, way: Way, name: str) -> None:
+    def __init__(self, line: Line, way: Way, name: str, failed: Callable[[str], None] = lambda _: None) -> None:
         self._line = line
+        self._failed = failed
         self._way = way
         self._log: FilteringBoundLogger = logger(line=name, address=str(way))
         self._task: asyncio.Task[None] | None = None
@@ -99,6 +100,7 @@ class Dialler:
             if trouble:
                 if trouble != told:
                     self._log.warning("cannot connect", reason=trouble)
+                    self._failed(trouble)
                 told = trouble
             else:
                 told = ""

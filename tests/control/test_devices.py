@@ -1,17 +1,21 @@
 """Commands to devices through the whole controller: durable before the first byte, and looked at once more before they leave."""
 
+from pathlib import Path
+
 from app.control import Control
 from app.domain.device_requests import CommandDevice
 from app.domain.devices import DeviceAct
 from app.domain.ids import Actor, VehicleId
 from app.domain.records import Intent, IntentState, Record
 from app.domain.units import Barcode, Seconds, Timestamp
+from app.plant import read
 from app.protocols.enig.simulator import SimulatedLink
 from app.sim.halls import SimulatedHalls
 from app.sim.memory import MemoryLedger
 from tests.fleet.hall_plants import DOOR1, HALL, ring
 
 KIM = Actor("kim")
+PLANTS = Path(__file__).parents[2] / "plants"
 
 
 class HallBench:
@@ -83,3 +87,17 @@ def test_a_close_that_somebody_has_overtaken_while_it_was_written_down_does_not_
     assert (bench.last().kind, bench.last().state) == ("close", IntentState.NOT_SENT)
     assert bench.last().outcome == "V001 may be in it"
     assert bench.far.doors[DOOR1].is_open
+
+
+def test_a_link_that_was_never_reached_says_why_and_one_that_was_why_it_was_lost() -> None:
+    plant, _ = read((PLANTS / "hall.yaml").read_text(encoding="utf-8"), "hall.yaml")
+    control = Control(plant, MemoryLedger().load(), Seconds(0.0), Timestamp(0.0))
+    hall, axes = (link.id for link in plant.links)
+    control.unreachable(hall, "Connection refused", Seconds(0.5))
+    control.unreachable(hall, "no answer in 3 s", Seconds(4.0))
+    assert {link.id: link.reason for link in control.links()} == {hall: "no answer in 3 s", axes: "not connected yet"}
+    assert {vehicle.link_reason for vehicle in control.fleet.books.vehicles.values()} == {"no answer in 3 s"}
+    bench = HallBench()
+    bench.near.disconnected(bench.now, "the connection was closed")
+    bench.control.unreachable(HALL, "Connection refused", bench.now)
+    assert [link.reason for link in bench.control.links()] == ["the connection was closed"]

@@ -165,6 +165,22 @@ def test_a_vehicle_that_dials_in_is_controlled_like_any_other(tmp_path: Path) ->
     run(scenario)
 
 
+def test_a_vehicle_that_was_never_reached_says_why_and_no_more_once_it_is(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        directory = in_pieces(tmp_path, "unreached")
+        plant = plant_in(directory)
+        async with controlled(plant, directory) as controller:
+            assert all(view.link.reason == "not connected yet" for view in vehicles(controller))
+            # uvloop tells what the system says of it, asyncio itself what it tried.
+            refused = ("Connection refused", "Connect call failed")
+            await until(lambda: all(view.link.reason.startswith(refused) for view in vehicles(controller)))
+            async with simulated(plant):
+                await linked(controller)
+                assert all(view.link.reason == "" for view in vehicles(controller))
+
+    run(scenario)
+
+
 def test_a_stranger_who_keeps_dialling_in_is_an_alarm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("app.runtime.listener.QUIET", 0.0)
 
