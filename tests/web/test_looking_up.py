@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import Browser, expect
@@ -73,11 +74,17 @@ def test_a_period_of_ones_own_is_reckoned_saved_in_the_form_wanted_and_printed(p
             page.locator("input[name=end]").fill("2026-01-01T14:00")
         assert "interval=480" in reckoned.value.url
         assert reckoned.value.status == 200
+        expect(page.locator("[data-row=P2]")).to_contain_text("… is occupied by …")
+        expect(page.locator("[data-row='LOT-9']")).to_contain_text("no vehicle is free")
+        assert faults(page) == []
         with page.expect_download() as saving:
             page.get_by_role("button", name="Vehicles ⤓").click()
         assert saving.value.suggested_filename == "vehicles.csv"
-        with page.expect_popup() as opening:
+        printed = page.expect_request(lambda asked: "/statistics/report?" in asked.url)
+        with printed as asked, page.expect_popup() as opening:
             page.get_by_role("button", name="Print", exact=True).click()
+        zone = page.evaluate("Intl.DateTimeFormat().resolvedOptions().timeZone")
+        assert parse_qs(urlsplit(asked.value.url).query)["tz"] == [zone]
         expect(opening.value.locator("h1")).to_be_visible()
         page.get_by_label("Files as").select_option("parquet")
         with page.expect_response(lambda answer: "vehicles.parquet" in answer.url):

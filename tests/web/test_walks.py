@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, expect
 
 from app.domain.ids import Actor, CarrierId, StationId
 from app.domain.walks import AbandonWalk, AcceptWalk, EnterSights, Sight, StartWalk
+from tests.e2e.processes import wait_until
 from tests.web.hands import press_twice
 from tests.web.staffed import Staffed, staffed
 from tools.chromium import installed
@@ -53,6 +54,12 @@ def test_a_walk_is_begun_entered_at_a_place_and_from_a_file_and_taken_for_true(p
         file.write_text("station,seen\nL3,perhaps\n", encoding="utf-8")
         walk.get_by_label("Read a CSV").set_input_files(file)
         expect(walk.locator(".problem")).to_contain_text("Line 2: seen is full, empty, or nothing")
+        place.get_by_label("Carrier L3").fill("F8")
+        place.get_by_role("button", name="Empty").click()
+        wait_until(lambda: len(asked(plant, EnterSights)) == 2, "the entry")
+        file.write_text("station,seen,seen_carrier\nL3,empty,F9\n", encoding="utf-8")
+        walk.get_by_label("Read a CSV").set_input_files(file)
+        wait_until(lambda: len(asked(plant, EnterSights)) == 3, "the file")
         file.write_text("Station;Seen;Seen_Carrier\r\nL3;Full;F7\r\nP1;;\r\n", encoding="utf-8")
         walk.get_by_label("Read a CSV").set_input_files(file)
         expect(walk.locator(".done").first).to_contain_text("1 places entered from the file")
@@ -61,6 +68,8 @@ def test_a_walk_is_begun_entered_at_a_place_and_from_a_file_and_taken_for_true(p
     assert asked(plant, StartWalk) == [StartWalk(LEE, "after the outage", ())]
     assert [request.sights for request in asked(plant, EnterSights)] == [
         (Sight(StationId("L3"), present=False),),
+        (Sight(StationId("L3"), present=False, carrier=CarrierId("F8")),),  # the controller refuses both
+        (Sight(StationId("L3"), present=False, carrier=CarrierId("F9")),),
         (Sight(StationId("L3"), present=True, carrier=CarrierId("F7")),),
     ]
     assert asked(plant, AcceptWalk) == [AcceptWalk(LEE, 1)]
