@@ -178,7 +178,7 @@ ROOM: Json = {
             "finding": {
                 "type": "string",
                 "enum": ["not_seen", "agrees", "differs", "moved"],
-                "description": "Against the books of now; moved: they have changed since it was seen.",
+                "description": "Against the books of now, or as it was accepted; moved: they have changed since it was seen.",
             },
         },
         "A place of an audit walk. After the walk has ended `now` may be long past what was seen.",

@@ -41,7 +41,8 @@ class Walk:
 class WalkPlace:
     """A place of a walk: what was believed when the walk began, and what was ``seen`` there (None: not yet), by whom, when.
 
-    ``seen_carrier`` None though something is there: its id could not be read.
+    ``seen_carrier`` None though something is there: its id could not be read. ``accepted``: the finding with which the entry
+    was taken for true; it stays, though the books have been changed by just that.
     """
 
     walk: int
@@ -52,9 +53,12 @@ class WalkPlace:
     seen_carrier: CarrierId | None = None
     by: Actor | None = None
     at: Timestamp | None = None
+    accepted: Finding | None = None
 
     def finding(self, present: bool | None, carrier: CarrierId | str | None, since: float) -> Finding:
-        """Return what the entry says against the books as they are now, which have been so since then."""
+        """Return what the entry says against the books as they are now, which have been so since then, or as it was accepted."""
+        if self.accepted is not None:
+            return self.accepted
         if self.seen is None or self.at is None:
             return Finding.NOT_SEEN
         if since > self.at:

@@ -94,7 +94,8 @@ class Walks:
                 "invalid", f"{sight.station} is not on walk {walk.number}", "begin a walk along it", "station"
             )
         if sight.carrier and not sight.present:
-            return Refusal("invalid", "a carrier cannot be where nothing is present", "leave carrier out", "carrier")
+            reason = f"{sight.carrier} cannot be at {sight.station} while nothing is present there"
+            return Refusal("invalid", reason, "leave carrier out, or say that something is present", "carrier")
         return unfit_name(sight.carrier) if sight.carrier else None
 
     def accept(self, request: AcceptWalk) -> Reply:
@@ -104,6 +105,11 @@ class Walks:
             return walk
         places = books.walk_places[walk.number]
         findings = {place: self.finding(place) for place in places.values()}
+        seen = [place for place, found in findings.items() if found in {Finding.AGREES, Finding.DIFFERS}]
+        if not seen:
+            entered = any(place.seen is not None for place in places.values())
+            reason = "all that was entered has changed since" if entered else "nothing was entered"
+            return Refusal("conflict", reason, "look again and enter it, or abandon the walk")
         open_ = [p.station for p, found in findings.items() if found in {Finding.NOT_SEEN, Finding.MOVED}]
         if open_ and not request.partial:
             more = f" and {len(open_) - NAMED} more" if len(open_) > NAMED else ""
@@ -115,12 +121,12 @@ class Walks:
             )
         if twice := self._seen_twice(findings):
             return Refusal("conflict", f"{twice} was seen at two places", "look again, and enter what is right")
-        seen = [place for place, found in findings.items() if found in {Finding.AGREES, Finding.DIFFERS}]
         for place in sorted(seen, key=lambda place: bool(place.seen)):
             carrier = place.seen_carrier if place.seen else None
             self._plant_orders.station(
                 WriteStation(request.actor, place.station, place.seen, carrier, by_person=True, walked=True)
             )
+            books.save_walk_place(replace(place, accepted=findings[place]))
         differ = sum(found is Finding.DIFFERS for found in findings.values())
         self._end(walk, WalkState.ACCEPTED, request, f"{len(seen)} places verified, {differ} of them were wrong")
         return Accepted(Topic.WALKS, str(walk.number))

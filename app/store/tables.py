@@ -527,6 +527,7 @@ walk_places = sa.Table(
     _maybe("seen_carrier"),
     _maybe("by"),
     sa.Column("at", UTC),
+    _maybe("accepted"),
 )
 
 plant_versions = sa.Table(

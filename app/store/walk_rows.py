@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from operator import attrgetter
 
-from app.domain.walks import Walk, WalkPlace, WalkState
+from app.domain.walks import Finding, Walk, WalkPlace, WalkState
 from app.store.columns import Found, Row
 
 
@@ -19,10 +19,15 @@ def walk(row: Found) -> Walk:
 
 
 _PLACE = ("walk", "station", "believed", "believed_carrier", "seen", "seen_carrier", "by", "at")
-walk_place_row: Callable[[WalkPlace], Row] = attrgetter(*_PLACE)
-"""Columns of ``walk_places``."""
+_entered: Callable[[WalkPlace], Row] = attrgetter(*_PLACE)
+
+
+def walk_place_row(place: WalkPlace) -> Row:
+    """Columns of ``walk_places``."""
+    return (*_entered(place), place.accepted.value if place.accepted else None)
 
 
 def walk_place(row: Found) -> WalkPlace:
     """Undo :func:`walk_place_row`."""
-    return WalkPlace(**{name: getattr(row, name) for name in _PLACE})
+    accepted = Finding(row.accepted) if row.accepted else None
+    return WalkPlace(**{name: getattr(row, name) for name in _PLACE}, accepted=accepted)

@@ -76,10 +76,40 @@ def test_what_was_not_seen_or_has_changed_since_is_not_accepted_unasked(ready: S
     ready.wait(1)
     ready.accept(WriteStation(HOST, B1, present=False))
     assert findings(ready, walk) == {"B1": "moved", "B2": "not_seen"}
+    for partial in (False, True):
+        refusal = ready.refuse(AcceptWalk(KIM, walk, partial))
+        assert (refusal.code, refusal.reason) == ("conflict", "all that was entered has changed since")
+    enter(ready, walk, Sight(B2, present=False))
     refusal = ready.refuse(AcceptWalk(KIM, walk))
-    assert refusal.reason == "not seen, or changed since: B1, B2"
+    assert refusal.reason == "not seen, or changed since: B1"
     ready.accept(AcceptWalk(KIM, walk, partial=True))
     assert (ready.station(B1).present, ready.station(B1).provenance) == (False, Provenance.HOST)
+    assert ready.station(B2).provenance is Provenance.VERIFIED
+
+
+def test_a_walk_on_which_nothing_was_entered_is_not_accepted_but_abandoned(ready: Script) -> None:
+    walk = begin(ready)
+    for partial in (False, True):
+        refusal = ready.refuse(AcceptWalk(KIM, walk, partial))
+        assert (refusal.reason, refusal.remedy) == (
+            "nothing was entered",
+            "look again and enter it, or abandon the walk",
+        )
+    ready.accept(AbandonWalk(KIM, walk, "nobody went"))
+    assert ready.events()[-1] == "WalkEnded"
+
+
+def test_what_was_accepted_keeps_its_finding_though_the_books_are_changed_by_it(ready: Script) -> None:
+    walk = begin(ready)
+    enter(ready, walk, Sight(B1, present=True), Sight(B2, present=True, carrier=CarrierId("F9")))
+    ready.wait(1)
+    places = ready.fleet.books.walk_places[walk]
+    ready.accept(AcceptWalk(KIM, walk))
+    found = {}
+    for place in places.values():
+        record = ready.station(place.station)
+        found[place.station] = place.finding(record.present, record.carrier, record.at)
+    assert found == {B1: Finding.AGREES, B2: Finding.DIFFERS}
 
 
 def test_a_carrier_seen_twice_is_looked_for_again(ready: Script) -> None:
@@ -97,7 +127,8 @@ def test_entries_are_all_or_nothing_and_say_what_is_wrong(ready: Script) -> None
     assert ready.refuse(EnterSights(LEE, walk, wrong)).reason == f"P1 is not on walk {walk}"
     assert findings(ready, walk)["B1"] == Finding.NOT_SEEN
     odd = (Sight(B1, present=False, carrier=FOUP1),)
-    assert ready.refuse(EnterSights(LEE, walk, odd)).field == "carrier"
+    refusal = ready.refuse(EnterSights(LEE, walk, odd))
+    assert (refusal.field, refusal.reason) == ("carrier", "FOUP0001 cannot be at B1 while nothing is present there")
     assert ready.refuse(EnterSights(LEE, 99, ())).code == "not-found"
     assert ready.refuse(StartWalk(LEE, "x", (StationId("P9"),))).field == "stations"
     assert ready.refuse(StartWalk(LEE, "x", (B2,))).reason == f"walk {walk} of kim is at B2"

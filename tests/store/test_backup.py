@@ -139,6 +139,7 @@ def test_an_older_schema_is_brought_up_to_date_when_it_is_put_back(
     with sqlite3.connect(file) as connection:
         for table in ("restored", "plant_versions", "plant_file"):
             connection.execute(f"DROP TABLE {table}")
+        connection.execute("ALTER TABLE walk_places DROP COLUMN accepted")
         connection.execute("UPDATE alembic_version SET version_num = 'r0011'")
     connection.close()
     assert put_back(file, sqlite_url, "me", LATER)[0].schema == "r0011"

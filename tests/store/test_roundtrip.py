@@ -50,7 +50,7 @@ from app.domain.records import (
 )
 from app.domain.teaching import Basis, Proposal, ProposalState, Reading, SessionState, Side, TeachingSession
 from app.domain.units import Pulses
-from app.domain.walks import Walk, WalkPlace, WalkState
+from app.domain.walks import Finding, Walk, WalkPlace, WalkState
 from app.domain.webhooks import Webhook, WebhookProgress, WebhookState, WebhookTry
 from app.domain.why import Candidate, Choice, Wait, Why
 from app.store import tables
@@ -346,6 +346,7 @@ RECORDS: dict[type, st.SearchStrategy[Any]] = {
         seen_carrier=MAYBE,
         by=MAYBE,
         at=st.none() | TIME,
+        accepted=st.none() | st.sampled_from(Finding),
     ),
     Closure: st.builds(
         Closure,

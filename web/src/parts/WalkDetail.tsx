@@ -33,8 +33,7 @@ function sightsOf(text: string): Sight[] {
     const word = (row["seen"] ?? "").toLowerCase();
     if (!word || !row["station"]) return [];
     if (!FULL.has(word) && !EMPTY.has(word)) throw new Error(t("walk_file_word", i + 2, row["seen"] ?? ""));
-    const carrier = FULL.has(word) ? row["seen_carrier"] || null : null;
-    return [{ station: row["station"], present: FULL.has(word), carrier }];
+    return [{ station: row["station"], present: FULL.has(word), carrier: row["seen_carrier"] || null }];
   });
 }
 
@@ -86,9 +85,12 @@ function stands(present: boolean | null, carrier: string | null): string {
 }
 
 function Enter({ walk, place, asking }: { walk: number; place: WalkPlace; asking: Asking }) {
-  const carrier = useSignal(place.seen_carrier ?? place.now_carrier ?? "");
+  const before = place.seen_carrier ?? place.now_carrier;
+  const carrier = useSignal(before ?? "");
   const enter = (present: boolean): void => {
-    const body = { present, carrier: present ? carrier.value.trim() || null : null };
+    const written = carrier.value.trim() || null;
+    // What stood there before is no word of this person's; what somebody wrote beside "empty" is refused, not dropped.
+    const body = { present, carrier: present || written !== before ? written : null };
     void asking.ask(() => call("PUT", `/walks/${walk}/places/${encodeURIComponent(place.station)}`, body), t("entered_place", place.station));
   };
   return (
