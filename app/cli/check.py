@@ -32,6 +32,8 @@ def check(
         text = text_of(plant)
     except CannotStart as wrong:
         print(told_here(wrong.message))
+        if wrong.remedy:
+            print(f"    {told_here(wrong.remedy)}")
         raise typer.Exit(2) from None
     found: Plant | None = None
     try:

@@ -79,6 +79,21 @@ def test_a_file_that_cannot_be_read_exits_2(tmp_path: Path, content: bytes | Non
     assert f"{file} cannot be read: " in result.stdout
 
 
+@pytest.mark.parametrize(
+    ("name", "content"), [("list.csv", "바코드;X\n1;2\n".encode("cp949")), ("list.xlsx", b"PK\x03\x04\xff")]
+)
+def test_a_list_that_cannot_be_read_is_told_how_it_becomes_a_plant_file(
+    tmp_path: Path, name: str, content: bytes
+) -> None:
+    file = tmp_path / name
+    file.write_bytes(content)
+    result = run("check", str(file))
+    assert result.exit_code == 2
+    said, remedy = result.stdout.splitlines()
+    assert said.startswith(f"{file} cannot be read: it is not UTF-8")
+    assert remedy == "    make a plant file of it: hoistway layout import FILE -o plant.yaml"
+
+
 def test_a_catalogue_that_cannot_be_read_exits_2(tmp_path: Path) -> None:
     file = tmp_path / "hall.yaml"
     text = (PLANTS / "hall.yaml").read_text(encoding="utf-8")
