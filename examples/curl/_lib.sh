@@ -1,6 +1,7 @@
 # What every script here uses: where the controller is, who asks, how to ask and how to read an answer. Source it; it does nothing itself.
 HOISTWAY=${HOISTWAY:-http://localhost:8080} # where `hoistway serve` or `make run` answers
 ACTOR=${ACTOR:-$(id -un)}                   # your name: it stands in the audit
+# HOISTWAY_KEY: the key, where callers have to say who they are (docs/access.md)
 
 # usage WORDS "$@": unless all WORDS were given but those in brackets, print what the script takes and does, and end it with 2; --help:
 # print the same, and end it with 0.
@@ -49,11 +50,20 @@ print(json.dumps(made))' "$@"
 # list TEXT...: print a JSON list of texts.
 list() { python3 -c 'import json, sys; print(json.dumps(sys.argv[1:]))' "$@"; }
 
+# keyed OPTION OF CURL...: curl with the key, if there is one. It is not among the words of the command, which all users here can see.
+keyed() {
+  if [[ -n ${HOISTWAY_KEY-} ]]; then
+    curl --config <(printf 'header = "Authorization: Bearer %s"\n' "$HOISTWAY_KEY") "$@"
+  else
+    curl "$@"
+  fi
+}
+
 # ask METHOD PATH [JSON] [OPTION OF CURL...]: print the answer; if it is a refusal too, which says why and what would help, and then fail.
 ask() {
   local method=$1 path=$2 body=${3-}
   shift $(($# < 3 ? $# : 3))
-  curl --silent --show-error --fail-with-body --max-time 90 --request "$method" ${body:+--json "$body"} \
+  keyed --silent --show-error --fail-with-body --max-time 90 --request "$method" ${body:+--json "$body"} \
     --header "X-Actor: $ACTOR" "$@" "$HOISTWAY/api/v1$path"
 }
 

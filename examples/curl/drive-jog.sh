@@ -11,6 +11,6 @@ body=$(object direction="$2")
 jog=$(api POST "/drives/$1/jog" "$body" | field jog)
 held="/drives/$1/jog/$jog"
 # Eight times a second, by one curl: to start one for each could take longer than the half second. What follows # only counts.
-curl -fsS --fail-early --rate 8/s -X POST "$HOISTWAY/api/v1$held#[1-$((8 * seconds))]" >/dev/null || true
+keyed -fsS --fail-early --rate 8/s -X POST "$HOISTWAY/api/v1$held#[1-$((8 * seconds))]" >/dev/null || true
 api DELETE "$held?wait=5" || ask GET "$held"
 echo

@@ -17,6 +17,7 @@ from tests.e2e.processes import GENEROUS
 SCRIPTS = Path(__file__).parents[2] / "examples" / "curl"
 QUOTED = 'say "new" \\ port\'s 포트'
 """A reason as people write them: with all that JSON and a shell could trip over."""
+KEY = "hw_the-key"
 WHY = "no, and here is why"
 ASKING_NOBODY = {"closure-place.sh"}
 GIVEN = {
@@ -63,6 +64,8 @@ class Refusing(BaseHTTPRequestHandler):
 
     def answer(self) -> None:
         """Refuse."""
+        if self.headers.get("Authorization") != f"Bearer {KEY}":
+            self.sent.append(b"no key")
         self.sent.append(self.rfile.read(int(self.headers.get("Content-Length", 0))))
         body = json.dumps({"status": 409, "detail": WHY, "remedy": "ask later"}).encode()
         self.send_response(409)
@@ -111,7 +114,7 @@ def test_a_refusal_is_shown_and_what_was_told_is_sent(
     words: list[str] = []
     for word in words_of(script):
         words += GIVEN.get(word, () if word.startswith("[") else (word.split("|")[0],))
-    ended = run(script, *words, url=url, PWD=str(tmp_path), REASON=QUOTED)
+    ended = run(script, *words, url=url, PWD=str(tmp_path), REASON=QUOTED, HOISTWAY_KEY=KEY)
     shown = ended.stdout + ended.stderr
     assert ended.returncode not in (0, 2), ended
     assert WHY in shown
@@ -119,6 +122,7 @@ def test_a_refusal_is_shown_and_what_was_told_is_sent(
     assert "Traceback" not in shown
     assert re.search(r"\.sh: line \d+", shown) is None, shown
     assert sent
+    assert b"no key" not in sent
     bodies = [json.loads(body) for body in sent if body.startswith(b"{")]
     if QUOTED in words and bodies:
         assert any(QUOTED in body.values() for body in bodies), bodies
@@ -165,7 +169,7 @@ def test_each_script_asks_by_the_one_function_that_shows_refusals() -> None:
     asking = {
         name
         for name in scripts()
-        if re.search(r"^[^#]*\bcurl ", (SCRIPTS / name).read_text(encoding="utf-8"), re.MULTILINE)
+        if re.search(r"^[^#]*\b(?:curl|keyed) ", (SCRIPTS / name).read_text(encoding="utf-8"), re.MULTILINE)
     }
     assert asking == of_their_own
 
