@@ -84,7 +84,16 @@ class Served:
 
     def _run(self) -> None:
         asyncio.set_event_loop(self._loop)
-        self._loop.run_until_complete(self._server.serve(sockets=[self._listening]))
+        self._loop.run_until_complete(self._serve())
+
+    async def _serve(self) -> None:
+        await self._server.serve(sockets=[self._listening])
+        # What has not ended in its time to end, on a busy machine, is cut: nothing may be left to whoever runs next.
+        for connection in list(self._server.server_state.connections):
+            transport = getattr(connection, "transport", None)
+            if transport is not None:
+                transport.abort()
+        await asyncio.sleep(0)
 
 
 @contextmanager

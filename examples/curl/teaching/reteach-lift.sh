@@ -23,13 +23,13 @@ fi
 patience=${PATIENCE:-600} remind=${REMIND:-30} begun=$SECONDS told=0
 while proposal=$(newest); [[ $proposal == "$before" ]]; do
   waited=$((SECONDS - begun))
-  if ((waited >= patience)); then
-    echo "nothing was taught at $STATION in $patience s (PATIENCE): does $VEHICLE stand there in MANT? See history.sh" >&2
-    exit 1
-  fi
   if ((waited - told >= remind)); then
     echo "still waiting for LIFT DEST TEACHING of $VEHICLE at $STATION; ends after $patience s" >&2
     told=$waited
+  fi
+  if ((waited >= patience)); then
+    echo "nothing was taught at $STATION in $patience s (PATIENCE): does $VEHICLE stand there in MANT? See history.sh" >&2
+    exit 1
   fi
   sleep 0.5
 done
