@@ -74,6 +74,7 @@ def test_the_mes_in_python_says_how_it_is_called(tmp_path: Path, arguments: list
     assert word in ended.stderr
 
 
+@pytest.mark.campaign
 def test_the_mes_in_python_says_what_is_refused_and_why_an_order_waits(tmp_path: Path) -> None:
     log, state, said = tmp_path / "log", tmp_path / "mes.json", tmp_path / "said"
     away = mes("http://127.0.0.1:9", str(state), "LOT-1:P1:P2")

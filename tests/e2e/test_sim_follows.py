@@ -6,6 +6,7 @@ import httpx
 import pytest
 
 from tests.e2e.processes import HTTP, answers, free_ports, quick_plant, running, wait_until
+from tests.shares import shared
 
 ACTOR = {"X-Actor": "kim"}
 
@@ -18,7 +19,7 @@ def activated(url: str, text: str) -> None:
     HTTP.post(f"{versions}/{made['number']}/activate", json=body, headers=ACTOR).raise_for_status()
 
 
-@pytest.mark.parametrize("follows", [True, False])
+@pytest.mark.parametrize("follows", shared([True, False], 1))
 def test_a_simulator_follows_its_controller_or_says_what_it_does_not_know(tmp_path: Path, *, follows: bool) -> None:
     (port,) = free_ports(1)
     file, log, simulated = quick_plant("small", tmp_path), tmp_path / "log", tmp_path / "sim.log"
