@@ -28,6 +28,7 @@ def serving(tmp_path: Path, log: Path) -> Iterator[tuple[str, tuple[str, ...]]]:
         yield f"http://127.0.0.1:{port}", server
 
 
+@pytest.mark.campaign
 def test_the_mes_in_python_sees_its_orders_to_their_end_through_a_killed_server(tmp_path: Path) -> None:
     log, state, said = tmp_path / "log", tmp_path / "mes.json", tmp_path / "said"
     env = {**os.environ, "PYTHONPATH": str(ROOT / "clients/python")}

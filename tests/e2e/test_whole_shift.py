@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import pytest
 
 from app.wire.faults import Fault
 from tests.e2e.noise import noisy
@@ -142,6 +143,7 @@ def a_door_is_opened(shift: Shift) -> None:
     assert shift.get("/devices/DOOR1")["state"] == "open"
 
 
+@pytest.mark.campaign
 def test_a_maintenance_persons_whole_shift_is_curl(tmp_path: Path) -> None:
     with on_shift(tmp_path) as shift:
         a_new_port_is_taught_used_and_rolled_back(shift)
